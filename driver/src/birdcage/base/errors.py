@@ -1,0 +1,126 @@
+"""The taxonomy of what can go wrong (DESIGN section 10).
+
+    BirdcageError
+      ConfigError        a setting cannot be read or is not allowed
+      LinkError          the port: missing, busy, forbidden, lost, broken
+      NoReply            the port is there, the dish did not answer in time
+      CommandRefused     the firmware answered with an error
+      MotionRefused      a limit, or missing knowledge, forbids the motion
+        BelowFloor       (also a ValueError) the elevation floor
+        PositionUnknown  the axis was not read, or not homed
+      Held               STOP is latched
+      LeaseDenied        somebody else has control
+      Superseded         a newer target replaced this one
+      Stopped            STOP or a loss of the link ended it
+      Cancelled          the person who asked took it back
+      WrongThread        a dish that a station owns was called from another thread
+
+Each carries `reason`, a word that a program can test, and a sentence for a person: what happened, what it means for
+the dish, what to do.
+"""
+
+from __future__ import annotations
+
+
+class BirdcageError(Exception):
+    """Base of all. `reason` is a stable word; the message is for people."""
+
+    reason = "error"
+
+    def __init__(self, message: str, *, reason: str | None = None) -> None:
+        super().__init__(message)
+        if reason is not None:
+            self.reason = reason
+
+
+class ConfigError(BirdcageError):
+    """A setting cannot be read or is not allowed; the message names file, key and remedy."""
+
+    reason = "config"
+
+
+class LinkError(BirdcageError):
+    """The port. Reasons: missing, busy, permission, unsupported, lost, failed."""
+
+    reason = "failed"
+
+
+class NoReply(BirdcageError):
+    """The dish did not answer within its deadline. Reasons: silent, garbage, blocked."""
+
+    reason = "silent"
+
+
+class CommandRefused(BirdcageError):
+    """The firmware answered with an error: nothing was done. Reasons: unknown_command, bad_parameter, wrong_menu."""
+
+    reason = "unknown_command"
+
+
+class MotionRefused(BirdcageError):
+    """A motion that was not sent. Reasons: not_a_number, az_limit, el_limit, wrap, sector, floor, unknown, unhomed.
+
+    `limit_deg` is the limit that it would break and `by_deg` by how much; None where no number applies.
+    """
+
+    reason = "limit"
+
+    def __init__(
+        self,
+        message: str,
+        *,
+        reason: str | None = None,
+        limit_deg: float | None = None,
+        by_deg: float | None = None,
+    ) -> None:
+        super().__init__(message, reason=reason)
+        self.limit_deg = limit_deg
+        self.by_deg = by_deg
+
+
+class BelowFloor(MotionRefused, ValueError):
+    """The target lies below the elevation floor."""
+
+    reason = "floor"
+
+
+class PositionUnknown(MotionRefused):
+    """Where the dish stands is not known. Reasons: unread, unhomed, released."""
+
+    reason = "unread"
+
+
+class Held(BirdcageError):
+    """STOP is latched: nobody moves the dish until a person releases it."""
+
+    reason = "held"
+
+
+class LeaseDenied(BirdcageError):
+    """Somebody else has control; the message names the holder."""
+
+    reason = "lease"
+
+
+class Superseded(BirdcageError):
+    """A newer target replaced this one before it was reached."""
+
+    reason = "superseded"
+
+
+class Stopped(BirdcageError):
+    """The motion was ended before it arrived: STOP, a lost link, a fault or the end of the station."""
+
+    reason = "stopped"
+
+
+class Cancelled(BirdcageError):
+    """The person who asked for it took it back."""
+
+    reason = "cancelled"
+
+
+class WrongThread(BirdcageError):
+    """A station owns this antenna: ask the station instead."""
+
+    reason = "wrong_thread"

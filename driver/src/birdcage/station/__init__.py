@@ -1,0 +1,1 @@
+"""One thread owns the dish: requests in, immutable events and a state out."""

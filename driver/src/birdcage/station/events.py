@@ -1,0 +1,136 @@
+"""What the station tells. Frozen; every event has its monotonic and UTC time; angles are true degrees."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from datetime import datetime
+from enum import Enum
+
+from birdcage.station.state import Activity, Fault, HeldState, LinkState, Motion, Pointing, StopReport
+
+
+class End(Enum):
+    """How a motion ended."""
+
+    ARRIVED = "arrived"
+    SUPERSEDED = "superseded"
+    STOPPED = "stopped"
+    REFUSED = "refused"
+    FAULT = "fault"
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """Base of all."""
+
+    at: float
+    utc: datetime
+
+
+@dataclass(frozen=True, slots=True)
+class LinkChanged(Event):
+    """The link came up, fell silent, or was lost."""
+
+    link: LinkState
+
+
+@dataclass(frozen=True, slots=True)
+class PositionRead(Event):
+    """The dish said where it is."""
+
+    position: Pointing
+
+
+@dataclass(frozen=True, slots=True)
+class MoveStarted(Event):
+    """A motion was sent to the dish."""
+
+    motion: Motion
+    holder: str
+
+
+@dataclass(frozen=True, slots=True)
+class MoveProgress(Event):
+    """The dish is under way."""
+
+    position: Pointing
+    to_go_deg: float
+    left_s: float
+
+
+@dataclass(frozen=True, slots=True)
+class MoveEnded(Event):
+    """A motion is over; `reason` is a sentence."""
+
+    end: End
+    reason: str
+    position: Pointing | None
+
+
+@dataclass(frozen=True, slots=True)
+class StopSent(Event):
+    """STOP's bytes went out, or there was nothing to send."""
+
+    report: StopReport
+
+
+@dataclass(frozen=True, slots=True)
+class StopConfirmed(Event):
+    """The dish answered and stands still, or it did not (`report.confirmed` is False)."""
+
+    report: StopReport
+
+
+@dataclass(frozen=True, slots=True)
+class HeldChanged(Event):
+    """STOP latched, or was released (None)."""
+
+    held: HeldState | None
+
+
+@dataclass(frozen=True, slots=True)
+class LeaseChanged(Event):
+    """Control went to `holder`, from `previous`."""
+
+    holder: str | None
+    previous: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class FaultRaised(Event):
+    """Something is wrong."""
+
+    fault: Fault
+
+
+@dataclass(frozen=True, slots=True)
+class FaultAcknowledged(Event):
+    """A person has read it."""
+
+    fault: Fault
+    by: str
+
+
+@dataclass(frozen=True, slots=True)
+class ReadingRead(Event):
+    """A value was read from the dish."""
+
+    feature: str
+    value: float | str | bool
+    unit: str
+
+
+@dataclass(frozen=True, slots=True)
+class TranscriptLine(Event):
+    """A line that passed on the wire; `direction` is `>` to the dish, `<` from it, `#` a remark."""
+
+    direction: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class ActivityChanged(Event):
+    """The dish does something else now."""
+
+    activity: Activity
+    text: str

@@ -1,0 +1,187 @@
+"""What the station knows at one moment: one immutable value, replaced as a whole, read by any thread."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from datetime import datetime
+from enum import Enum
+from types import MappingProxyType
+
+from birdcage.protocol.model import DishModel, Turn
+
+
+class Link(Enum):
+    """The state of the link."""
+
+    CLOSED = "closed"
+    OPENING = "opening"
+    UP = "up"
+    SILENT = "silent"
+    """The port is there; the dish does not answer, or not in its language."""
+    LOST = "lost"
+    """The port is gone; the station looks for it again."""
+
+
+class Activity(Enum):
+    """What the dish is doing, as far as is known."""
+
+    UNKNOWN = "unknown"
+    IDLE = "idle"
+    SLEWING = "slewing"
+    STOPPING = "stopping"
+    HOMING = "homing"
+    INITIALIZING = "initializing"
+    MOVING_UNASKED = "moving unasked"
+
+
+class Search(Enum):
+    """The firmware's TV search."""
+
+    RUNNING = "running"
+    OFF = "off"
+    OFF_AFTER_POWER_UP = "off until power-up"
+    UNKNOWN = "unknown"
+
+
+@dataclass(frozen=True, slots=True)
+class LinkState:
+    """The link, and why it is as it is."""
+
+    state: Link = Link.CLOSED
+    since: float = 0.0
+    """Monotonic seconds."""
+    last_reply: float | None = None
+    """When the dish last answered, in monotonic seconds."""
+    round_trip_s: float | None = None
+    detail: str = ""
+    """A sentence for a person; while lost, what is being tried."""
+    stray_bytes: int = 0
+    """Bytes of line noise since the link came up."""
+
+
+@dataclass(frozen=True, slots=True)
+class Pointing:
+    """A direction that was read (or modelled, and then says so)."""
+
+    az_deg: float
+    """True azimuth."""
+    el_deg: float
+    dish_az_deg: float
+    """As the dish counts it, before the offset."""
+    dish_el_deg: float
+    at: float
+    """Monotonic seconds of the reading."""
+    utc: datetime
+    cable_deg: float | None = None
+    """Turn of the cable, when it is known."""
+
+
+@dataclass(frozen=True, slots=True)
+class Motion:
+    """A motion under way: where from, where to, when it will be there, and what stops it."""
+
+    from_az_deg: float
+    from_el_deg: float
+    to_az_deg: float
+    to_el_deg: float
+    started: float
+    """Monotonic seconds."""
+    eta: float
+    """Monotonic seconds at which it should have arrived."""
+    stop_power_s: float | None
+    """How long a stop takes from top speed; None when nothing stops this motion."""
+    stop_means: str
+    """`retarget`, `release`, `none`."""
+
+
+@dataclass(frozen=True, slots=True)
+class HeldState:
+    """STOP is latched."""
+
+    by: str
+    since: float
+    utc: datetime
+    reason: str
+    """`stop`, `link`, `suspend`, `clock step`, `fault`, `restart`."""
+    next_holder: str | None = None
+    """Who would move first after release, and where to."""
+    next_az_deg: float | None = None
+    next_el_deg: float | None = None
+    ignored: int = 0
+    """How many motions were asked for and ignored since."""
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """Shown until acknowledged."""
+
+    reason: str
+    what: str
+    meaning: str
+    remedy: str
+    utc: datetime
+
+
+@dataclass(frozen=True, slots=True)
+class StopReport:
+    """What the last STOP really did."""
+
+    by: str
+    at: float
+    means: str
+    """`retarget`, `release`, `nothing moved`, `no link`."""
+    confirmed: bool | None
+    """None while it is not known yet."""
+    sentence: str
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """One value read from the dish."""
+
+    value: float | str | bool
+    unit: str
+    at: float
+    utc: datetime
+
+
+@dataclass(frozen=True, slots=True)
+class StationState:
+    """All of it. A field that is None is not known, and shows as a dash."""
+
+    link: LinkState = field(default_factory=LinkState)
+    port: str = ""
+    demo: bool = False
+    dish: DishModel | None = None
+    firmware_version: str | None = None
+    position: Pointing | None = None
+    position_lost: str | None = None
+    """Why the last position no longer holds (`released`, `unhomed`, `raw command`), else None."""
+    target_az_deg: float | None = None
+    target_el_deg: float | None = None
+    motion: Motion | None = None
+    activity: Activity = Activity.UNKNOWN
+    activity_since: float = 0.0
+    activity_text: str = ""
+    """More about it: a boot line, the axis being homed."""
+    holder: str | None = None
+    held: HeldState | None = None
+    fault: Fault | None = None
+    last_stop: StopReport | None = None
+    homed: bool | None = None
+    search: Search = Search.UNKNOWN
+    turn: Turn = Turn.UNKNOWN
+    menu: str | None = None
+    az_offset_deg: float = 0.0
+    el_offset_deg: float = 0.0
+    feed_name: str = ""
+    beam_deg: float | None = None
+    stow_allowed: bool = False
+    el_min_deg: float | None = None
+    """The lowest and highest true elevation that a motion may go to: the dish's own limits and the user's."""
+    el_max_deg: float | None = None
+    motion_refused_because: str | None = None
+    """Why no motion is taken at all (unreadable settings), else None."""
+    readings: Mapping[str, Reading] = field(default_factory=lambda: MappingProxyType({}))
+    """By feature: `rssi`, `rssi_peak`, `nvs.20`, `antenna_id`, …"""

@@ -1,0 +1,1 @@
+"""The terminal app of birdcage: faces on the station, nothing below it."""
