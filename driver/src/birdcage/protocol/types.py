@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 MOTOR_AZIMUTH = 0
 MOTOR_ELEVATION = 1
@@ -24,3 +25,19 @@ class RssiReading:
     reads: int
     average: int
     current: int
+
+
+@dataclass(frozen=True, slots=True)
+class Survey:
+    """What a dish tells about itself. What it does not tell is empty or None."""
+
+    identity: Mapping[str, str] = field(default_factory=dict)
+    """Field name to text, as printed."""
+    version: str | None = None
+    """Firmware version."""
+    settings: Mapping[str, str] = field(default_factory=dict)
+    """Settings in force, by name (`nvs.20`), as printed."""
+    el_min_deg: float | None = None
+    el_max_deg: float | None = None
+    search_disabled: bool | None = None
+    """Whether the firmware's own TV search is switched off for good."""

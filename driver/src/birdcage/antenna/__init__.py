@@ -1,0 +1,18 @@
+"""Turns "point there" into safe commands. The names of the public API (document 003), loaded when asked for."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from birdcage.antenna.antenna import AntennaConfig, BirdcageAntenna
+
+__all__ = ["AntennaConfig", "BirdcageAntenna"]
+
+
+def __getattr__(name: str) -> Any:  # noqa: ANN401 - PEP 562
+    if name not in __all__:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from birdcage.antenna import antenna
+
+    return getattr(antenna, name)

@@ -1,0 +1,206 @@
+"""High-level control of one dish: the class that scripts and the station drive (document 003)."""
+
+from __future__ import annotations
+
+import threading
+from dataclasses import dataclass
+
+from birdcage.antenna.alignment import Alignment
+from birdcage.antenna.motion import STOP_LATENCY_S, DishMotion, start_motion
+from birdcage.base.clock import Clock
+from birdcage.base.errors import MotionRefused, NoReply, WrongThread
+from birdcage.base.geometry import shortest_turn, wrap_360
+from birdcage.kinematics import rest_point
+from birdcage.leapfrog import apply_leapfrog
+from birdcage.link.link import Link
+from birdcage.protocol.protocol import FirmwareProtocol
+from birdcage.protocol.types import MOTOR_AZIMUTH, MOTOR_ELEVATION, Position
+
+
+class _DialectBaud(int):
+    """57600, and the mark of not having been given: then the dialect's own baud is used (SEAMS *Public API*)."""
+
+
+DIALECT_BAUD = _DialectBaud(57600)
+STILL_DEG = 0.015
+"""Two readings this close, one poll apart, are a dish at rest: both axes print hundredths."""
+
+
+@dataclass
+class AntennaConfig:
+    """How to reach the dish, and the caller's own limits."""
+
+    port: str = "/dev/ttyUSB0"
+    baudrate: int = DIALECT_BAUD
+    min_elevation: float = 15.0
+    """Degrees, true; the higher of this and the dish's own limit counts."""
+    leapfrog_enabled: bool = True
+
+
+class BirdcageAntenna:
+    """One dish, in true degrees. Synchronous; once a station has adopted it, other threads get `WrongThread`."""
+
+    def __init__(
+        self, protocol: FirmwareProtocol, config: AntennaConfig | None = None, alignment: Alignment | None = None
+    ) -> None:
+        self._protocol = protocol
+        self._config = config or AntennaConfig()
+        self.alignment = alignment or Alignment()
+        self._owner: threading.Thread | None = None
+        self._last_position: Position | None = None
+        self._moves = 0
+        self.motion: DishMotion | None = None
+        """The motion under way as modelled; replaced as a whole, so that any thread may read it."""
+        protocol.gate.update(floor_deg=self._config.min_elevation - self.alignment.el_offset_deg)
+
+    @property
+    def config(self) -> AntennaConfig:
+        """The configuration given at construction."""
+        return self._config
+
+    @property
+    def protocol(self) -> FirmwareProtocol:
+        """The dialect."""
+        return self._protocol
+
+    @property
+    def is_connected(self) -> bool:
+        """Whether a port is open."""
+        return self._protocol.is_connected
+
+    @property
+    def _clock(self) -> Clock:
+        return self._protocol.clock
+
+    def adopt(self, owner: threading.Thread | None) -> None:
+        """Give the antenna to a thread: calls from any other raise `WrongThread` from then on. None frees it."""
+        self._owner = owner
+
+    def _check_thread(self) -> None:
+        if self._owner is not None and threading.current_thread() is not self._owner:
+            raise WrongThread("A station owns this antenna. Submit a request to the station instead.")
+
+    def connect(self) -> None:
+        """Open the port of the configuration; the dialect's baud unless one was given."""
+        self._check_thread()
+        given = not isinstance(self._config.baudrate, _DialectBaud)
+        baud = self._config.baudrate if given else self._protocol.model.baud
+        self._protocol.connect(self._config.port, int(baud))
+
+    def attach(self, link: Link, clock: Clock) -> None:
+        """Use an open link instead of `connect`."""
+        self._check_thread()
+        self._protocol.attach(link, clock)
+
+    def disconnect(self) -> None:
+        """Close the port; `q` goes out only from a proven submenu."""
+        self._check_thread()
+        self._protocol.disconnect()
+        self._last_position = None
+
+    def initialize(self) -> None:
+        """Connect if needed, wait for the end of the boot, enter the motor menu."""
+        self._check_thread()
+        if not self.is_connected:
+            self.connect()
+        self._protocol.initialize()
+
+    def get_position(self) -> Position:
+        """Read where the dish points, in true degrees. PositionUnknown when it is not homed."""
+        self._check_thread()
+        dish = self._protocol.get_position()
+        if self.motion is not None:
+            self.motion = self.motion.with_reading(dish, self._clock.monotonic(), self._clock.rate)
+        az_deg, el_deg = self.alignment.to_true(dish.azimuth, dish.elevation)
+        self._last_position = Position(az_deg, el_deg, dish.skew)
+        return self._last_position
+
+    def move_to(self, azimuth: float, elevation: float) -> None:
+        """Point there (true degrees) and return when the dish has taken the commands.
+
+        Reads the position first. With `leapfrog_enabled`, aims beyond the target as documented, within the limits.
+        BelowFloor (a ValueError) below the floor, MotionRefused for every other limit; nothing is sent then.
+        """
+        self.point(azimuth, elevation, leapfrog=self._config.leapfrog_enabled)
+
+    def point(
+        self, az_deg: float, el_deg: float, *, leapfrog: bool = False, clamp: bool = False
+    ) -> tuple[float, float]:
+        """Send both axes to a true direction; return the true direction that was commanded.
+
+        `clamp` moves an elevation outside the limits to the nearest allowed one instead of refusing it.
+        """
+        self._check_thread()
+        gate = self._protocol.gate
+        current = self.get_position()
+        dish_az, dish_el = self.alignment.to_dish(az_deg, el_deg)
+        if clamp:
+            dish_el = min(max(dish_el, gate.el_floor_deg), gate.el_max_deg)
+        gate.check(dish_az, dish_el)
+        if leapfrog:
+            wanted = apply_leapfrog(az_deg, el_deg, current.azimuth, current.elevation)
+            beyond_az, beyond_el = self.alignment.to_dish(*wanted)
+            beyond = beyond_az, min(max(beyond_el, gate.el_floor_deg), gate.el_max_deg)
+            try:
+                gate.check(*beyond)
+            except MotionRefused:
+                # Only the overshoot is not allowed: the target itself is, so go there exactly.
+                beyond = dish_az, dish_el
+            dish_az, dish_el = beyond
+        self._send(dish_az, dish_el)
+        return self.alignment.to_true(dish_az, dish_el)
+
+    def _send(self, dish_az: float, dish_el: float) -> None:
+        gate = self._protocol.gate
+        start = gate.position
+        assert start is not None, "the gate has just checked this"
+        now, rate = self._clock.monotonic(), self._clock.rate
+        velocity = (0.0, 0.0)
+        if self.motion is not None:
+            velocity = self.motion.azimuth.modelled(now, rate)[1], self.motion.elevation.modelled(now, rate)[1]
+        turns = gate.cable_turns(dish_az)
+        cable = gate.cable_deg
+        turn = turns[0] - cable if turns and cable is not None else shortest_turn(start.azimuth, dish_az)
+        self.motion = start_motion(self._protocol.model, start, turn, dish_el, now, velocity)
+        order = [(MOTOR_AZIMUTH, dish_az), (MOTOR_ELEVATION, dish_el)]
+        # Alternating, so that neither axis starves on a dish that moves them in turn (document 003).
+        for motor, angle in order if self._moves % 2 == 0 else reversed(order):
+            self._protocol.move_motor(motor, angle)
+        self._moves += 1
+
+    def stop_lines(self) -> tuple[str, ...]:
+        """Return the lines that stop the motion under way, computed for this moment; empty at rest. Any thread."""
+        motion = self.motion
+        if motion is None:
+            return ()
+        return self._protocol.stop_lines(*motion.stop_target(self._clock.monotonic(), self._clock.rate))
+
+    def stop_lines_seen(
+        self, earlier: Position, earlier_at: float, later: Position, later_at: float
+    ) -> tuple[str, ...]:
+        """Return the lines that stop a motion that nobody asked for, from two readings of the dish's own angles."""
+        now, rate = self._clock.monotonic(), self._clock.rate
+        elapsed_s = max((later_at - earlier_at) * rate, 1e-3)
+        lead_s = (now - later_at) * rate + STOP_LATENCY_S * rate
+        model = self._protocol.model
+        az_rate = shortest_turn(earlier.azimuth, later.azimuth) / elapsed_s
+        el_rate = (later.elevation - earlier.elevation) / elapsed_s
+        az_deg = rest_point(later.azimuth, az_rate, model.azimuth.acceleration_deg_s2, lead_s)
+        el_deg = rest_point(later.elevation, el_rate, model.elevation.acceleration_deg_s2, lead_s)
+        gate = self._protocol.gate
+        return self._protocol.stop_lines(wrap_360(az_deg), min(max(el_deg, gate.el_min_deg), gate.el_max_deg))
+
+    def stop(self) -> None:
+        """Reset the move counter and bring the dish to rest: a new target just ahead of where it is.
+
+        NoReply when the dish does not confirm within 2 s.
+        """
+        self._check_thread()
+        self._moves = 0
+        lines = self.stop_lines()
+        if not lines:
+            return
+        self._protocol.interject(lines)
+        if not self._protocol.console.settle(2.0):
+            raise NoReply("STOP was sent; the dish did not confirm it.")
+        self.motion = None

@@ -1,0 +1,43 @@
+"""One dialect a file: what to send, what to match, what the dish can do.
+
+The names of the public API (document 003) are found here, and loaded when asked for.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from birdcage.protocol.g2 import CarryoutG2Protocol
+    from birdcage.protocol.protocol import FirmwareProtocol
+    from birdcage.protocol.registry import FIRMWARE_REGISTRY, get_protocol
+    from birdcage.protocol.types import MOTOR_AZIMUTH, MOTOR_ELEVATION, Position, RssiReading
+
+_HOMES = {
+    "CarryoutG2Protocol": "g2",
+    "FIRMWARE_REGISTRY": "registry",
+    "FirmwareProtocol": "protocol",
+    "MOTOR_AZIMUTH": "types",
+    "MOTOR_ELEVATION": "types",
+    "Position": "types",
+    "RssiReading": "types",
+    "get_protocol": "registry",
+}
+
+__all__ = [
+    "FIRMWARE_REGISTRY",
+    "MOTOR_AZIMUTH",
+    "MOTOR_ELEVATION",
+    "CarryoutG2Protocol",
+    "FirmwareProtocol",
+    "Position",
+    "RssiReading",
+    "get_protocol",
+]
+
+
+def __getattr__(name: str) -> Any:  # noqa: ANN401 - PEP 562
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"birdcage.protocol.{_HOMES[name]}"), name)

@@ -1,0 +1,70 @@
+"""The Carryout G2 as data: what it is (reference sections 1, 7.1, 7.4, 7.5) and how its console looks (7.3)."""
+
+from __future__ import annotations
+
+import re
+
+from birdcage.console.dialect import ConsoleDialect
+from birdcage.protocol.model import Axis, CableRange, DishModel, SecondMove, StopMeans, Turn
+
+CARRYOUT_G2 = DishModel(
+    name="Carryout G2",
+    firmware="g2",
+    baud=115200,
+    azimuth=Axis(0, "azimuth", 0.0, 360.0, 65.0, 400.0, 360.0 / 40000, overshoot_deg=0.06),
+    elevation=Axis(1, "elevation", 18.0, 65.0, 45.0, 400.0, 360.0 / 24960, overshoot_deg=0.06),
+    cable=CableRange(-423.33, 23.33),
+    turn=Turn.UNKNOWN,
+    axes_together=True,
+    second_move=SecondMove.UNKNOWN,
+    stop_ladder=(
+        StopMeans(
+            "retarget",
+            proven=False,
+            sentence="a new target just ahead of the dish; no stop is documented for this firmware",
+        ),
+        StopMeans(
+            "release",
+            proven=False,
+            sentence="the motors are released; the dish may fall under its own weight",
+            loses_position=True,
+            needs_consent=True,
+        ),
+    ),
+    homing_s=15.0,
+    homing_stoppable=False,
+    boot_s=180.0,
+    has_rssi=True,
+    has_nvs=True,
+    has_skew=False,
+    has_stow=True,
+    position_reported=True,
+)
+
+DIALECT = ConsoleDialect(
+    prompts={
+        "root": "TRK>",
+        "mot": "MOT>",
+        "dvb": "DVB>",
+        "nvs": "NVS>",
+        "os": "OS>",
+        "a3981": "A3981>",
+        "adc": "ADC>",
+        "dipswitch": "DIPSWITCH>",
+        "eeprom": "EE>",
+        "gpio": "GPIO>",
+        "latlon": "LATLON>",
+        "peak": "PEAK>",
+        "step": "STEP>",
+    },
+    # The texts themselves are not in any source: section 14, unknowns 1 and 3. Words, then, not sentences.
+    refusals=(
+        (re.compile(r"\b(invalid|unknown|unrecognized) command\b", re.IGNORECASE), "unknown_command"),
+        (
+            re.compile(r"\b(invalid|bad|illegal)\b.*\b(parameter|argument|value|motor|angle)\b", re.IGNORECASE),
+            "bad_parameter",
+        ),
+        (re.compile(r"\b(out of range|outside|limit exceeded)\b", re.IGNORECASE), "bad_parameter"),
+        (re.compile(r"^\s*(error|failed)\b|\bSTALLED\b|\bHome Failure\b", re.IGNORECASE), "failed"),
+    ),
+)

@@ -1,0 +1,200 @@
+"""The one gate that every motion passes, whoever asks (DESIGN section 5). Works in the dish's own frame."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+from birdcage.base.errors import BelowFloor, MotionRefused, PositionUnknown
+from birdcage.base.geometry import shortest_turn
+from birdcage.protocol.model import DishModel
+from birdcage.protocol.types import Position
+
+
+@dataclass(frozen=True, slots=True)
+class Sector:
+    """A no-go sector: from one azimuth clockwise to another, below an elevation (dish frame, degrees)."""
+
+    from_az_deg: float
+    to_az_deg: float
+    below_el_deg: float
+
+    def overlaps(self, start_deg: float, turn_deg: float) -> bool:
+        """Return whether an azimuth sweep from `start_deg` through `turn_deg` touches the sector's azimuths."""
+        low = start_deg if turn_deg >= 0 else start_deg + turn_deg
+        width = (self.to_az_deg - self.from_az_deg) % 360.0
+        return (low - self.from_az_deg) % 360.0 <= width or (self.from_az_deg - low) % 360.0 <= abs(turn_deg)
+
+
+@dataclass(frozen=True, slots=True)
+class Bounds:
+    """What limits motion beyond the dish itself: the user's settings and what was read from the dish."""
+
+    el_min_deg: float | None = None
+    el_max_deg: float | None = None
+    floor_deg: float | None = None
+    """The lowest elevation that the caller's configuration allows; the higher of floor and limit counts."""
+    cable_min_deg: float | None = None
+    cable_max_deg: float | None = None
+    sectors: tuple[Sector, ...] = ()
+    closed_because: str | None = None
+    """Why no motion is allowed at all, as a sentence; None normally."""
+
+
+class MotionGate:
+    """Judges targets. Holds what is known of the position; unknown is refused."""
+
+    def __init__(self, model: DishModel, bounds: Bounds | None = None) -> None:
+        self.model = model
+        self.bounds = bounds or Bounds()
+        self.position: Position | None = None
+        self.unknown_reason = "unread"
+        self.cable_deg: float | None = None
+
+    def update(self, **changes: object) -> None:
+        """Replace fields of the bounds."""
+        self.bounds = replace(self.bounds, **changes)  # type: ignore[arg-type]
+
+    def see(self, position: Position) -> None:
+        """Take in a position that was read; a counted cable turns with it (readings lie under half a turn apart)."""
+        if self.cable_deg is not None and self.position is not None:
+            self.cable_deg += shortest_turn(self.position.azimuth, position.azimuth)
+        self.position = position
+
+    def count_cable(self) -> None:
+        """Begin to count: the dish has just found its reference, so its cable stands at its azimuth (`Wrap: 0`)."""
+        if self.position is not None and self.model.cable is not None:
+            self.cable_deg = shortest_turn(0.0, self.position.azimuth)
+
+    def forget(self, reason: str) -> None:
+        """Forget the position: `unread`, `unhomed`, `released`, `raw`."""
+        self.position, self.unknown_reason, self.cable_deg = None, reason, None
+
+    @property
+    def el_min_deg(self) -> float:
+        """The lowest elevation allowed, without the caller's floor."""
+        return self.bounds.el_min_deg if self.bounds.el_min_deg is not None else self.model.elevation.min_deg
+
+    @property
+    def el_max_deg(self) -> float:
+        """The highest elevation allowed."""
+        return self.bounds.el_max_deg if self.bounds.el_max_deg is not None else self.model.elevation.max_deg
+
+    @property
+    def el_floor_deg(self) -> float:
+        """The lowest elevation allowed to this caller: the higher of the limit and the caller's floor."""
+        return max(self.el_min_deg, self.bounds.floor_deg if self.bounds.floor_deg is not None else -math.inf)
+
+    def check(self, az_deg: float | None, el_deg: float | None) -> None:
+        """Raise `MotionRefused` unless the dish may go there from where it stands; None leaves that axis be."""
+        if self.bounds.closed_because is not None:
+            raise MotionRefused(self.bounds.closed_because, reason="settings")
+        for name, value in (("azimuth", az_deg), ("elevation", el_deg)):
+            if value is not None and not math.isfinite(value):
+                raise MotionRefused(
+                    f"The {name} asked for is {value}, which is not an angle. Nothing was sent.", reason="not_a_number"
+                )
+        if self.position is None:
+            raise self._unknown()
+        if az_deg is not None:
+            self._check_azimuth(self.position, az_deg)
+        if el_deg is not None:
+            self._check_elevation(el_deg)
+        self._check_sectors(
+            self.position, az_deg if az_deg is not None else self.position.azimuth,
+            el_deg if el_deg is not None else self.position.elevation,
+        )  # fmt: skip
+
+    def cable_turns(self, az_deg: float) -> tuple[float, ...]:
+        """Return the turns of the cable that reach `az_deg`, nearest first; only with a known cable angle.
+
+        How the firmware chooses among them is unknown (reference section 7.4); the nearest that fits is assumed.
+        """
+        cable, limits = self.cable_deg, self.cable_limits
+        if cable is None or limits is None or self.position is None:
+            return ()
+        nearest = cable + shortest_turn(self.position.azimuth, az_deg)
+        fits = [turn for k in (-2, -1, 0, 1, 2) if limits[0] <= (turn := nearest + 360.0 * k) <= limits[1]]
+        return tuple(sorted(fits, key=lambda turn: abs(turn - cable)))
+
+    @property
+    def cable_limits(self) -> tuple[float, float] | None:
+        """The range of the cable: the dish's, narrowed by the user's."""
+        cable = self.model.cable
+        if cable is None:
+            return None
+        low, high = self.bounds.cable_min_deg, self.bounds.cable_max_deg
+        return (
+            cable.min_deg if low is None else max(cable.min_deg, low),
+            cable.max_deg if high is None else min(cable.max_deg, high),
+        )
+
+    def _unknown(self) -> PositionUnknown:
+        why = {
+            "unread": "the position of the dish was not read yet. Read it first (it is asked for by itself).",
+            "unhomed": "the dish is not homed, so it does not know where it is. Home it first.",
+            "released": "the motors were released, so the position no longer holds. Home the dish.",
+            "raw": "a raw command may have moved the dish. Read the position again.",
+        }
+        sentence = why.get(self.unknown_reason, self.unknown_reason)
+        return PositionUnknown(f"No motion: {sentence}", reason=self.unknown_reason)
+
+    def _check_azimuth(self, start: Position, az_deg: float) -> None:
+        axis = self.model.azimuth
+        for limit, by in ((axis.min_deg, axis.min_deg - az_deg), (axis.max_deg, az_deg - axis.max_deg)):
+            if by > 0:
+                raise MotionRefused(
+                    f"Azimuth {az_deg:.2f}° is {by:.2f}° beyond the limit of {limit:.2f}°. Nothing was sent.",
+                    reason="az_limit", limit_deg=limit, by_deg=by,
+                )  # fmt: skip
+        limits = self.cable_limits
+        if limits is None:
+            return
+        if self.cable_deg is not None and not self.cable_turns(az_deg):
+            nearest = self.cable_deg + shortest_turn(start.azimuth, az_deg)
+            limit, by = self._beyond(nearest, limits)
+            raise MotionRefused(
+                f"Azimuth {az_deg:.2f}° would turn the cable {by:.2f}° beyond its stop at {limit:+.2f}°.",
+                reason="wrap", limit_deg=limit, by_deg=by,
+            )  # fmt: skip
+        if self.cable_deg is None and limits[1] - limits[0] < 360.0:
+            raise MotionRefused(
+                f"The cable may turn from {limits[0]:+.2f}° to {limits[1]:+.2f}° only, and its turn is not known. "
+                "Home the dish with this program, so that it can count.",
+                reason="wrap",
+            )
+
+    @staticmethod
+    def _beyond(turn_deg: float, limits: tuple[float, float]) -> tuple[float, float]:
+        low_by, high_by = limits[0] - turn_deg, turn_deg - limits[1]
+        return (limits[0], low_by) if low_by > high_by else (limits[1], high_by)
+
+    def _check_elevation(self, el_deg: float) -> None:
+        if (by := self.el_floor_deg - el_deg) > 0:
+            raise BelowFloor(
+                f"Elevation {el_deg:.2f}° is {by:.2f}° below the floor of {self.el_floor_deg:.2f}°. Nothing was sent.",
+                limit_deg=self.el_floor_deg, by_deg=by,
+            )  # fmt: skip
+        if (by := el_deg - self.el_max_deg) > 0:
+            raise MotionRefused(
+                f"Elevation {el_deg:.2f}° is {by:.2f}° above the limit of {self.el_max_deg:.2f}°. Nothing was sent.",
+                reason="el_limit", limit_deg=self.el_max_deg, by_deg=by,
+            )  # fmt: skip
+
+    def _check_sectors(self, start: Position, az_deg: float, el_deg: float) -> None:
+        """Refuse a motion that cuts a sector: the axes may move together or in turn, so the whole box counts."""
+        lowest = min(start.elevation, el_deg)
+        turn = shortest_turn(start.azimuth, az_deg)
+        if abs(turn) < self.model.azimuth.step_deg and el_deg >= start.elevation:
+            return  # straight up is the way out of a sector
+        if self.cable_deg is not None and (turns := self.cable_turns(az_deg)):
+            ways = [turns[0] - self.cable_deg]
+        else:
+            ways = [turn, turn - 360.0 if turn > 0 else turn + 360.0] if abs(turn) > 0 else [0.0]
+        for sector in self.bounds.sectors:
+            if lowest < sector.below_el_deg and any(sector.overlaps(start.azimuth, way) for way in ways):
+                raise MotionRefused(
+                    f"The way to {az_deg:.2f}°/{el_deg:.2f}° crosses the no-go sector {sector.from_az_deg:.0f}° to "
+                    f"{sector.to_az_deg:.0f}° below {sector.below_el_deg:.0f}°. Raise the dish first, or go round.",
+                    reason="sector", limit_deg=sector.below_el_deg, by_deg=sector.below_el_deg - lowest,
+                )  # fmt: skip

@@ -1,0 +1,170 @@
+"""What every dialect can do: the abstract class of the public API (document 003)."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable
+from typing import TYPE_CHECKING, ClassVar
+
+from birdcage.base.clock import Clock, RealClock
+from birdcage.base.errors import BirdcageError, CommandRefused, LinkError
+from birdcage.console.dialect import ConsoleDialect
+from birdcage.console.session import Console
+from birdcage.protocol.gate import MotionGate
+from birdcage.protocol.model import DishModel
+from birdcage.protocol.types import Position, RssiReading, Survey
+
+if TYPE_CHECKING:
+    from birdcage.base.wake import Wake
+    from birdcage.link.link import Link
+
+BOOT_TIMEOUT_S = 180.0
+
+
+class FirmwareProtocol(ABC):
+    """Speaks one firmware's console. Synchronous, blocking, not thread-safe, except for `interject`.
+
+    Angles are degrees in the dish's own frame. Every method that talks raises `LinkError` when the port is gone,
+    `NoReply` when the dish does not answer in time, and `CommandRefused` when the firmware answers with an error.
+    """
+
+    name: ClassVar[str]
+    model: ClassVar[DishModel]
+    dialect: ClassVar[ConsoleDialect]
+    boot_marks: ClassVar[tuple[str, ...]] = ()
+    """Words in unasked lines that mean that the dish has just started."""
+
+    def __init__(self) -> None:
+        self._link: Link | None = None
+        self._console: Console | None = None
+        self.gate = MotionGate(self.model)
+        self.permit: Callable[[], None] | None = None
+        """Asked, with writing locked, just before a line that moves the dish; raises to keep it from going out."""
+
+    @property
+    def console(self) -> Console:
+        """The open console; LinkError when there is none."""
+        if self._console is None:
+            raise LinkError("The dish is not connected. Connect first.", reason="closed")
+        return self._console
+
+    @property
+    def clock(self) -> Clock:
+        """The clock of the open console."""
+        return self.console.clock
+
+    @property
+    def is_connected(self) -> bool:
+        """Whether a port is open."""
+        return self._console is not None
+
+    def connect(self, port: str, baudrate: int = 57600) -> None:
+        """Open the port (8N1) exclusively. LinkError says what is wrong and what to do."""
+        from birdcage.link.opening import open_link
+
+        clock = RealClock()
+        self.attach(open_link(port, baud=baudrate, clock=clock), clock)
+
+    def attach(
+        self,
+        link: Link,
+        clock: Clock,
+        *,
+        delay_s: float = 2.0,
+        wake: Wake | None = None,
+        on_wake: Callable[[], None] | None = None,
+        on_line: Callable[[str], None] | None = None,
+    ) -> None:
+        """Speak over an open link. Sends nothing.
+
+        `delay_s` is the longest that an answer may be on its way; `wake` ends waits early and then calls `on_wake`,
+        which may raise to abandon the exchange; `on_line` hears lines that nobody asked for.
+        """
+        self._link = link
+        self._console = Console(link, clock, self.dialect, delay_s=delay_s, wake=wake, on_wake=on_wake, on_line=on_line)
+
+    def disconnect(self) -> None:
+        """Go back to the root menu where that is safe, and close the port. Never raises for a port that is gone."""
+        link, console = self._link, self._console
+        self._link = self._console = None
+        if link is None or console is None:
+            return
+        try:
+            console.leave_all()
+        except BirdcageError:
+            # A dish that no longer answers stays in its menu; the port is closed all the same.
+            return
+        finally:
+            link.close()
+
+    def reset_to_root(self) -> None:
+        """Leave submenus until the root prompt shows. `q` is sent from a proven submenu only."""
+        self.console.enter(self.dialect.root)
+
+    @abstractmethod
+    def initialize(self, callback: Callable[[str], None] | None = None, *, timeout_s: float = BOOT_TIMEOUT_S) -> None:
+        """Wait for the end of the boot, then make sure of the motor menu. `callback` hears status lines."""
+
+    @abstractmethod
+    def enter_motor_menu(self) -> None:
+        """Go into the motor menu; nothing is sent when the dish is there already."""
+
+    @abstractmethod
+    def get_position(self) -> Position:
+        """Read where the dish is. PositionUnknown when the axes are not homed."""
+
+    def move_motor(self, motor_id: int, degrees: float) -> None:
+        """Send one axis to an absolute angle, through the gate. Returns when the dish has taken the command.
+
+        MotionRefused (nothing sent) outside the limits or with an unknown position; KeyError for an unknown motor.
+        """
+        axis = self.model.axis(motor_id)
+        if self.gate.position is None:
+            self.get_position()
+        self.gate.check(
+            degrees if axis is self.model.azimuth else None, degrees if axis is self.model.elevation else None
+        )
+        self._send_move(motor_id, degrees)
+
+    @abstractmethod
+    def _send_move(self, motor_id: int, degrees: float) -> None:
+        """Send the move of one axis that the gate has let through."""
+
+    @abstractmethod
+    def stop_lines(self, az_deg: float, el_deg: float) -> tuple[str, ...]:
+        """Return the console lines that bring the moving axes to rest at these angles."""
+
+    def survey(self) -> Survey:
+        """Read what the dish tells about itself; on a firmware that tells nothing, nothing is sent."""
+        return Survey()
+
+    def home_motor(self, motor_id: int) -> None:
+        """Find the axis' reference. CommandRefused (`unsupported`) on a firmware that homes only by itself."""
+        raise self._lacks(f"homing motor {motor_id} by command")
+
+    def release_motors(self) -> None:
+        """Take the current off the motors. CommandRefused (`unsupported`) where that can't be done."""
+        raise self._lacks("releasing its motors")
+
+    def get_rssi(self, iterations: int = 10) -> RssiReading:
+        """Read the signal strength. CommandRefused (`unsupported`) on a firmware without a tuner."""
+        raise self._lacks(f"reading signal strength ({iterations} times)")
+
+    def settings_table(self) -> tuple[str, ...]:
+        """Read all settings of the dish, as printed. CommandRefused (`unsupported`) where it has none."""
+        raise self._lacks("listing its settings")
+
+    def restore_search(self) -> None:
+        """Give the firmware its own TV search back. CommandRefused (`unsupported`) where that can't be done."""
+        raise self._lacks("restoring its TV search")
+
+    def _lacks(self, what: str) -> CommandRefused:
+        return CommandRefused(f"The {self.model.name} has no command for {what}.", reason="unsupported")
+
+    def interject(self, lines: tuple[str, ...]) -> None:
+        """Write lines at once, from any thread, also in the middle of an exchange. For STOP only."""
+        self.console.interject(lines)
+
+    @abstractmethod
+    def kill_search(self) -> None:
+        """End the firmware's automatic TV search, as far as this firmware can."""

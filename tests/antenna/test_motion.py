@@ -1,0 +1,42 @@
+"""Where STOP aims: ahead of the axis, never behind it, never beyond the target."""
+
+from __future__ import annotations
+
+import pytest
+from birdcage.antenna.motion import start_motion
+from birdcage.kinematics import plan_slew
+from birdcage.protocol.g2_model import CARRYOUT_G2
+from birdcage.protocol.types import Position
+from hypothesis import given
+from hypothesis import strategies as st
+
+
+@given(
+    st.floats(-300, 300),
+    st.floats(0, 7),
+    st.floats(0, 0.1),
+)
+def test_the_aim_can_be_reached_without_turning_back(turn, seconds, latency_s):
+    """The real axis started up to 0.1 s later than the model: the aim is still ahead of where it can rest."""
+    motion = start_motion(CARRYOUT_G2, Position(180.0, 45.0), turn, 45.0, now=0.0)
+    aim = motion.azimuth.stop_at(seconds, 1.0)
+    real, velocity = plan_slew(180, 180 + turn, 65, 400).at(seconds - latency_s)
+    rest = real + velocity * abs(velocity) / 800
+    sign = 1 if turn >= 0 else -1
+    assert sign * (aim - rest) >= -1e-6
+    assert sign * (180 + turn - aim) >= -1e-6
+
+
+def test_a_slower_axis_than_the_model_is_stopped_from_its_readings():
+    motion = start_motion(CARRYOUT_G2, Position(100.0, 45.0), 120.0, 45.0, now=0.0)
+    for tenths in range(1, 11):
+        motion = motion.with_reading(Position(100.0 + 0.2 * tenths, 45.0), tenths / 10, 1.0)
+    aim = motion.azimuth.stop_at(1.05, 1.0)
+    assert 102.0 < aim < 115.0
+
+
+def test_stop_target_is_folded_into_the_circle():
+    motion = start_motion(CARRYOUT_G2, Position(350.0, 45.0), 100.0, 45.0, now=0.0)
+    az, el = motion.stop_target(1.0, 1.0)
+    assert 0 <= az < 360
+    assert el == pytest.approx(45.0)

@@ -1,0 +1,122 @@
+"""The gate: what must never reach the wire."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from birdcage.base.errors import BelowFloor, MotionRefused, PositionUnknown
+from birdcage.protocol.g2_model import CARRYOUT_G2
+from birdcage.protocol.gate import MotionGate, Sector
+from birdcage.protocol.types import Position
+from hypothesis import given
+from hypothesis import strategies as st
+
+
+@pytest.fixture
+def gate():
+    gate = MotionGate(CARRYOUT_G2)
+    gate.see(Position(180.0, 45.0))
+    return gate
+
+
+@pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf])
+@pytest.mark.parametrize("axis", [0, 1])
+def test_what_is_no_angle(gate, bad, axis):
+    target = [180.0, 45.0]
+    target[axis] = bad
+    with pytest.raises(MotionRefused) as refused:
+        gate.check(*target)
+    assert refused.value.reason == "not_a_number"
+
+
+@pytest.mark.parametrize(
+    ("az", "el", "reason", "limit", "by"),
+    [
+        (361.5, 45, "az_limit", 360, 1.5),
+        (-0.25, 45, "az_limit", 0, 0.25),
+        (9999, 45, "az_limit", 360, 9639),
+        (180, 70, "el_limit", 65, 5),
+        (180, 17.5, "floor", 18, 0.5),
+        (180, -45, "floor", 18, 63),
+    ],
+)
+def test_limits_say_which_and_by_how_much(gate, az, el, reason, limit, by):
+    with pytest.raises(MotionRefused) as refused:
+        gate.check(az, el)
+    assert (refused.value.reason, refused.value.limit_deg, refused.value.by_deg) == (reason, limit, pytest.approx(by))
+    assert f"{by:.2f}" in str(refused.value)
+    assert f"{limit:.2f}" in str(refused.value)
+
+
+def test_below_the_floor_is_a_value_error(gate):
+    gate.update(floor_deg=30.0)
+    with pytest.raises(ValueError, match=r"below the floor of 30\.00"):
+        gate.check(180, 25)
+    with pytest.raises(BelowFloor):
+        gate.check(None, 25)
+
+
+@pytest.mark.parametrize("reason", ["unread", "unhomed", "released"])
+def test_an_unknown_position(gate, reason):
+    gate.forget(reason)
+    with pytest.raises(PositionUnknown) as refused:
+        gate.check(180, 45)
+    assert refused.value.reason == reason
+
+
+def test_beyond_the_wrap(gate):
+    gate.update(cable_min_deg=-200.0, cable_max_deg=20.0)
+    gate.see(Position(0.0, 45.0))
+    gate.count_cable()
+    gate.check(170, 45)
+    assert gate.cable_turns(170) == (-190.0,)
+    with pytest.raises(MotionRefused) as refused:
+        gate.check(90, 45)
+    assert (refused.value.reason, refused.value.limit_deg, refused.value.by_deg) == ("wrap", 20.0, 70.0)
+
+
+def test_an_unknown_turn_of_a_short_cable_refuses_azimuths(gate):
+    gate.update(cable_min_deg=-100.0, cable_max_deg=20.0)
+    with pytest.raises(MotionRefused, match="turn is not known"):
+        gate.check(90, 45)
+    gate.check(None, 40)
+
+
+@given(st.lists(st.floats(0, 359.99), min_size=1, max_size=20))
+def test_the_counted_cable_stays_within_its_range(azimuths):
+    gate = MotionGate(CARRYOUT_G2)
+    gate.see(Position(0.0, 45.0))
+    gate.count_cable()
+    for az in azimuths:
+        turn = gate.cable_turns(az)[0] - gate.cable_deg
+        start = gate.position.azimuth
+        for share in (0.25, 0.5, 0.75, 1.0):
+            gate.see(Position((start + turn * share) % 360.0, 45.0))
+        assert CARRYOUT_G2.cable.min_deg - 1e-6 <= gate.cable_deg <= CARRYOUT_G2.cable.max_deg + 1e-6
+
+
+def test_a_corner_through_a_no_go_sector(gate):
+    gate.update(sectors=(Sector(200.0, 220.0, 40.0),))
+    gate.see(Position(180.0, 30.0))
+    gate.count_cable()
+    with pytest.raises(MotionRefused) as refused:
+        gate.check(240, 60)
+    assert refused.value.reason == "sector"
+    gate.check(180, 60)
+    gate.check(190, 25)
+    gate.see(Position(180.0, 50.0))
+    gate.check(240, 60)
+
+
+def test_a_dish_inside_a_sector_may_leave_it_upwards(gate):
+    gate.update(sectors=(Sector(170.0, 190.0, 50.0),))
+    gate.check(180, 60)
+    with pytest.raises(MotionRefused):
+        gate.check(180, 40)
+
+
+def test_a_closed_gate_says_why(gate):
+    gate.update(closed_because="[motion] of birdcage.toml could not be read.")
+    with pytest.raises(MotionRefused, match="could not be read"):
+        gate.check(180, 45)
