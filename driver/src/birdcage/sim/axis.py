@@ -1,0 +1,208 @@
+"""One motor axis: a step counter that the firmware believes, and a shaft that does what it really does."""
+
+from __future__ import annotations
+
+import math
+import random
+from dataclasses import dataclass
+
+from birdcage.sim.motion import Motion, at_rest, plan, stopping_point
+
+OVERSHOOT_FORWARD_DEG = (0.01, 0.05)
+OVERSHOOT_BACK_DEG = (0.02, 0.06)
+"""How far past its target an axis comes to rest, in the direction of travel (reference section 7.4, [S1])."""
+
+
+@dataclass(slots=True)
+class AxisData:
+    """What an axis is made of. `low` and `high` are its mechanical stops."""
+
+    name: str
+    steps_per_rev: int
+    max_rate_deg_s: float
+    accel_deg_s2: float
+    low_deg: float
+    high_deg: float
+    home_stop_deg: float
+    """The stop that homing runs into."""
+    home_deg: float
+    """Where it comes to rest after homing."""
+    homing_rate_deg_s: float
+    homing_timeout_s: float
+    overshoot: float = 1.0
+    """Scale of the overshoot; 0 for an ideal axis."""
+    backlash_deg: float = 0.0
+
+
+STALL_DWELL_S = 0.2
+"""How long the motor pushes against the stop before the firmware believes it. [I]"""
+
+
+class Axis:
+    """All times are seconds of dish time; all angles are degrees of this axis' own count."""
+
+    def __init__(self, data: AxisData, position_deg: float, rng: random.Random) -> None:
+        self.data = data
+        self.homed = False
+        self.stalled = False
+        self.released = False
+        self._slips = False
+        self._rng = rng
+        self._count: list[Motion] = [at_rest(0.0, position_deg)]
+        self._target_deg: float | None = None
+        self._error_deg = 0.0
+        self._shaft: list[Motion] | None = None
+        self._play_deg = position_deg
+
+    @property
+    def step_deg(self) -> float:
+        """The angle of one microstep."""
+        return 360.0 / self.data.steps_per_rev
+
+    def count(self, now_s: float) -> tuple[float, float]:
+        """Return the firmware's idea of position and rate, quantised to steps."""
+        position, rate = _along(self._count, now_s)
+        return round(position / self.step_deg) * self.step_deg, rate
+
+    def shaft(self, now_s: float) -> float:
+        """Return where the axis really is."""
+        if self._shaft is not None:
+            return _along(self._shaft, now_s)[0]
+        return self._loose(now_s) + self._error_deg
+
+    def moving(self, now_s: float) -> bool:
+        """Whether the motor turns."""
+        return now_s < self._count[-1].end_s or (self._shaft is not None and now_s < self._shaft[-1].end_s)
+
+    def end_s(self) -> float:
+        """When the last motion that was ordered ends."""
+        return self._count[-1].end_s
+
+    def ordered_deg(self) -> float:
+        """Return where it will come to rest."""
+        return self._count[-1].rest_deg
+
+    def retarget(self, now_s: float, target_deg: float) -> None:
+        """Go to another target from wherever it is, at whatever rate it has; what was queued is dropped."""
+        if target_deg == self._target_deg and not self.stalled:
+            return
+        position, rate = _along(self._count, now_s)
+        self._settle_play(now_s)
+        self._count = []
+        self._append(now_s, position, rate, target_deg)
+
+    def queue(self, now_s: float, target_deg: float) -> None:
+        """Go to another target after those already ordered."""
+        if target_deg == self._target_deg and not self.stalled:
+            return
+        self._settle_play(now_s)
+        self._count = [motion for motion in self._count if motion.end_s > now_s] or self._count[-1:]
+        self._append(max(now_s, self.end_s()), self.ordered_deg(), 0.0, target_deg)
+
+    def halt(self, now_s: float) -> None:
+        """Lose all motion at once, as when the motor's current is cut or the rotor is blocked."""
+        where = self.shaft(now_s)
+        count = self.count(now_s)[0]
+        self._count = [at_rest(now_s, count)]
+        self._target_deg = None
+        self._shaft = [at_rest(now_s, where)] if self.stalled else None
+        self._play_deg = count
+        self._error_deg = where - count
+
+    def fall(self, now_s: float, by_deg: float, rate_deg_s: float) -> None:
+        """Let the shaft sink towards its lower stop while the count stands still."""
+        self.halt(now_s)
+        where = self.shaft(now_s)
+        goal = max(self.data.low_deg, where - by_deg)
+        self._shaft = [plan(now_s, where, 0.0, goal, rate_deg_s, self.data.accel_deg_s2)]
+
+    def block(self, now_s: float, *, slips: bool) -> None:
+        """Block the shaft. The count stops as well, unless the motor `slips` unnoticed."""
+        where = self.shaft(now_s)
+        if not slips:
+            self.halt(now_s)
+        self.stalled = True
+        self._slips = slips
+        self._shaft = [at_rest(now_s, where)]
+
+    def unblock(self, now_s: float) -> None:
+        """Free the shaft again; steps lost meanwhile stay lost."""
+        if self.stalled:
+            self.stalled = False
+            self.halt(now_s)
+
+    def home(self, now_s: float) -> float:
+        """Run into the stop, back off to the home position, and return when that is done."""
+        self.halt(now_s)
+        self.homed = False
+        data = self.data
+        where = self.shaft(now_s)
+        if self.stalled:
+            self._shaft = [at_rest(now_s, where)]
+            return now_s + data.homing_timeout_s
+        there = plan(now_s, where, 0.0, data.home_stop_deg, data.homing_rate_deg_s, data.accel_deg_s2)
+        turn_s = there.end_s + STALL_DWELL_S
+        back = plan(turn_s, data.home_stop_deg, 0.0, data.home_deg, data.homing_rate_deg_s, data.accel_deg_s2)
+        self._shaft = [there, back]
+        return back.end_s
+
+    def homing_done(self, now_s: float) -> bool:
+        """Take the reference if the stop was found; return whether it was."""
+        if self.stalled:
+            return False
+        self._shaft = None
+        self._error_deg = 0.0
+        self._count = [at_rest(now_s, self.data.home_deg)]
+        self._target_deg = None
+        self._play_deg = self.data.home_deg
+        self.homed = True
+        return True
+
+    def _append(self, start_s: float, position: float, rate: float, target_deg: float) -> None:
+        self._target_deg = target_deg
+        if self.released or (self.stalled and not self._slips):
+            self._count.append(at_rest(start_s, position))
+            return
+        data = self.data
+        ahead = target_deg - stopping_point(position, rate, data.accel_deg_s2)
+        rest = self._rest(target_deg, 1 if ahead > 0 else -1)
+        self._count.append(plan(start_s, position, rate, rest, data.max_rate_deg_s, data.accel_deg_s2))
+
+    def _rest(self, target_deg: float, direction: int) -> float:
+        """Choose the step it comes to rest on: past the target, inside the stops."""
+        near, far = OVERSHOOT_FORWARD_DEG if direction > 0 else OVERSHOOT_BACK_DEG
+        step = self.step_deg
+        first = math.ceil((target_deg * direction + near * self.data.overshoot) / step)
+        last = math.floor((target_deg * direction + far * self.data.overshoot) / step)
+        steps = self._rng.randint(first, last) if self.data.overshoot and last >= first else None
+        rest = round(target_deg / step) if steps is None else steps * direction
+        low, high = math.ceil(self.data.low_deg / step), math.floor(self.data.high_deg / step)
+        return min(max(rest, low), high) * step
+
+    def _settle_play(self, now_s: float) -> None:
+        self._play_deg = self._loose(now_s)
+
+    def _loose(self, now_s: float) -> float:
+        """Follow the count with the backlash of the gear: the shaft moves only once the play is taken up."""
+        if not self.data.backlash_deg:
+            return _along(self._count, now_s)[0]
+        out = self._play_deg
+        for motion in self._count:
+            turn = motion.turning_point()
+            if turn is not None and turn[0] <= now_s:
+                out = self._take_up(out, turn[1])
+            out = self._take_up(out, motion.at(max(now_s, motion.start_s))[0])
+            if now_s < motion.end_s:
+                break
+        return out
+
+    def _take_up(self, out: float, position: float) -> float:
+        half = self.data.backlash_deg / 2
+        return min(max(out, position - half), position + half)
+
+
+def _along(motions: list[Motion], now_s: float) -> tuple[float, float]:
+    for motion in motions:
+        if now_s < motion.end_s:
+            return motion.at(now_s)
+    return motions[-1].at(now_s)

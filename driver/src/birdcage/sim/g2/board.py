@@ -1,0 +1,49 @@
+"""What the menus of a G2 share: the dish, the settings memory, the knobs, and the time."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+from birdcage.sim.dish import Dish
+from birdcage.sim.g2.nvram import Nvram
+from birdcage.sim.machine import Machine
+from birdcage.sim.settings import Settings
+
+
+class Board:
+    """The G2's processor board, as far as its console shows it."""
+
+    def __init__(self, settings: Settings, machine: Machine, dish: Dish, reboot: Callable[[], None]) -> None:
+        self.settings = settings
+        self.machine = machine
+        self.dish = dish
+        self.reboot = reboot
+        """Start over, as the command `reboot` does; the running command never returns."""
+        self.nvram = Nvram()
+        self.nvram.write(20, str(int(settings.nvs20)))
+        self.nvram.save()
+        self.lnb_volts = 18
+        """Boot default 18 V, horizontal (section 7.6)."""
+        self.power_on()
+
+    @property
+    def now_s(self) -> float:
+        """Dish time."""
+        return self.machine.dish_s
+
+    def power_on(self) -> None:
+        """Read the settings memory and go by it from now on."""
+        self.nvram.power_on()
+        self.lnb_volts = 18
+        row = self.nvram.active
+        self.dish.set_speeds(row[80], row[81], row[85], row[103])
+
+
+def number(text: str) -> float | None:
+    """Read a finite number as the firmware would; None when it is none."""
+    try:
+        value = float(text)
+    except ValueError:
+        return None
+    return value if math.isfinite(value) else None

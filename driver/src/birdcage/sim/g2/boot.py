@@ -1,0 +1,33 @@
+"""What a G2 prints when it gets power (reference section 7.2). Tokens [S1]; lines around them and times [I]."""
+
+from __future__ import annotations
+
+from birdcage.sim.g2.board import Board
+from birdcage.sim.g2.mot import home
+from birdcage.sim.shell import Pause, Script
+
+BEFORE_HOMING = (
+    (0.3, "Bootloader v1.01"),
+    (1.2, "SPI1 init @ 4 MHz (mode 0x03)"),
+    (0.1, "Motor init System=12Inch master=40000 slave=24960 ratio=1.602564"),
+    (0.1, "SPI2 init @ 6.857 MHz (mode 0x03)"),
+    (0.1, "EXTENDED_DVB_DEBUG ENABLED"),
+    (1.5, "DVB init: AP RAM FW verified, ID 0x4515 Rev B0, FW v113.37, strap 0x25018"),
+    (0.2, "Auto search: blind scan 18000-24000 ksps rolloff 0.35"),
+    (0.3, "Enabled LNB STB"),
+    (0.2, "Ant ID - 12-IN G2"),
+    (0.4, "NVS loaded"),
+)
+
+
+def boot_log(board: Board) -> Script:
+    """Play the log, homing on the way unless NVS 20 is TRUE; the shell prints its prompt afterwards."""
+    for seconds, line in BEFORE_HOMING:
+        yield Pause(seconds)
+        yield f"{line}\n"
+    if not board.nvram.active[20]:
+        yield from home(board, 1)
+        yield from home(board, 0)
+        yield "Antenna Facing Front\n"
+    yield Pause(0.2)
+    yield "Boot Complete\nLoc Startup: IDU NOT Present\n"

@@ -1,0 +1,13 @@
+"""The G2's menus put together."""
+
+from __future__ import annotations
+
+from birdcage.sim.g2.board import Board
+from birdcage.sim.g2.mot import Mot
+from birdcage.sim.g2.root import Root
+from birdcage.sim.shell import Menu
+
+
+def menus(board: Board) -> dict[str, Menu]:
+    """Return every menu by the word that enters it."""
+    return {"root": Root(board), "mot": Mot(board)}

@@ -1,0 +1,103 @@
+"""The G2's settings memory: RAM, flash and factory values (reference section 7.5).
+
+Only the rows that a source quotes are here; the others are holes, as an index that does not exist.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+Kind = Literal["hex", "int", "signed", "fixed", "bool"]
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One setting: how it is called, how it is printed, and what the factory put there."""
+
+    name: str
+    kind: Kind
+    default: float
+
+
+ROWS: dict[int, Row] = {
+    0: Row("Log ID's", "hex", 7),
+    1: Row("Log Device", "hex", 1),
+    2: Row("Debug 2nd Console Port", "int", 0),
+    3: Row("Debug 2nd Packet Port", "int", 0),
+    4: Row("Debug Port Connection", "int", 0),
+    16: Row("Pitch Deadband", "fixed", 0),
+    17: Row("Roll Deadband", "fixed", 0),
+    18: Row("Yaw Deadband", "fixed", 0),
+    20: Row("Disable Tracker Proc?", "bool", 0),
+    21: Row("Tracker Proc Run Mode", "int", 0),
+    22: Row("Conical Alpha Az", "int", 200),
+    23: Row("Conical Alpha El", "int", 200),
+    24: Row("Conical Radius", "fixed", 1),
+    25: Row("Conical Count Max", "int", 20),
+    26: Row("Conical Test Drift", "signed", 0),
+    27: Row("Circle RPM", "int", 120),
+    28: Row("Circle Pts/Rev", "int", 6),
+    32: Row("Conical Az Clamp", "fixed", 8),
+    33: Row("Conical El Clamp", "fixed", 8),
+    35: Row("Motor Pts/Rev", "int", 72),
+    36: Row("Circle Az Radius", "fixed", 1),
+    37: Row("Circle El Radius", "fixed", 1),
+    38: Row("Sleep Mode Timer Secs", "int", 420),
+    40: Row("Motor Type", "int", 0),
+    41: Row("Satellite Scan Velocity", "fixed", 55),
+    80: Row("AZ Max Vel", "fixed", 65),
+    81: Row("AZ Max Accel", "fixed", 400),
+    83: Row("AZ Steps/Rev", "int", 40000),
+    85: Row("EL Max Vel", "fixed", 45),
+    88: Row("EL Steps/Rev", "int", 24960),
+    101: Row("Minimum Elevation Angle", "fixed", 18),
+    102: Row("Maximum Elevation Angle", "fixed", 65),
+    103: Row("Elevation Home Angle", "fixed", 65),
+    112: Row("Disable Dipswitch?", "bool", 0),
+    113: Row("Dipswitch Value", "int", 101),
+}
+
+
+class Nvram:
+    """RAM and flash. `active` is what the firmware read at power-on and goes by until the next one ([V] for 20)."""
+
+    def __init__(self) -> None:
+        self.flash = {index: row.default for index, row in ROWS.items()}
+        self.ram = dict(self.flash)
+        self.active = dict(self.flash)
+
+    def power_on(self) -> None:
+        """Read flash; what was not saved is gone."""
+        self.ram = dict(self.flash)
+        self.active = dict(self.flash)
+
+    def save(self) -> None:
+        """Write RAM to flash."""
+        self.flash = dict(self.ram)
+
+    def write(self, index: int, text: str) -> None:
+        """Set a value in RAM.
+
+        Raises:
+            ValueError: the text is no value of this row's kind.
+
+        """
+        kind = ROWS[index].kind
+        if kind == "bool":
+            words = {"0": 0, "1": 1, "FALSE": 0, "TRUE": 1}
+            if text.upper() not in words:
+                raise ValueError(text)
+            self.ram[index] = words[text.upper()]
+        else:
+            self.ram[index] = float(text) if kind == "fixed" else int(text, 0)
+
+
+def render(index: int, value: float) -> str:
+    """Print a value the way its row does."""
+    kind = ROWS[index].kind
+    if kind == "bool":
+        return "TRUE" if value else "FALSE"
+    if kind == "fixed":
+        return f"{value:.2f}"
+    return f"0x{int(value):08X}" if kind == "hex" else f"{int(value):+d}" if kind == "signed" else f"{int(value)}"

@@ -1,0 +1,142 @@
+"""The program's end of a simulated dish: what `sim:g2` opens."""
+
+from __future__ import annotations
+
+import difflib
+import math
+import threading
+
+from birdcage.base.clock import Clock
+from birdcage.sim.device import Device
+from birdcage.sim.dish import Dish
+from birdcage.sim.settings import Settings, parse_query
+from birdcage.sim.wire import Wire
+
+FIRMWARE = ("g2",)
+
+_named: dict[str, Device] = {}
+_named_lock = threading.Lock()
+
+
+class SimPort:
+    """Bytes to and from a simulated dish, in memory. Methods may be called from different threads at the same time.
+
+    Once the adapter was pulled out, or the port closed, every call raises `ConnectionError`.
+    """
+
+    demo = True
+
+    def __init__(self, device: Device, name: str) -> None:
+        self.device = device
+        self.name = name
+        self._session = device.session
+        self._closed = False
+        if not device.wire.plugged:
+            raise ConnectionError(f"{name}: the adapter is not there")
+
+    @property
+    def dish(self) -> Dish:
+        """The simulated dish; `dish.truth()` tells what it really does."""
+        return self.device.dish
+
+    @property
+    def wire(self) -> Wire:
+        """The faults of the wire."""
+        return self.device.wire
+
+    @property
+    def received(self) -> list[tuple[float, str]]:
+        """Lines that the shell has begun to carry out, with the monotonic time of each."""
+        with self.device.lock:
+            self.device.machine.run()
+            return list(self.device.shell.received)
+
+    def fileno(self) -> int | None:
+        """Return None: there is no descriptor, but a timetable."""
+        return None
+
+    def pending(self) -> bool:
+        """Return whether bytes can be read, or the loss of the wire can be seen, at this moment."""
+        with self.device.lock:
+            if self._gone():
+                return True
+            self.device.machine.run()
+            inbox = self.device.inbox
+            return bool(inbox) and inbox[0][0] <= self.device.machine.now
+
+    def next_event(self) -> float | None:
+        """Return when something may arrive by itself, in monotonic seconds; inf for never."""
+        with self.device.lock:
+            if self._gone():
+                return -math.inf
+            inbox = self.device.inbox
+            return min(inbox[0][0] if inbox else math.inf, self.device.machine.next_event())
+
+    def read(self) -> bytes:
+        """Return what has arrived; empty when there is nothing."""
+        with self.device.lock:
+            self._check()
+            self.device.machine.run()
+            inbox, now = self.device.inbox, self.device.machine.now
+            pieces = []
+            while inbox and inbox[0][0] <= now:
+                pieces.append(inbox.popleft()[1])
+            return b"".join(pieces)
+
+    def write(self, data: bytes) -> None:
+        """Send bytes to the dish."""
+        with self.device.lock:
+            self._check()
+            self.device.receive(data)
+
+    def discard(self) -> None:
+        """Throw away what has arrived and was not read."""
+        with self.device.lock:
+            if not self._gone():
+                self.read()
+
+    def close(self) -> None:
+        """Let go of the dish; it goes on by itself. A second time does nothing."""
+        self._closed = True
+
+    def _gone(self) -> bool:
+        return self._closed or not self.device.wire.plugged or self._session != self.device.session
+
+    def _check(self) -> None:
+        if self._gone():
+            raise ConnectionError(f"{self.name}: the wire is gone")
+
+
+def open_device(address: str, *, clock: Clock) -> Device:
+    """Make the dish that `address` describes: `g2`, or `g2?second_move=queue&seed=3`.
+
+    An address with a non-empty `id` finds the dish that was made for this id before, if there is one.
+
+    Raises:
+        ValueError: a firmware, option or value that does not exist.
+
+    """
+    firmware, _, query = address.partition("?")
+    if firmware not in FIRMWARE:
+        near = difflib.get_close_matches(firmware, FIRMWARE, n=1, cutoff=0.3)
+        hint = f"did you mean {near[0]}?" if near else f"there is {', '.join(FIRMWARE)}"
+        raise ValueError(f"no simulated dish is called {firmware!r}: {hint}")
+    settings: Settings = parse_query(query)
+    if not settings.id:
+        return Device(settings, clock)
+    with _named_lock:
+        if settings.id not in _named:
+            _named[settings.id] = Device(settings, clock)
+        return _named[settings.id]
+
+
+def open_port(address: str, *, clock: Clock) -> SimPort:
+    """Open a port to the dish that `address` (what follows `sim:`) describes.
+
+    Raises:
+        ValueError: as `open_device`.
+        ConnectionError: the adapter of a dish with an id was pulled out.
+
+    """
+    device = open_device(address, clock=clock)
+    return SimPort(device, f"sim:{address.partition('?')[0]}")

@@ -1,0 +1,156 @@
+"""A single-threaded line shell, as the Winegard consoles have: it knows menus and nothing of what they do."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Protocol
+
+from birdcage.sim.chance import seeded
+from birdcage.sim.machine import Machine
+from birdcage.sim.settings import LINE_ENDS, Settings
+
+
+@dataclass(frozen=True, slots=True)
+class Pause:
+    """A command takes time: `seconds` of dish time, during which no input is read."""
+
+    seconds: float
+
+
+@dataclass(frozen=True, slots=True)
+class Enter:
+    """Go to another menu."""
+
+    menu: str
+
+
+@dataclass(frozen=True, slots=True)
+class Die:
+    """The shell's task ends, or never comes back from this command: only a power cycle helps."""
+
+
+Step = str | Pause | Enter | Die
+"""What a command yields: text (with LF line ends), or one of the above."""
+Script = Iterator[Step]
+
+
+class Menu(Protocol):
+    """One level of the console."""
+
+    prompt: str
+
+    def run(self, words: list[str]) -> Script:
+        """Carry out one line, never empty. An unknown command answers with its error text."""
+
+
+class Shell:
+    """Buffers input while a command runs, echoes when it reads, and has no backspace (reference section 2)."""
+
+    def __init__(
+        self,
+        machine: Machine,
+        settings: Settings,
+        menus: Mapping[str, Menu],
+        send: Callable[[bytes], None],
+        echo: Callable[[bytes], None],
+    ) -> None:
+        self.menu = "root"
+        self.alive = True
+        self.received: list[tuple[float, str]] = []
+        self._machine = machine
+        self._settings = settings
+        self._menus = menus
+        self._send = send
+        self._echo = echo if settings.echo else _nothing
+        self._rng = seeded("shell", settings.seed)
+        self._input = bytearray()
+        self._line = bytearray()
+        self._after_cr = False
+        self._script: Script | None = None
+        self._run = 0
+
+    def feed(self, data: bytes) -> None:
+        """Take bytes off the wire."""
+        if self.alive:
+            self._input += data
+            self._read()
+
+    def say(self, text: str) -> None:
+        """Print something that nobody asked for, or a part of an answer."""
+        self._send(text.encode("latin-1", "replace").replace(b"\n", LINE_ENDS[self._settings.line_end]))
+
+    def play(self, script: Script) -> None:
+        """Run a script as if a command had started it: the boot log."""
+        self._script = script
+        self._advance()
+
+    def reset(self, *, alive: bool = True) -> None:
+        """Lose everything, as in a reboot; `alive` False leaves the shell dead."""
+        self._input.clear()
+        self._line.clear()
+        self._after_cr = False
+        self._script = None
+        self._run += 1
+        self.menu = "root"
+        self.alive = alive
+
+    def _read(self) -> None:
+        while self._input and self._script is None and self.alive:
+            byte = self._input.pop(0)
+            after_cr, self._after_cr = self._after_cr, byte == 0x0D
+            if byte == 0x0A and after_cr and self._settings.lf_after_cr == "ignore":
+                continue
+            if byte in (0x0D, 0x0A):
+                self._echo(LINE_ENDS[self._settings.line_end])
+                self._start()
+            else:
+                self._line.append(byte)
+                self._echo(bytes((byte,)))
+
+    def _start(self) -> None:
+        line = self._line.decode("latin-1")
+        self._line.clear()
+        self.received.append((self._machine.now, line))
+        self._script = self._command(line.split())
+        self._advance()
+
+    def _command(self, words: list[str]) -> Script:
+        yield Pause(self._rng.uniform(self._settings.latency_min, self._settings.latency_max))
+        if words:
+            yield from self._menus[self.menu].run(words)
+
+    def _advance(self) -> None:
+        run = self._run
+        while self._script is not None:
+            try:
+                step = next(self._script)
+            except StopIteration:
+                self._script = None
+                self.say(self._menus[self.menu].prompt)
+                return
+            if run != self._run:
+                return  # the command rebooted the board: what it would have done next is gone
+            if isinstance(step, str):
+                self.say(step)
+            elif isinstance(step, Enter):
+                self.menu = step.menu
+            elif isinstance(step, Die):
+                self.reset(alive=False)
+            else:
+                self._resume_in(step.seconds)
+                return
+
+    def _resume_in(self, seconds: float) -> None:
+        run = self._run
+
+        def resume() -> None:
+            if run == self._run:
+                self._advance()
+                self._read()
+
+        self._machine.at(self._machine.wire_time(self._machine.dish_s + seconds), resume)
+
+
+def _nothing(data: bytes) -> None:
+    """Echo is off."""
