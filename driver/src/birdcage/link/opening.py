@@ -1,0 +1,156 @@
+"""`open_link`: from what a person typed to an open port."""
+
+from __future__ import annotations
+
+import re
+import stat
+from pathlib import Path
+from urllib.parse import urlsplit
+
+from birdcage.base.clock import Clock
+from birdcage.base.errors import LinkError
+from birdcage.link.link import Link
+from birdcage.link.port import Port
+from birdcage.link.transcript import Transcript
+
+ENTRY_POINTS = "birdcage.link"
+"""Packages register further kinds of port here: name = scheme, value = callable(address, clock=clock) -> Port."""
+
+PYSERIAL_SCHEMES = ("loop", "rfc2217")
+
+_SCHEME = re.compile(r"([A-Za-z][A-Za-z0-9+._-]+):(.+|)")
+
+
+def open_link(url: str, *, baud: int, clock: Clock, transcript: Transcript | None = None) -> Link:
+    """Open a port and return it, ready to read and write.
+
+    `url` is a device (`/dev/ttyUSB0`, `COM4`, a pseudo terminal, a link to one), `socket://host:port`,
+    `rfc2217://host:port`, `loop://`, or a scheme that a package registered, such as `sim:g2`. `baud` counts for
+    serial ports only. The transcript starts with the first byte.
+
+    Raises LinkError with a sentence that says what to do. Reasons: missing, busy, permission, unsupported, failed.
+    Opening `socket://` or `rfc2217://` may take 3 s: call it on a thread that may wait.
+    """
+    return Link(_open_port(url, baud, clock), clock, transcript)
+
+
+def _open_port(url: str, baud: int, clock: Clock) -> Port:
+    if not url:
+        raise LinkError("No port is given: name one with --port; `birdcage ports` lists them.", reason="missing")
+    scheme = _scheme(url)
+    if scheme == "socket":
+        return _open_socket(url)
+    if scheme is None or scheme in PYSERIAL_SCHEMES:
+        return _open_serial(url, baud, clock, is_device=scheme is None)
+    return _open_registered(url, scheme, clock)
+
+
+def _scheme(url: str) -> str | None:
+    """Return the scheme of a URL, None for a device (`/dev/serial/by-path/pci-0:1` and `COM4:` are devices)."""
+    found = _SCHEME.fullmatch(url)
+    if found is None or re.fullmatch(r"(?i)com\d+:", url) or Path(url).exists():
+        return None
+    return found.group(1).lower()
+
+
+def _open_registered(url: str, scheme: str, clock: Clock) -> Port:
+    from importlib.metadata import entry_points
+
+    registered = {each.name: each for each in entry_points(group=ENTRY_POINTS)}
+    if scheme not in registered:
+        kinds = ["a device such as /dev/ttyUSB0 or COM4", "socket://host:port", "rfc2217://host:port", "loop://"]
+        kinds += [f"{name}:NAME" for name in sorted(registered)]
+        raise LinkError(
+            f"{url}: there is no kind of port called {scheme!r}; there are {', '.join(kinds)}.", reason="unsupported"
+        )
+    address = url.split(":", 1)[1]
+    try:
+        port: Port = registered[scheme].load()(address, clock=clock)
+    except LinkError:
+        raise
+    except (ValueError, LookupError) as error:
+        raise LinkError(f"{url} cannot be opened: {_sentence(error)}", reason="unsupported") from error
+    except (ConnectionError, FileNotFoundError) as error:
+        raise LinkError(f"{url} is not there: {_sentence(error)}", reason="missing") from error
+    except (OSError, ImportError) as error:
+        raise LinkError(f"{url} cannot be opened: {_sentence(error)}", reason="failed") from error
+    return port
+
+
+def _open_socket(url: str) -> Port:
+    from birdcage.link import socket_port
+
+    try:
+        parts = urlsplit(url)
+        host, port = parts.hostname, parts.port
+    except ValueError:
+        host = port = None
+    if not host or not port:
+        raise LinkError(f"{url}: write it as socket://host:port, the port from 1 to 65535.", reason="unsupported")
+    try:
+        return socket_port.connect(host, port, url)
+    except TimeoutError as error:
+        raise LinkError(
+            f"{url}: nobody answered within {socket_port.CONNECT_TIMEOUT_S:.0f} s; "
+            "check the address, and that the serial server is on.",
+            reason="missing",
+        ) from error
+    except OSError as error:
+        raise LinkError(
+            f"{url}: no connection ({error.strerror or error}); check the address, and that the serial server listens.",
+            reason="missing",
+        ) from error
+
+
+def _open_serial(url: str, baud: int, clock: Clock, *, is_device: bool) -> Port:
+    import serial
+
+    from birdcage.link import trouble
+    from birdcage.link.serial_port import WRITE_TIMEOUT_S, SerialPort
+
+    if is_device:
+        _check_device(url, baud)
+    try:
+        opened = serial.serial_for_url(
+            url,
+            do_not_open=True,
+            baudrate=baud,
+            timeout=0,
+            write_timeout=WRITE_TIMEOUT_S,
+            exclusive=True if is_device else None,
+        )
+        # The kernel raises both lines on opening; to say the same beforehand keeps pyserial from pulsing them.
+        opened.dtr = True
+        opened.rts = True
+        opened.open()
+    except (OSError, ValueError) as error:
+        raise trouble.explain(url, baud, error, is_device=is_device) from error
+    return SerialPort(opened, url, clock)
+
+
+def _check_device(url: str, baud: int) -> None:
+    try:
+        path = Path(url).resolve()
+        mode = path.stat().st_mode
+    except OSError:
+        return  # Opening it says what is wrong; Windows names (COM4) are no paths at all.
+    if not stat.S_ISCHR(mode):
+        raise LinkError(
+            f"{url} is no serial port but {_kind(mode)}; `birdcage ports` lists the ports.", reason="unsupported"
+        )
+    if baud == 1200 and path.name.startswith(("ttyACM", "cu.usbmodem")):
+        raise LinkError(
+            f"{url} is a USB CDC port: opening it at 1200 baud restarts many boards into their loader, "
+            "so it is not done; give another --baud.",
+            reason="unsupported",
+        )
+
+
+def _kind(mode: int) -> str:
+    return "a folder" if stat.S_ISDIR(mode) else "a file"
+
+
+def _sentence(error: Exception) -> str:
+    # A KeyError's own text is the quoted key.
+    text = str(error.args[0]) if isinstance(error, LookupError) and error.args else str(error)
+    return text if text.endswith((".", "?")) else f"{text}."

@@ -1,0 +1,161 @@
+"""The files of a transcript: whole lines, rotation, a limit on their total size. Runs in the writer's thread."""
+
+from __future__ import annotations
+
+import os
+import time
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TextIO
+
+from birdcage.link.transcript_line import Entry, format_line
+
+FILE_LIMIT = 4_000_000
+TOTAL_LIMIT = 40_000_000
+LINE_LIMIT = 200
+"""Bytes after which a line is cut even though the wire shows no end of it."""
+
+RETRY_S = 10.0
+"""How long to leave a disk alone that refused."""
+
+
+class TranscriptFiles:
+    """Joins chunks into lines, one a line of the dish's, and writes them.
+
+    Chunks arrive as the system hands them out, a few bytes each; a line a person can grep needs them joined. A line
+    ends at a newline, where the direction changes, after 200 bytes, or when the wire is quiet; its time is its first
+    byte's. The bytes are the same, in the same order.
+    """
+
+    def __init__(self, folder: Path, *, file_limit: int = FILE_LIMIT, total_limit: int = TOTAL_LIMIT) -> None:
+        self.path: Path | None = None
+        self.problem: str | None = None
+        self._folder = folder
+        self._file_limit = file_limit
+        self._total_limit = total_limit
+        self._file: TextIO | None = None
+        self._written = 0
+        self._header = ""
+        self._open_line: Entry | None = None
+        self._retry_at = 0.0
+        self._lost = 0
+
+    def write(self, items: list[Entry | tuple[Entry, str]], dropped: int) -> None:
+        """Take what came, and how many events did not fit into the queue; with nothing, end the unfinished line."""
+        lines: list[Entry] = []
+        if dropped:
+            lines += self._finish()
+            lines.append(Entry(_now(), "#", b"%d events are missing here: the disk was too slow" % dropped))
+        for item in items:
+            if isinstance(item, tuple):
+                entry, self._header = item
+                lines += self._finish()
+                # A new file says the same in its first line.
+                lines += [entry] if self._file is not None else []
+            else:
+                lines += self._join(item)
+        if not items:
+            lines += self._finish()
+        if lines:
+            self._put(lines)
+
+    def close(self) -> None:
+        """Close the file."""
+        if self._file is not None:
+            self._file.close()
+            self._file = None
+
+    def _join(self, entry: Entry) -> list[Entry]:
+        if entry.direction == "#":
+            return [*self._finish(), entry]
+        started = self._open_line
+        if started is not None and started.direction != entry.direction:
+            return [*self._finish(), *self._join(entry)]
+        utc = started.utc if started is not None else entry.utc
+        rest = (started.data if started is not None else b"") + entry.data
+        lines = []
+        while (end := _line_length(rest)) is not None:
+            lines.append(Entry(utc, entry.direction, rest[:end]))
+            rest, utc = rest[end:], entry.utc
+        self._open_line = Entry(utc, entry.direction, rest) if rest else None
+        return lines
+
+    def _finish(self) -> list[Entry]:
+        line, self._open_line = self._open_line, None
+        return [line] if line is not None else []
+
+    def _put(self, lines: list[Entry]) -> None:
+        if time.monotonic() < self._retry_at:
+            self._lost += len(lines)
+            return
+        try:
+            for line in lines:
+                self._put_line(line)
+            if self._file is not None:
+                self._file.flush()
+        except OSError as error:
+            self._give_up(error, len(lines))
+
+    def _put_line(self, line: Entry) -> None:
+        if self._file is None or self._written >= self._file_limit:
+            self._open_next(line.utc)
+        text = format_line(line) + "\n"
+        assert self._file is not None
+        self._file.write(text)
+        self._written += len(text)
+
+    def _open_next(self, utc: datetime) -> None:
+        self.close()
+        self._folder.mkdir(parents=True, exist_ok=True)
+        self._make_room()
+        self.path = _free_name(self._folder, utc)
+        self._file = self.path.open("x", encoding="ascii", newline="\n")
+        self._written = 0
+        self._put_line(Entry(utc, "#", self._header.encode()))
+        if self._lost:
+            self._put_line(
+                Entry(utc, "#", b"%d lines are missing here: %s" % (self._lost, (self.problem or "").encode()))
+            )
+        self._lost = 0
+        self.problem = None
+
+    def _make_room(self) -> None:
+        """Delete the oldest files until a whole new one fits under the total."""
+        files = sorted(self._folder.glob("wire-*.txt"), key=lambda path: path.name)
+        sizes = [path.stat().st_size for path in files]
+        total = sum(sizes) + self._file_limit
+        for path, size in zip(files, sizes, strict=True):
+            if total <= self._total_limit:
+                break
+            path.unlink(missing_ok=True)
+            total -= size
+
+    def _give_up(self, error: OSError, lines: int) -> None:
+        self.problem = f"The transcript in {self._folder} cannot be written ({error.strerror}): make room on the disk."
+        self._lost += lines
+        self._retry_at = time.monotonic() + RETRY_S
+        file, self._file = self._file, None
+        if file is not None:
+            try:
+                file.close()
+            except OSError:
+                return  # It said so already: what was in the buffer is among the lost.
+
+
+def _line_length(data: bytes) -> int | None:
+    newline = data.find(b"\n", 0, LINE_LIMIT)
+    if newline >= 0:
+        return newline + 1
+    return LINE_LIMIT if len(data) >= LINE_LIMIT else None
+
+
+def _free_name(folder: Path, utc: datetime) -> Path:
+    stem = f"wire-{utc.astimezone(UTC):%Y%m%d-%H%M%S}-{os.getpid()}"
+    number = 1
+    while (path := folder / f"{stem}-{number:03d}.txt").exists():
+        number += 1
+    return path
+
+
+def _now() -> datetime:
+    return datetime.now(UTC)

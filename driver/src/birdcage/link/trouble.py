@@ -1,0 +1,119 @@
+"""Why a serial port did not open, and what to do: one sentence, one reason."""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import os
+import re
+from pathlib import Path
+
+from birdcage.base.errors import LinkError
+from birdcage.link.ports import list_ports
+
+_MISSING = {errno.ENOENT, errno.ENODEV, errno.ENXIO, errno.ENOTDIR}
+_BUSY = {errno.EAGAIN, errno.EWOULDBLOCK, errno.EBUSY}
+_FORBIDDEN = {errno.EACCES, errno.EPERM}
+
+
+def explain(url: str, baud: int, error: Exception, *, is_device: bool) -> LinkError:
+    """Return the LinkError for what pyserial raised on opening `url`."""
+    if isinstance(error, ValueError):
+        return LinkError(f"{url} does not open at {baud} baud: {error}.", reason="unsupported")
+    if not is_device:
+        return LinkError(
+            f"{url}: no connection ({_short(error)}); check the address, and that the serial server listens.",
+            reason="missing" if "refused" in str(error) else "failed",
+        )
+    number = _number(error)
+    if number in _MISSING:
+        return LinkError(f"{url} does not exist: {_ports_there_are()}", reason="missing")
+    if number in _BUSY:
+        return LinkError(f"{url} is in use by {_holder(url)}: end that program first.", reason="busy")
+    if number in _FORBIDDEN:
+        return LinkError(f"{url} may not be opened by you: {_remedy(url)}", reason="permission")
+    if number == errno.ENOTTY:
+        return LinkError(f"{url} is no serial port; `birdcage ports` lists the ports.", reason="unsupported")
+    return LinkError(
+        f"{url} cannot be opened ({_short(error)}); unplug the adapter, plug it in again and retry.", reason="failed"
+    )
+
+
+def _number(error: Exception) -> int | None:
+    """Return the system's error number; pyserial hides it in the text on Windows, and of termios everywhere."""
+    number = getattr(error, "errno", None)
+    if isinstance(number, int):
+        return number
+    text = str(error)
+    if "FileNotFoundError" in text:
+        return errno.ENOENT
+    if "PermissionError" in text:
+        return errno.EBUSY  # What Windows says of a port that another program has open.
+    found = re.search(r"\((\d+),", text)
+    return int(found.group(1)) if found else None
+
+
+def _short(error: Exception) -> str:
+    found = re.search(r"\[Errno -?\d+\] ([^:']+)|\(\d+, '([^']+)'\)", str(error))
+    return (found.group(1) or found.group(2)) if found else str(error)
+
+
+def _ports_there_are() -> str:
+    ports = list_ports()
+    if not ports:
+        return "no serial port is plugged in; check the adapter and its cable."
+    return f"there {'is' if len(ports) == 1 else 'are'} {', '.join(port.device for port in ports)}."
+
+
+def _remedy(url: str) -> str:
+    try:
+        import grp
+
+        group = grp.getgrgid(Path(url).stat().st_gid).gr_name
+    except (ImportError, KeyError, OSError):
+        group = "dialout"
+    if group == "root":
+        return f"it belongs to root alone; `sudo chmod a+rw {url}` lends it to you until it is plugged in again."
+    return f"it belongs to the group {group}; run `sudo usermod -aG {group} $USER`, then log out and in again."
+
+
+def _holder(url: str) -> str:
+    pid = _lock_owner(url) or _opener(url)
+    if pid is None:
+        return "another program"
+    if pid == os.getpid():
+        return "this program itself"
+    try:
+        return f"{Path(f'/proc/{pid}/comm').read_text().strip()} (process {pid})"
+    except OSError:
+        return f"process {pid}"
+
+
+def _lock_owner(url: str) -> int | None:
+    """Return who holds the exclusive lock, from /proc/locks: `1: FLOCK ADVISORY WRITE 4711 00:05:123 0 EOF`."""
+    try:
+        node = Path(url).stat()
+        lines = Path("/proc/locks").read_text().splitlines()
+    except OSError:
+        return None
+    wanted = (os.major(node.st_dev), os.minor(node.st_dev), node.st_ino)
+    for line in lines:
+        fields = line.split()
+        if len(fields) < 6 or fields[1] != "FLOCK" or not fields[4].isdigit():
+            continue
+        major, minor, inode = fields[5].split(":")
+        if (int(major, 16), int(minor, 16), int(inode)) == wanted and int(fields[4]) > 0:
+            return int(fields[4])
+    return None
+
+
+def _opener(url: str) -> int | None:
+    """Return a process that has the device open, as far as we may look."""
+    device = str(Path(url).resolve())
+    for folder in Path("/proc").glob("[0-9]*/fd"):
+        with contextlib.suppress(OSError):
+            for descriptor in folder.iterdir():
+                with contextlib.suppress(OSError):
+                    if str(descriptor.readlink()) == device:
+                        return int(folder.parent.name)
+    return None
