@@ -65,14 +65,18 @@ class Dish:
         """Return what the dish really does at this moment."""
         return self._look()
 
+    def shafts(self, now_s: float) -> tuple[float, float]:
+        """Return where azimuth (0..360) and elevation really are."""
+        return wrap_360(self.axes[0].shaft(now_s)), self.axes[1].shaft(now_s)
+
     def look(self, now_s: float, *, shell_alive: bool, powered: bool, menu: str) -> Truth:
         """Put the truth together."""
         az, el = self.axes
-        cable = az.shaft(now_s)
+        az_deg, el_deg = self.shafts(now_s)
         return Truth(
-            az_deg=wrap_360(cable),
-            el_deg=el.shaft(now_s),
-            cable_deg=cable,
+            az_deg=az_deg,
+            el_deg=el_deg,
+            cable_deg=az.shaft(now_s),
             moving=az.moving(now_s) or el.moving(now_s),
             homed=az.homed and el.homed,
             az_homed=az.homed,

@@ -105,6 +105,8 @@ class Settings:
 
     rssi_read_s: float = 0.01
     """Time of one reading of `rssi <n>`. [I]"""
+    rssi_lead: str = "0 0"
+    """The two integers that `rssi` prints before its named fields; their meaning is unknown. [open]"""
     rssi_floor: float = 400.0
     """Counts of the empty sky high up (section 7.6, one unit; another has 500)."""
     rssi_noise: float = 1.0

@@ -1,0 +1,49 @@
+"""The G2's beam as measured on an isolated cluster of satellites at elevation 27 (reference section 7.6)."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+FLOOR, PEAK = 402.0, 544.0
+EL_PROFILE = (407, 411, 439, 478, 514, 537, 544, 538, 518, 485, 446, 416, 407)
+"""Counts at -6..+6 degrees of elevation from the peak."""
+AZ_PROFILE = (409, 431, 465, 500, 525, 541, 544, 537, 520, 491, 459, 428, 413)
+"""Counts at -6..+6 degrees of azimuth; on the sky these are cos(27 deg) apart."""
+SIDELOBE = ((7.0, 410.0), (8.0, 416.0), (8.5, 418.0), (9.0, 416.0), (10.0, 408.0), (12.0, FLOOR))
+"""First sidelobe 415 to 420 at 8 to 9 degrees; the shape around it [I]."""
+
+Profile = tuple[tuple[float, float], ...]
+
+
+def _profile(counts: tuple[int, ...], step_deg: float) -> Profile:
+    main = tuple((index * step_deg, float(count)) for index, count in enumerate(counts))
+    return main + tuple(point for point in SIDELOBE if point[0] > main[-1][0])
+
+
+_UP = _profile(EL_PROFILE[6:], 1.0)
+_DOWN = _profile(EL_PROFILE[6::-1], 1.0)
+_RIGHT = _profile(AZ_PROFILE[6:], math.cos(math.radians(27.0)))
+_LEFT = _profile(AZ_PROFILE[6::-1], math.cos(math.radians(27.0)))
+
+
+def gain(right_deg: float, up_deg: float) -> float:
+    """Return what the beam lets through, 1 at its centre.
+
+    `right_deg` and `up_deg` are how far the beam's centre stands from the source on the sky. Between the measured
+    cuts the profiles are blended by direction.
+    """
+    away = math.hypot(right_deg, up_deg)
+    if away == 0.0:
+        return 1.0
+    vertical = _counts(_UP if up_deg > 0 else _DOWN, away)
+    horizontal = _counts(_RIGHT if right_deg > 0 else _LEFT, away)
+    share = (up_deg / away) ** 2
+    return (share * vertical + (1.0 - share) * horizontal - FLOOR) / (PEAK - FLOOR)
+
+
+def _counts(profile: Profile, away_deg: float) -> float:
+    for (near, more), (far, less) in pairwise(profile):
+        if away_deg <= far:
+            return more + (less - more) * (away_deg - near) / (far - near)
+    return FLOOR

@@ -1,0 +1,76 @@
+"""The settings menu, `NVS>` (reference section 7.5, a verbatim session)."""
+
+from __future__ import annotations
+
+from birdcage.sim.g2.board import Board
+from birdcage.sim.g2.menu import G2Menu
+from birdcage.sim.g2.nvram import ROWS, render
+from birdcage.sim.shell import Pause, Script
+
+HEADER = (
+    "Num  Name                         Current      Saved      Default\n"
+    "---- --------------------------  ----------  ----------  ----------\n"
+)
+SAVING = "    Saving ... \n"
+SAVED = "Flash file flashx:bank0 opened\nFlash sector cache enabled.\nFlash doneSuccess\n"
+SAVE_S = 0.5
+"""How long flash takes. [I]"""
+
+
+class Nvs(G2Menu):
+    """Shows, edits and saves settings. Words it does not know read the next row: no error is ever printed ([S1])."""
+
+    prompt = "NVS>"
+    help_lines = ("help [<command>]", "d [<index>]", "e <index> [<value>]", "q", "s")
+
+    def __init__(self, board: Board) -> None:
+        super().__init__(board)
+        self.commands |= {"d": self._dump, "e": self._edit, "s": self._save}
+        self._next = 0
+
+    def unknown(self, words: list[str]) -> Script:  # noqa: ARG002
+        """Read the next row."""
+        indices = sorted(ROWS)
+        index = indices[self._next % len(indices)]
+        self._next += 1
+        yield self._row(index)
+
+    def _dump(self, args: list[str]) -> Script:
+        index = self._index(args)
+        if args and index is None:
+            yield from self.bad_parameter()
+            return
+        nvram = self.board.nvram
+        yield HEADER
+        for row in [index] if index is not None else sorted(ROWS):
+            values = (nvram.ram[row], nvram.flash[row], ROWS[row].default)
+            shown = "".join(f"  {render(row, value):>10}" for value in values)
+            yield f"{row:3d}) {ROWS[row].name:<26}{shown}\n"
+
+    def _edit(self, args: list[str]) -> Script:
+        index = self._index(args[:1])
+        if index is None or len(args) > 2:
+            yield from self.bad_parameter()
+        elif len(args) == 1:
+            yield self._row(index)
+        else:
+            before = self._row(index).rstrip("\n")
+            try:
+                self.board.nvram.write(index, args[1])
+            except ValueError:
+                yield from self.bad_parameter()
+                return
+            yield f"{before} .{render(index, self.board.nvram.ram[index]):>11}\n"
+
+    def _save(self, args: list[str]) -> Script:  # noqa: ARG002
+        yield SAVING
+        yield Pause(SAVE_S)
+        self.board.nvram.save()
+        yield SAVED
+
+    def _row(self, index: int) -> str:
+        return f"{index:3d}) {ROWS[index].name:<26}{render(index, self.board.nvram.ram[index]):>11}\n"
+
+    def _index(self, args: list[str]) -> int | None:
+        index = int(args[0]) if len(args) == 1 and args[0].isdecimal() else None
+        return index if index in ROWS else None

@@ -1,0 +1,42 @@
+"""The system menu, `OS>` (reference section 7.1)."""
+
+from __future__ import annotations
+
+from birdcage.sim.g2.board import Board
+from birdcage.sim.g2.menu import G2Menu
+from birdcage.sim.shell import Script
+
+IDENTITY = """\
+NXP Kinetis K60 ARM Cortex-M4
+  Package:       144-pin
+  Silicon Rev:   2.4
+  Mask Set:      4N22D
+  P-Flash:       512 KB
+  RAM:           128 KB
+  Core Clock:    96 MHz (CCLK)
+  Bus Clock:     48 MHz (BCLK)
+  System ID:     TWELINCH
+  Antenna ID:    12-IN G2
+  Software:      02.02.48
+  Flash Base:    0x00010000 (65536)
+  Flash Size:    458752 bytes (448 KB)
+"""
+"""Fields and order [B]; the layout is that source's own rendering, not certainly the wire's."""
+
+
+class System(G2Menu):
+    """Identity and reboot."""
+
+    prompt = "OS>"
+    help_lines = ("help [<command>]", "id", "q", "reboot")
+
+    def __init__(self, board: Board) -> None:
+        super().__init__(board)
+        self.commands |= {"id": self._id, "reboot": self._reboot}
+
+    def _id(self, args: list[str]) -> Script:  # noqa: ARG002
+        yield IDENTITY
+
+    def _reboot(self, args: list[str]) -> Script:  # noqa: ARG002
+        self.board.reboot()
+        yield ""
