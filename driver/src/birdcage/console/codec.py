@@ -1,0 +1,147 @@
+"""Bytes in, replies out: pure, incremental, no I/O (SEAMS *Codec*).
+
+A line ends at any run of CR and LF; blank lines are dropped. A prompt is a known token that begins a line, recognised
+with its last byte; what follows it on that line is the next echo. So `>` in help text never ends a reply, and how the
+stream was split can't matter.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass, field
+
+from birdcage.console.dialect import ConsoleDialect
+from birdcage.console.events import Event, Line, Reply, Stray, StrayPrompt
+
+LONGEST_LINE = 1024
+"""Characters kept of one line; what follows up to its end counts as noise."""
+MOST_LINES = 4096
+"""Lines kept of one reply; the rest are told as `Line` only."""
+_UNREADABLE = "\N{REPLACEMENT CHARACTER}"
+
+
+@dataclass(slots=True)
+class _Owed:
+    command: str
+    ticket: int
+    echoed: bool
+    prompted: bool = False
+    """Whether any prompt came since it was sent."""
+    lines: list[str] = field(default_factory=list)
+
+
+class Codec:
+    """Reads one console. `expect` says what was sent, `feed` what arrived, `idle` that nothing arrives any more."""
+
+    noise: int
+    """How many bytes were unreadable or beyond `LONGEST_LINE`."""
+
+    def __init__(self, dialect: ConsoleDialect) -> None:
+        """Read consoles of `dialect`; ValueError when two menus share one token."""
+        self._menus = {token: menu for menu, token in dialect.prompts.items()}
+        if len(self._menus) != len(dialect.prompts):
+            raise ValueError("two menus share one prompt token")
+        self._echo = dialect.echo
+        self._owed: deque[_Owed] = deque()
+        self._tickets = 0
+        self._text = ""
+        self._after_prompt = False
+        self._standing: tuple[str, str] | None = None
+        self.noise = 0
+
+    @property
+    def owed(self) -> int:
+        """How many commands still lack their prompt."""
+        return len(self._owed)
+
+    def expect(self, command: str) -> int:
+        """Note that `command` was sent (without its line end), and return the ticket of its reply."""
+        self._tickets += 1
+        text = command.strip()
+        self._owed.append(_Owed(text, self._tickets, echoed=not self._echo or not text))
+        return self._tickets
+
+    def owes(self, ticket: int) -> bool:
+        """Return whether the command with this ticket still lacks its prompt."""
+        return any(owed.ticket == ticket for owed in self._owed)
+
+    def forget(self, ticket: int) -> None:
+        """Expect no reply to this command any more: when it comes after all, it is stray."""
+        self._owed = deque(owed for owed in self._owed if owed.ticket != ticket)
+
+    def forget_all(self) -> None:
+        """Expect nothing any more."""
+        self._owed.clear()
+
+    def feed(self, data: bytes) -> list[Event]:
+        """Take in what arrived."""
+        events: list[Event] = []
+        for byte in data:
+            if byte in b"\r\n":
+                self._end_line(events)
+            else:
+                self._take(byte, events)
+        return events
+
+    def idle(self) -> list[Event]:
+        """Take in that nothing arrives any more: a dish that stands at a prompt has answered all that it echoed.
+
+        A key that ends a running stream, say, may be taken as a line of its own or not.
+        """
+        events: list[Event] = []
+        while self._standing and self._owed and self._owed[0].echoed and self._owed[0].prompted:
+            events.append(self._answered(*self._standing))
+        return events
+
+    def _take(self, byte: int, events: list[Event]) -> None:
+        self._standing = None
+        if byte == 0x09:
+            byte = 0x20
+        readable = 0x20 <= byte < 0x7F
+        if not readable or len(self._text) >= LONGEST_LINE:
+            self.noise += 1
+        if len(self._text) < LONGEST_LINE:
+            self._text += chr(byte) if readable else _UNREADABLE
+        menu = None if self._after_prompt else self._menus.get(self._text)
+        if menu is not None:
+            self._prompt(menu, events)
+
+    def _prompt(self, menu: str, events: list[Event]) -> None:
+        token, self._text = self._text, ""
+        self._after_prompt = True
+        self._standing = (menu, token)
+        for owed in self._owed:
+            owed.prompted = True
+        if self._owed and self._owed[0].echoed:
+            events.append(self._answered(menu, token))
+        else:
+            events.append(StrayPrompt(menu))
+
+    def _answered(self, menu: str, token: str) -> Reply:
+        done = self._owed.popleft()
+        return Reply(done.command, tuple(done.lines), menu, token, done.ticket)
+
+    def _end_line(self, events: list[Event]) -> None:
+        text, self._text = self._text.rstrip(), ""
+        self._after_prompt = False
+        if not text or self._is_echo(text.strip()):
+            return
+        if not self._owed or not self._owed[0].echoed:
+            events.append(Stray(text))
+            return
+        head = self._owed[0]
+        if len(head.lines) < MOST_LINES:
+            head.lines.append(text)
+        events.append(Line(text, head.ticket))
+
+    def _is_echo(self, text: str) -> bool:
+        if not self._echo:
+            return False
+        waiting = next((owed for owed in self._owed if not owed.echoed and owed.command == text), None)
+        if waiting is None:
+            return False
+        waiting.echoed = True
+        # The wire keeps the order: commands sent before this one that were never echoed were lost on the way.
+        while not self._owed[0].echoed:
+            self._owed.popleft()
+        return True

@@ -1,0 +1,45 @@
+"""Why the dish did not answer, as a reason and a sentence."""
+
+from __future__ import annotations
+
+from birdcage.base.errors import NoReply
+
+KEPT = 512
+"""Bytes of a failed exchange that are kept to judge it by."""
+_GARBAGE_SHARE = 0.3
+_QUOTED = 60
+
+
+def no_reply(port: str, command: str, seen: bytes, waited_s: float) -> NoReply:
+    """Judge `seen`, what arrived within `waited_s` after `command` was sent.
+
+    Reasons: `silent`, `garbage`, `echo` (nothing but our own line came back), `blocked` (it talks, but shows no
+    prompt that answers the command).
+    """
+    asked = f"`{command}`" if command else "Enter"
+    text = "".join(chr(byte) if 0x20 <= byte < 0x7F else "." for byte in seen.strip())
+    quoted = text if len(text) <= _QUOTED else "…" + text[-_QUOTED:]
+    bad = sum(1 for byte in seen if not (0x20 <= byte < 0x7F or byte in b"\r\n\t"))
+    if not seen:
+        return NoReply(
+            f"The dish is silent: {asked} on {port} brought nothing in {waited_s:.1f} s. Its power is off, the cable "
+            "is out at the dish, the baud rate is wrong, or its shell is deadlocked, which only a power cycle ends.",
+            reason="silent",
+        )
+    if bad > _GARBAGE_SHARE * len(seen):
+        return NoReply(
+            f"What arrives on {port} cannot be read ({len(seen)} bytes after {asked}): the baud rate is wrong, the "
+            "two wires of the receiving pair are swapped, or something else is connected.",
+            reason="garbage",
+        )
+    if not text or text == command:
+        return NoReply(
+            f"Only our own {asked} came back on {port}: the adapter hears itself and no dish, or the dish echoes and "
+            "its shell is deadlocked, which only a power cycle ends.",
+            reason="echo",
+        )
+    return NoReply(
+        f"The dish talks on {port}, but nothing that answers {asked} came in {waited_s:.1f} s (last: `{quoted}`): it "
+        "is starting up, still busy with an earlier command, or bytes were lost.",
+        reason="blocked",
+    )

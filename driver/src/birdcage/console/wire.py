@@ -1,0 +1,236 @@
+"""The line between a session and its dish: what was sent, what is owed, how far the stream can be trusted.
+
+Only the owner's thread reads; `interject` may come from any thread. One lock keeps the order of what was written the
+order of what is owed.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Sequence
+
+from birdcage.base.clock import Clock, Outcome
+from birdcage.base.wake import Wake
+from birdcage.console.codec import Codec
+from birdcage.console.diagnosis import KEPT
+from birdcage.console.dialect import ConsoleDialect
+from birdcage.console.events import Event, Line, Reply, Stray, StrayPrompt
+from birdcage.link.port import Port
+
+LineSink = Callable[[str], None]
+
+
+class Wire:
+    """Sends lines, takes in bytes, and keeps the books. `delay_s` is the longest that a byte may be under way."""
+
+    def __init__(
+        self,
+        link: Port,
+        clock: Clock,
+        dialect: ConsoleDialect,
+        delay_s: float,
+        wake: Wake | None,
+        on_wake: Callable[[], None] | None,
+        on_line: LineSink | None,
+    ) -> None:
+        self.link = link
+        self.clock = clock
+        self.dialect = dialect
+        self.delay_s = delay_s
+        self._wake = wake if on_wake is not None else None
+        self._on_wake = on_wake
+        self._on_line = on_line
+        # Reentrant, as a signal handler may interject on top of the thread that it interrupted.
+        self._lock = threading.RLock()
+        self._codec = Codec(dialect)
+        self._replies: dict[int, Reply] = {}
+        self._sent_at: dict[int, float] = {}
+        self._interjected: list[int] = []
+        self.menu: str | None = None
+        self.lost = True
+        """Whether a reply is missing, so that the next exchange first has to find its feet again."""
+        self.last_reply: float | None = None
+        self.last_received = clock.monotonic()
+        self.last_sent = clock.monotonic()
+        self.busy_until = clock.monotonic()
+        self.doubt_until: float | None = clock.monotonic() + 2 * delay_s
+        """Until when something unaccounted for may still be under way, either way; None when nothing is."""
+        self._hazard_doubt: float | None = None
+        self.stray_bytes = 0
+        self.seen = bytearray()
+        """What arrived since the last line was sent, up to `KEPT` bytes."""
+
+    @property
+    def owed(self) -> int:
+        """How many lines still lack their prompt."""
+        return self._codec.owed
+
+    def is_hazard(self, line: str) -> bool:
+        """Return whether `line`, whole or with bytes lost, could leave a menu."""
+        letters = iter(line.lower())
+        return all(letter in letters for letter in self.dialect.leave.lower())
+
+    def send(self, line: str, takes_s: float = 0.0, permit: Callable[[], None] | None = None) -> int:
+        """Write one line at once and return the ticket of its reply.
+
+        `permit` is asked under the lock that `interject` takes too: what it lets through is on the wire before any
+        line that is interjected afterwards.
+        """
+        with self._lock:
+            if permit is not None:
+                permit()
+            now = self.clock.monotonic()
+            self.seen.clear()
+            if self.is_hazard(line):
+                self.doubt(now + takes_s + 2 * self.delay_s)
+                self._hazard_doubt = self.doubt_until
+            return self._write([line], now, takes_s)[0]
+
+    def interject(self, lines: Sequence[str]) -> None:
+        """Write `lines` in one piece from any thread; the owner collects their replies."""
+        with self._lock:
+            now = self.clock.monotonic()
+            self.doubt(now + 2 * self.delay_s)
+            self._interjected += self._write(lines, now, 0.0)
+
+    def press_enter(self) -> None:
+        """Write a bare line end that no reply is expected to: the key that ends a running stream."""
+        with self._lock:
+            self.last_sent = self.busy_until = self.clock.monotonic()
+            self.doubt(self.last_sent + 2 * self.delay_s)
+            self.link.write(self.dialect.line_end)
+
+    def trust_root(self, before: float | None) -> None:
+        """Take back the doubt that a `q` brought, once the root prompt came; any other doubt stays."""
+        with self._lock:
+            if self.doubt_until == self._hazard_doubt:
+                self.doubt_until = before
+
+    def quiet_at(self, *, strictly: bool) -> float:
+        """Return when, should nothing come until then, all that was sent has been heard or is lost for good."""
+        delay = self.delay_s
+        through = max(self.last_sent + 2 * delay, self.last_received + delay)
+        if strictly:
+            return max(through, self.doubt_until or through)
+        return max(through, self.busy_until + 2 * delay)
+
+    def _write(self, lines: Sequence[str], now: float, takes_s: float) -> list[int]:
+        tickets = [self._codec.expect(line) for line in lines]
+        self._sent_at.update(dict.fromkeys(tickets, now))
+        self.last_sent = now
+        self.busy_until = max(self.busy_until, now + takes_s)
+        end = self.dialect.line_end
+        try:
+            self.link.write(b"".join(line.encode("ascii") + end for line in lines))
+        except BaseException:
+            for ticket in tickets:
+                self.forget(ticket)
+            raise
+        return tickets
+
+    def taken(self, ticket: int) -> Reply | None:
+        """Return the reply to `ticket` once, when it is there."""
+        return self._replies.pop(ticket, None)
+
+    def interjected(self) -> tuple[bool, tuple[Reply, ...]]:
+        """Return whether interjected lines still wait for their prompts, and the replies that came."""
+        with self._lock:
+            waiting = any(self._codec.owes(ticket) for ticket in self._interjected)
+            came = tuple(self._replies[ticket] for ticket in self._interjected if ticket in self._replies)
+            return waiting, came
+
+    def close_interjected(self) -> int:
+        """Wait no longer for interjected lines; return how many there were."""
+        with self._lock:
+            tickets, self._interjected = self._interjected, []
+            for ticket in tickets:
+                self._replies.pop(ticket, None)
+                self.forget(ticket)
+            return len(tickets)
+
+    def forget(self, ticket: int) -> None:
+        """Give up on a reply: the stream is in doubt for as long as it, or its cause, may be under way."""
+        with self._lock:
+            if not self._codec.owes(ticket):
+                return
+            self._codec.forget(ticket)
+            self._sent_at.pop(ticket, None)
+            self.lost = True
+            self.doubt(max(self.busy_until, self.last_sent) + 2 * self.delay_s)
+
+    def forget_all(self) -> None:
+        """Give up on every reply, when all that was sent has had its time."""
+        with self._lock:
+            self._codec.forget_all()
+            self._sent_at.clear()
+
+    def doubt(self, until: float) -> None:
+        """Trust the stream no sooner than `until`."""
+        self.doubt_until = max(until, self.doubt_until or until)
+
+    def pump(self, until: float, ticket: int = 0, on_line: LineSink | None = None) -> bool:
+        """Wait for bytes and take them in; lines of `ticket` go to `on_line`. False when `until` came first."""
+        outcome = self.clock.wait(self.link, until, self._wake)
+        if outcome is Outcome.INTERRUPTED and self._on_wake is not None:
+            self._on_wake()
+        elif outcome is Outcome.TIMEOUT:
+            return False
+        self.take_in(ticket, on_line)
+        return True
+
+    def take_in(self, ticket: int = 0, on_line: LineSink | None = None) -> None:
+        """Read what is there, without waiting."""
+        data = self.link.read()
+        if not data:
+            return
+        with self._lock:
+            self.last_received = self.clock.monotonic()
+            self.seen += data[: max(0, KEPT - len(self.seen))]
+            noise = self._codec.noise
+            events = self._codec.feed(data)
+            if self._codec.noise > noise:
+                self.stray_bytes += self._codec.noise - noise
+                self.doubt(self.last_received + 2 * self.delay_s)
+            self._note(events)
+        self._tell(events, ticket, on_line)
+
+    def idle(self, ticket: int = 0, on_line: LineSink | None = None) -> None:
+        """Let the codec know that a deadline passed with nothing arriving."""
+        with self._lock:
+            events = self._codec.idle()
+            self._note(events)
+        self._tell(events, ticket, on_line)
+
+    def _note(self, events: Sequence[Event]) -> None:
+        now = self.clock.monotonic()
+        for event in events:
+            match event:
+                case Reply():
+                    sent = self._sent_at.pop(event.ticket, now)
+                    if self.doubt_until is not None and sent >= self.doubt_until:
+                        self.doubt_until = None
+                    if event.ticket not in self._interjected:
+                        self.lost = False
+                    if not self._codec.owed:
+                        self.busy_until = self.last_sent
+                    self.menu = event.menu
+                    self._replies[event.ticket] = event
+                case StrayPrompt():
+                    if event.menu != self.menu:
+                        self.menu, self.lost = None, True
+                    self.busy_until = self.last_sent
+                    self.doubt(now + 2 * self.delay_s)
+                case Stray():
+                    self.stray_bytes += len(event.text)
+                    self.doubt(now + 2 * self.delay_s)
+                    continue
+                case Line():
+                    pass
+            self.last_reply = now
+
+    def _tell(self, events: Sequence[Event], ticket: int, on_line: LineSink | None) -> None:
+        for event in events:
+            if isinstance(event, Stray) and self._on_line is not None:
+                self._on_line(event.text)
+            elif isinstance(event, Line) and event.ticket == ticket and on_line is not None:
+                on_line(event.text)
