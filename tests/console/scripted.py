@@ -1,4 +1,4 @@
-"""A tiny console for the codec and the session, with faults of the wire byte by byte. Written from the reference alone."""
+"""A tiny console, written from the reference alone, with faults of the wire byte by byte."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ from collections import deque
 from collections.abc import Callable
 
 from birdcage.base.clock import VirtualClock
-from birdcage.console.dialect import ConsoleDialect
 
 MENUS = {"root": "TRK>", "mot": "MOT>", "dvb": "DVB>", "nvs": "NVS>"}
 HELP = ("help [<command>]", "Enter <dvb> - DVB Tuner", "Enter <mot> - Motor>", "a > b")
@@ -26,10 +25,11 @@ class Dish:
     name = "scripted"
     demo = True
 
-    def __init__(self, clock: VirtualClock, dialect: ConsoleDialect | None = None) -> None:
+    def __init__(self, clock: VirtualClock, *, echo: bool = True) -> None:
         self.clock = clock
         self.menu = "root"
         self.alive = True
+        self.echo = echo
         self.muted = False
         self.out_fault: Fault = clean
         self.in_fault: Fault = clean
@@ -110,7 +110,8 @@ class Dish:
             byte = data[index : index + 1]
             if byte != b"\r":
                 self._buffer += byte
-                self.say(byte.decode("latin-1"), at)
+                if self.echo:
+                    self.say(byte.decode("latin-1"), at)
                 continue
             line, self._buffer = self._buffer.decode("latin-1"), b""
             self.say("\r\n", at)
@@ -130,7 +131,7 @@ class Dish:
         elif self.menu == "mot" and line == "a":
             self.say("Angle[0] = 180.00\r\nAngle[1] = 45.00\r\n", at)
         elif self.menu == "mot" and line.startswith("a "):
-            self.say(f"Angle = {line.split()[-1]}\r\n", at)
+            self.say(f"Angle = {line.rsplit(maxsplit=1)[-1]}\r\n", at)
         elif self.menu == "mot" and line.startswith("h "):
             self._busy_until = at = at + 6.0
             self.say("wrap_min:-42333 wrap_max:2333\r\n", at)

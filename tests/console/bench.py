@@ -1,0 +1,117 @@
+"""What the console tests share: the dialect, and faults as hypothesis draws them."""
+
+from __future__ import annotations
+
+import re
+
+from birdcage.base.clock import Endpoint, Outcome, VirtualClock
+from birdcage.base.errors import BirdcageError, Cancelled
+from birdcage.base.wake import Wake
+from birdcage.console.dialect import ConsoleDialect
+from birdcage.console.session import Console
+from birdcage.link.port import Port
+from hypothesis import strategies as st
+
+D = 2.0
+DIALECT = ConsoleDialect(
+    prompts={"root": "TRK>", "mot": "MOT>", "dvb": "DVB>", "nvs": "NVS>", "os": "OS>"},
+    refusals=((re.compile(r"Invalid (command|parameter)"), "unknown_command"),),
+)
+
+
+class NudgingClock(VirtualClock):
+    """Sets a wake in the n-th wait from now, as a key pressed in mid-exchange does."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.wake = Wake()
+        self.countdown = 0
+
+    def wait(self, endpoint: Endpoint | None, until: float, wake: Wake | None = None) -> Outcome:
+        if self.countdown:
+            self.countdown -= 1
+            if not self.countdown:
+                self.wake.set()
+        return super().wait(endpoint, until, wake)
+
+
+# One fault: how many bytes pass before it, whether its byte is lost or doubled, by how much it is late, noise before it.
+NOISE = st.binary(min_size=0, max_size=2).map(lambda data: data.replace(b"q", b"~").replace(b"Q", b"~"))
+FAULTS = st.lists(
+    st.tuples(
+        st.one_of(st.integers(0, 6), st.integers(0, 40)),
+        st.sampled_from(["pass", "drop", "double"]),
+        st.sampled_from([0.0, 0.0, 0.3, 1.0, 1.9, 2.0]),
+        st.one_of(st.just(b""), NOISE),
+    ),
+    max_size=12,
+)
+COMMANDS = ["a", "a 0 12", "?", "", "mot", "dvb", "rssi 3", "freqs", "q", "h 0", "x y"]
+NUDGES = st.tuples(st.sampled_from(["cancel", "interject"]), st.integers(1, 12))
+STEPS = st.lists(
+    st.tuples(
+        st.one_of(st.none(), st.none(), NUDGES),
+        st.one_of(
+            st.tuples(st.just("exchange"), st.sampled_from(COMMANDS)),
+            st.tuples(st.just("enter"), st.sampled_from(["root", "mot", "dvb", "nvs"])),
+            st.tuples(st.just("run"), st.sampled_from([("mot", "a"), ("dvb", "rssi 3"), ("mot", "h 0"), ("mot", "?")])),
+            st.tuples(st.just("stream"), st.sampled_from([0.0, 0.35, 3.0])),
+            st.tuples(st.just("wait"), st.sampled_from([0.1, 1.0, 2.5, 9.0])),
+            st.tuples(st.sampled_from(["leave", "synchronize", "interject", "settle", "leave_all", "renew"]), st.none()),
+        ),
+    ),
+    min_size=1,
+    max_size=14,
+)
+
+
+class Owner:
+    """Does what a drawn step says, and swallows what a station would handle."""
+
+    def __init__(self, port: Port, clock: NudgingClock) -> None:
+        self.port, self.clock = port, clock
+        self.nudge = ""
+        self.renew()
+
+    def renew(self) -> None:
+        self.console = Console(
+            self.port, self.clock, DIALECT, delay_s=D, wake=self.clock.wake, on_wake=self.woken, on_line=lambda _: None
+        )
+
+    def woken(self) -> None:
+        self.clock.wake.clear()
+        if self.nudge == "cancel":
+            raise Cancelled("test")
+        self.console.interject(["a 0 12", "a 1 30"])
+
+    def step(self, nudge: tuple[str, int] | None, action: tuple[str, object]) -> None:
+        self.nudge, self.clock.countdown = nudge or ("", 0)
+        try:
+            self._act(*action)
+        except BirdcageError:
+            pass
+        finally:
+            self.clock.countdown = 0
+
+    def _act(self, name: str, value: object) -> None:
+        console, now = self.console, self.clock.monotonic()
+        match name:
+            case "exchange":
+                console.exchange(str(value), takes_s=15.0 if value == "h 0" else 0.0)
+            case "run":
+                console.run(*value, takes_s=15.0 if value[1] == "h 0" else 0.0)
+            case "enter":
+                console.enter(str(value))
+            case "stream":
+                console.enter("dvb")
+                console.stream("agc", lambda _: None, now + float(value))
+            case "interject":
+                console.interject(["a 0 20", "a 1 31"])
+            case "settle":
+                console.settle(D)
+            case "wait":
+                self.clock.advance(float(value))
+            case "renew":
+                self.renew()
+            case _:
+                getattr(console, name)()
