@@ -1,0 +1,111 @@
+"""`birdcage sim`: a simulated dish in the foreground."""
+
+from __future__ import annotations
+
+import json as json_format
+import signal
+import sys
+from collections.abc import Mapping
+from contextlib import ExitStack
+from pathlib import Path
+from types import FrameType
+from typing import TextIO
+from urllib.parse import urlencode
+
+from birdcage.base.clock import RealClock, ScaledClock
+from birdcage.base.wake import Wake
+from birdcage.sim.channel import Channel
+from birdcage.sim.port import open_device
+from birdcage.sim.server import Server
+
+ENDING_SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP")
+
+
+def run_simulator(
+    firmware: str,
+    *,
+    speed: float = 1.0,
+    seed: int = 1,
+    unhomed: bool = False,
+    boot: bool = False,
+    pace_baud: int = 0,
+    link: Path | None = None,
+    tcp: bool = False,
+    json: bool = False,
+    options: Mapping[str, str] | None = None,
+    out: TextIO | None = None,
+    stop: Wake | None = None,
+) -> int:
+    """Serve a dish until SIGINT, SIGTERM or SIGHUP, and return the exit status, 0.
+
+    Args:
+        firmware: `g2`.
+        speed: how many times faster than real time its mechanics and its UTC run.
+        seed: of every random figure.
+        unhomed: start with neither axis homed.
+        boot: start at power-on.
+        pace_baud: bytes cross the wire at this rate; 0 for at once.
+        link: a symbolic link that points at the pty while there is one.
+        tcp: serve on 127.0.0.1 instead of a pty.
+        json: print one line `{"port": …, "firmware": …, "control": …}` instead of sentences.
+        options: further settings by name, as in `birdcage.sim.settings`; they go before the arguments above.
+        out: where to print; standard output when left out.
+        stop: ends it instead of signals (for a caller that is not the main thread).
+
+    Raises:
+        ValueError: a firmware, option or value that does not exist.
+        OSError: the pty, port or link cannot be made; the message says why.
+
+    """
+    chosen = {"seed": str(seed), "unhomed": str(int(unhomed)), "boot": str(int(boot)), "pace_baud": str(pace_baud)}
+    chosen |= dict(options or {})
+    device = open_device(f"{firmware}?{urlencode(chosen)}", clock=RealClock() if speed == 1.0 else ScaledClock(speed))
+    with ExitStack() as stack:
+        if stop is None:
+            stop = _stopped_by_signals(stack)
+        server = Server(device, _channel(link, tcp=tcp), f"sim:{firmware}")
+        stack.callback(server.close)
+        _announce(server, firmware, link, json=json, out=out or sys.stdout)
+        server.serve(stop)
+    return 0
+
+
+def _channel(link: Path | None, *, tcp: bool) -> Channel:
+    if tcp:
+        if link is not None:
+            raise ValueError("--link names a pty: leave it out with --tcp")
+        from birdcage.sim.tcp import TcpChannel
+
+        return TcpChannel()
+    if sys.platform == "win32":
+        raise ValueError("Windows has no pseudo-terminals: use --tcp and open socket://127.0.0.1:PORT")
+    from birdcage.sim.pty import PtyChannel
+
+    return PtyChannel(link)
+
+
+def _announce(server: Server, firmware: str, link: Path | None, *, json: bool, out: TextIO) -> None:
+    port = str(link) if link is not None else server.channel.path
+    if json:
+        print(
+            json_format.dumps({"port": port, "firmware": firmware, "control": server.control.path}),
+            file=out,
+            flush=True,
+        )
+        return
+    print(f"{port}\nA simulated {firmware} listens there; Ctrl+C ends it. Control: {server.control.path}", file=out)
+    out.flush()
+
+
+def _stopped_by_signals(stack: ExitStack) -> Wake:
+    stop = Wake()
+    stack.callback(stop.close)
+
+    def ended(_number: int, _frame: FrameType | None) -> None:
+        stop.set()
+
+    for name in ENDING_SIGNALS:
+        number = getattr(signal, name, None)
+        if number is not None and not (name == "SIGHUP" and signal.getsignal(number) is signal.SIG_IGN):  # nohup
+            stack.callback(signal.signal, number, signal.signal(number, ended))
+    return stop
