@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Protocol
@@ -9,6 +10,9 @@ from typing import Protocol
 from birdcage.sim.chance import seeded
 from birdcage.sim.machine import Machine
 from birdcage.sim.settings import LINE_ENDS, Settings
+
+LONGEST_MEMORY = 10_000
+"""Lines remembered in `Shell.received`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +61,7 @@ class Shell:
     ) -> None:
         self.menu = "root"
         self.alive = True
-        self.received: list[tuple[float, str]] = []
+        self.received: deque[tuple[float, str]] = deque(maxlen=LONGEST_MEMORY)
         self._machine = machine
         self._settings = settings
         self._menus = menus

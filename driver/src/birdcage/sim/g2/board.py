@@ -23,8 +23,6 @@ class Board:
         self.nvram = Nvram()
         self.nvram.write(20, str(int(settings.nvs20)))
         self.nvram.save()
-        self.lnb_volts = 18
-        """Boot default 18 V, horizontal (section 7.6)."""
         self.power_on()
 
     @property
@@ -35,7 +33,6 @@ class Board:
     def power_on(self) -> None:
         """Read the settings memory and go by it from now on."""
         self.nvram.power_on()
-        self.lnb_volts = 18
         row = self.nvram.active
         self.dish.set_speeds(row[80], row[81], row[85], row[103])
 

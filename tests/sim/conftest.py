@@ -1,0 +1,53 @@
+"""A person at a terminal of a simulated dish, on a virtual clock."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+from birdcage.base.clock import Outcome, VirtualClock
+from birdcage.sim.port import SimPort, open_port
+
+
+class Terminal:
+    def __init__(self, options: str = "", *, rate: float = 1.0) -> None:
+        self.clock = VirtualClock()
+        self.clock.rate = rate
+        self.port: SimPort = open_port(f"g2?{options}" if options else "g2", clock=self.clock)
+        self.device = self.port.device
+
+    def listen(self, seconds: float) -> str:
+        """Everything that arrives within so many seconds."""
+        heard = b""
+        end = self.clock.monotonic() + seconds
+        while self.clock.wait(self.port, end) is Outcome.READY:
+            heard += self.port.read()
+        return heard.decode("latin-1")
+
+    def type(self, text: str) -> None:
+        self.port.write(text.encode("latin-1"))
+
+    def ask(self, line: str, prompt: str = "", *, within: float = 20.0) -> str:
+        """Type a line and read to the prompt (to silence without one)."""
+        self.type(line + "\r")
+        if not prompt:
+            return self.listen(1.0)
+        heard = ""
+        end = self.clock.monotonic() + within
+        while not heard.endswith(prompt):
+            assert self.clock.wait(self.port, end) is Outcome.READY, f"no {prompt} after {line!r}: {heard!r}"
+            heard += self.port.read().decode("latin-1")
+        return heard
+
+    def angles(self) -> tuple[float, float]:
+        lines = self.ask("a", "MOT>").splitlines()
+        return float(lines[1].removeprefix("Angle[0] = ")), float(lines[2].removeprefix("Angle[1] = "))
+
+    @property
+    def now(self) -> float:
+        return self.clock.monotonic()
+
+
+@pytest.fixture
+def terminal() -> Callable[..., Terminal]:
+    return Terminal

@@ -1,0 +1,113 @@
+"""Settings memory, power and the boot log."""
+
+from __future__ import annotations
+
+ORDER = (
+    "Bootloader v1.01",
+    "System=12Inch",
+    "EXTENDED_DVB_DEBUG ENABLED",
+    "Enabled LNB STB",
+    "Ant ID - 12-IN G2",
+    "wrap_min:-42333 wrap_max:2333",
+    "Antenna Facing Front",
+    "TRK>",
+)
+
+
+def boot(dish):
+    return dish.listen(30.0)
+
+
+def test_boot_log_in_order_and_homed(terminal):
+    dish = terminal("boot=1&nvs20=0")
+    early = dish.listen(2.0)
+    assert "Bootloader" in early
+    assert "TRK>" not in early
+    log = early + boot(dish)
+    places = [log.index(text) for text in ORDER]
+    assert places == sorted(places)
+    assert "Boot Complete\r\n" in log
+    assert "Loc Startup: IDU NOT Present\r\n" in log
+    assert log.endswith("TRK>")
+    truth = dish.port.dish.truth()
+    assert truth.homed
+    assert (round(truth.az_deg, 2), truth.el_deg) == (0.01, 65.0)
+
+
+def test_with_nvs_20_true_nothing_is_homed(terminal):
+    dish = terminal("boot=1")
+    log = boot(dish)
+    assert "wrap_min" not in log
+    assert "Antenna Facing Front" not in log
+    assert log.endswith("TRK>")
+    dish.ask("mot", "MOT>")
+    assert "2147483647" in dish.ask("a", "MOT>")
+
+
+def test_nvs_20_takes_effect_at_the_next_power_on_and_only_if_saved(terminal):
+    dish = terminal("nvs20=0")
+    dish.ask("nvs", "NVS>")
+    dish.ask("e 20 1", "NVS>")
+    dish.device.power_cycle()
+    assert "Antenna Facing Front" in boot(dish)  # it was not saved
+    dish.ask("nvs", "NVS>")
+    dish.ask("e 20 1", "NVS>")
+    dish.ask("s", "Success\r\nNVS>")
+    row = dish.ask("d 20", "NVS>").splitlines()[-2]
+    assert row.split()[-3:] == ["TRUE", "TRUE", "FALSE"]
+    dish.device.power_cycle()
+    assert "Antenna Facing Front" not in boot(dish)
+
+
+def test_limits_come_from_the_settings_memory(terminal):
+    dish = terminal("nvs20=0")
+    dish.ask("nvs", "NVS>")
+    dish.ask("e 101 30", "NVS>")
+    dish.ask("e 80 10", "NVS>")
+    dish.ask("s", "Success\r\nNVS>")
+    dish.ask("q", "TRK>")
+    dish.ask("reboot", "TRK>", within=40.0)
+    dish.ask("mot", "MOT>")
+    assert "out of range" in dish.ask("a 1 25", "MOT>")
+    assert "Max Vel [0] = 10.00" in dish.ask("mv", "MOT>")
+
+
+def test_reading_writing_and_refusing_rows(terminal):
+    dish = terminal()
+    dish.ask("nvs", "NVS>")
+    assert dish.ask("e 101", "NVS>").splitlines()[1].split() == ["101)", "Minimum", "Elevation", "Angle", "18.00"]
+    assert "Invalid parameter." in dish.ask("e 50", "NVS>")
+    assert "Invalid parameter." in dish.ask("e 101 high", "NVS>")
+    assert "Invalid parameter." in dish.ask("d 50", "NVS>")
+    assert "0x00000007" in dish.ask("d", "NVS>")
+    assert "+0" in dish.ask("d 26", "NVS>")
+
+
+def test_unknown_input_reads_the_next_row(terminal):
+    dish = terminal()
+    dish.ask("nvs", "NVS>")
+    assert "  0) Log ID's" in dish.ask("foo", "NVS>")
+    assert "  1) Log Device" in dish.ask("bar", "NVS>")
+
+
+def test_reboot_in_mid_move(terminal):
+    dish = terminal()
+    dish.ask("mot", "MOT>")
+    dish.ask("a 0 200", "MOT>")
+    dish.listen(1.0)
+    dish.device.reboot()
+    stopped = dish.port.dish.truth()
+    assert not stopped.moving
+    assert not stopped.homed
+    assert "Bootloader" in dish.listen(10.0)
+    assert dish.port.dish.truth().az_deg == stopped.az_deg
+    assert dish.port.dish.truth().menu == "root"
+
+
+def test_no_power_no_answer(terminal):
+    dish = terminal()
+    dish.device.power_off()
+    assert dish.ask("mot") == ""
+    assert not dish.port.dish.truth().powered
+    dish.device.power_on()
+    assert boot(dish).endswith("TRK>")
