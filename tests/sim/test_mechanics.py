@@ -290,3 +290,13 @@ def test_mechanics_run_with_the_clock(terminal):
     dish.ask("a 0 200", "MOT>")
     dish.listen(0.5)
     assert not truth(dish).moving
+
+
+@pytest.mark.parametrize(("start", "stop"), [(0, HIGH), (-400, LOW)])
+@pytest.mark.parametrize("seed", range(4))
+def test_overshoot_ends_at_the_stop_of_the_cable(terminal, start, stop, seed):
+    dish = at_mot(terminal, f"az_map=literal&signed=absolute&az={start}&seed={seed}")
+    assert f"Angle = {stop}" in dish.ask(f"a 0 {stop}", "MOT>")
+    dish.listen(3.0)
+    assert LOW - 1e-9 <= truth(dish).cable_deg <= HIGH + 1e-9
+    assert truth(dish).cable_deg == pytest.approx(stop, abs=0.01)

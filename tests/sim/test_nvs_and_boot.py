@@ -111,3 +111,27 @@ def test_no_power_no_answer(terminal):
     assert not dish.port.dish.truth().powered
     dish.device.power_on()
     assert boot(dish).endswith("TRK>")
+
+
+def heard_with_times(dish, seconds=30.0):
+    start, heard = dish.now, []
+    while dish.now < start + seconds:
+        text = dish.listen(0.1)
+        if text:
+            heard.append((round(dish.now - start, 3), text))
+    return heard
+
+
+def test_the_log_keeps_its_times_whatever_was_going_on(terminal):
+    quiet = terminal()
+    quiet.device.reboot()
+    expected = heard_with_times(quiet)
+    homing = terminal()
+    homing.ask("mot", "MOT>")
+    homing.type("h 0\r")
+    homing.listen(0.4)
+    homing.device.reboot()
+    assert heard_with_times(homing) == expected
+    typed = terminal("latency_min=0&latency_max=0&echo=0")
+    typed.type("reboot\r")
+    assert heard_with_times(typed) == expected

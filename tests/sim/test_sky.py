@@ -114,3 +114,10 @@ def test_what_the_tuner_refuses(terminal, words):
     dish = terminal()
     dish.ask("dvb", "DVB>")
     assert "Invalid parameter." in dish.ask(words, "DVB>")
+
+
+def test_azimuth_shrinks_with_elevation():
+    sky = Sky(Settings())
+    sky.slots = [((180.0, 60.0), 100.0)]
+    level = sky.level(NIGHT, 186.0, 60.0)
+    assert level == pytest.approx(sky.floor(60.0) + 100.0 * gain(3.0, 0.0))
