@@ -37,6 +37,13 @@ def test_a_slower_axis_than_the_model_is_stopped_from_its_readings():
 
 def test_stop_target_is_folded_into_the_circle():
     motion = start_motion(CARRYOUT_G2, Position(350.0, 45.0), 100.0, 45.0, now=0.0)
-    az, el = motion.stop_target(1.0, 1.0)
+    az, el = motion.stopped(1.0, 1.0).rest
     assert 0 <= az < 360
     assert el == pytest.approx(45.0)
+
+
+def test_a_second_stop_aims_where_the_first_one_did():
+    motion = start_motion(CARRYOUT_G2, Position(100.0, 30.0), 120.0, 60.0, now=0.0)
+    first = motion.stopped(0.5, 1.0)
+    assert first.stopped(0.6, 1.0).rest == pytest.approx(first.rest)
+    assert first.stopped(9.0, 1.0).rest == pytest.approx(first.rest)

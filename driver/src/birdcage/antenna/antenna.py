@@ -50,7 +50,8 @@ class BirdcageAntenna:
         self._last_position: Position | None = None
         self._moves = 0
         self.motion: DishMotion | None = None
-        """The motion under way as modelled; replaced as a whole, so that any thread may read it."""
+        """The motion under way as modelled; None at rest."""
+        self._modelling = threading.RLock()
         protocol.gate.update(floor_deg=self._config.min_elevation - self.alignment.el_offset_deg)
 
     @property
@@ -109,8 +110,9 @@ class BirdcageAntenna:
         """Read where the dish points, in true degrees. PositionUnknown when it is not homed."""
         self._check_thread()
         dish = self._protocol.get_position()
-        if self.motion is not None:
-            self.motion = self.motion.with_reading(dish, self._clock.monotonic(), self._clock.rate)
+        with self._modelling:
+            if self.motion is not None:
+                self.motion = self.motion.with_reading(dish, self._clock.monotonic(), self._clock.rate)
         az_deg, el_deg = self.alignment.to_true(dish.azimuth, dish.elevation)
         self._last_position = Position(az_deg, el_deg, dish.skew)
         return self._last_position
@@ -169,11 +171,15 @@ class BirdcageAntenna:
         self._moves += 1
 
     def stop_lines(self) -> tuple[str, ...]:
-        """Return the lines that stop the motion under way, computed for this moment; empty at rest. Any thread."""
-        motion = self.motion
-        if motion is None:
-            return ()
-        return self._protocol.stop_lines(*motion.stop_target(self._clock.monotonic(), self._clock.rate))
+        """Return the lines that stop the motion under way, computed for this moment; empty at rest. Any thread.
+
+        From then on the motion is modelled as stopped, so that a second STOP aims where the first one did.
+        """
+        with self._modelling:
+            if self.motion is None:
+                return ()
+            self.motion = self.motion.stopped(self._clock.monotonic(), self._clock.rate)
+            return self._protocol.stop_lines(*self.motion.rest)
 
     def stop_lines_seen(
         self, earlier: Position, earlier_at: float, later: Position, later_at: float

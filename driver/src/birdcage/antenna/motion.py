@@ -40,6 +40,12 @@ class AxisMotion:
         mean = (unrolled - self.read_deg) / elapsed_s if elapsed_s > 0 else None
         return replace(self, read_deg=unrolled, read_at=at, rate_deg_s=mean)
 
+    def stopping_slew(self, now: float, rate: float) -> Slew:
+        """Return the slew that brings the axis to rest at `stop_at`."""
+        position, velocity = self.modelled(now, rate)
+        axis = self.axis
+        return plan_slew(position, self.stop_at(now, rate), axis.speed_deg_s, axis.acceleration_deg_s2, velocity)
+
     def stop_at(self, now: float, rate: float) -> float:
         """Return where to retarget so that the axis comes to rest ahead of itself, never behind, never beyond.
 
@@ -81,9 +87,16 @@ class DishMotion:
             self.elevation.with_reading(position.elevation, at, rate),
         )
 
-    def stop_target(self, now: float, rate: float) -> tuple[float, float]:
-        """Return dish azimuth in [0, 360) and elevation at which the axes can come to rest."""
-        return self.azimuth.stop_at(now, rate) % 360.0, self.elevation.stop_at(now, rate)
+    def stopped(self, now: float, rate: float) -> DishMotion:
+        """Return the motion that a retarget to where the axes can come to rest makes of this one."""
+        return DishMotion(
+            *(replace(axis, slew=axis.stopping_slew(now, rate), started=now) for axis in (self.azimuth, self.elevation))
+        )
+
+    @property
+    def rest(self) -> tuple[float, float]:
+        """Where both axes come to rest: dish azimuth in [0, 360), and elevation."""
+        return self.azimuth.slew.end_deg % 360.0, self.elevation.slew.end_deg
 
 
 def start_motion(

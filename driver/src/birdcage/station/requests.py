@@ -65,24 +65,14 @@ class ReleaseMotors:
 
 
 @dataclass(frozen=True, slots=True)
-class Initialize:
-    """Follow the boot until the dish answers, then make sure that its TV search is off."""
+class SetSearch:
+    """Switch the firmware's own TV search off for good, or walk that back, after a backup of the dish's settings.
+
+    Takes effect after a power cycle. Its future resolves with the path of the backup.
+    """
 
     holder: str
-    timeout_s: float = 180.0
-    disable_search: bool = False
-    """Write NVS 20 (after a backup of the table). Takes effect after a power cycle; homing is by hand from then on."""
-    restore_search: bool = False
-    """Walk that back: write the backed-up value."""
-
-
-@dataclass(frozen=True, slots=True)
-class Raw:
-    """One console line, as typed. Its future resolves with the reply's lines."""
-
-    line: str
-    holder: str
-    takes_s: float = 15.0
+    disabled: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,8 +128,7 @@ Request = (
     | Release
     | Home
     | ReleaseMotors
-    | Initialize
-    | Raw
+    | SetSearch
     | AcquireLease
     | ReleaseLease
     | Watch

@@ -40,7 +40,7 @@ class Search(Enum):
 
     RUNNING = "running"
     OFF = "off"
-    OFF_AFTER_POWER_UP = "off until power-up"
+    OFF_UNTIL_POWER_UP = "off until power-up"
     UNKNOWN = "unknown"
 
 

@@ -1,0 +1,61 @@
+"""Where the station writes what it knows, and from where everybody reads it."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from dataclasses import replace
+from datetime import datetime
+from types import MappingProxyType
+
+from birdcage.base.clock import Clock
+from birdcage.station.events import Event, ReadingRead
+from birdcage.station.state import Reading, StationState
+
+Listener = Callable[[Event], None]
+
+
+class Board:
+    """The present `StationState`, replaced as a whole, and the listeners to events."""
+
+    def __init__(self, clock: Clock, state: StationState) -> None:
+        self.clock = clock
+        self.state = state
+        self._lock = threading.Lock()
+        self._listeners: tuple[Listener, ...] = ()
+
+    def stamp(self) -> tuple[float, datetime]:
+        """Return the monotonic and UTC time of an event that happens now."""
+        return self.clock.monotonic(), self.clock.utc()
+
+    def change(self, **fields: object) -> None:
+        """Replace fields of the state. Any thread."""
+        with self._lock:
+            self.state = replace(self.state, **fields)  # type: ignore[arg-type]
+
+    def subscribe(self, listener: Listener) -> Callable[[], None]:
+        """Tell `listener` every event, on the station's thread. Returns what ends it."""
+        with self._lock:
+            self._listeners += (listener,)
+
+        def unsubscribe() -> None:
+            with self._lock:
+                self._listeners = tuple(other for other in self._listeners if other is not listener)
+
+        return unsubscribe
+
+    def tell(self, event: Event) -> None:
+        """Tell all listeners."""
+        for listener in self._listeners:
+            listener(event)
+
+    def read(self, feature: str, value: float | str | bool, unit: str = "") -> None:
+        """Note a value that the dish has just told."""
+        at, utc = self.stamp()
+        readings = {**self.state.readings, feature: Reading(value, unit, at, utc)}
+        self.change(readings=MappingProxyType(readings))
+        self.tell(ReadingRead(at, utc, feature, value, unit))
+
+    def forget_readings(self) -> None:
+        """Drop all values: the dish may have changed."""
+        self.change(readings=MappingProxyType({}))

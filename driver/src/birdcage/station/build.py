@@ -1,0 +1,102 @@
+"""Builds a session from the settings: the one place where the parts are put together."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from birdcage.antenna.alignment import Alignment
+from birdcage.base.clock import Clock
+from birdcage.base.config import Settings
+from birdcage.base.journal import Journal
+from birdcage.base.paths import Paths
+from birdcage.base.version import version
+from birdcage.link.link import Link
+from birdcage.link.opening import open_link
+from birdcage.link.ports import PortLister, find_again, identify, list_ports
+from birdcage.link.transcript import Transcript
+from birdcage.station.record import keep_faults
+from birdcage.station.session import Session
+from birdcage.station.settings import StationSettings
+from birdcage.station.station import Station
+
+CLOSE_S = 0.2
+"""How long leaving may wait for the journal and the transcript to reach the disk."""
+
+
+def open_session(
+    *,
+    port: str,
+    firmware: str,
+    baud: int | None,
+    settings: Settings,
+    paths: Paths,
+    clock: Clock,
+    survey: bool = True,
+    reconnect: bool = True,
+    ports: PortLister = list_ports,
+) -> Session:
+    """Build a session that will speak `firmware` over `port`; nothing is opened before it is started or stepped.
+
+    `survey` reads identity and limits once the dish rests; `reconnect` looks for a lost port again. KeyError for a
+    firmware that this version does not speak.
+    """
+    transcript = Transcript(paths.transcripts, version=version()) if settings.link.transcript else None
+    journal = Journal(paths.journal)
+    feed, motion = settings.active_feed, settings.motion
+
+    def open_port(name: str, rate: int) -> Link:
+        return open_link(name, baud=rate, clock=clock, transcript=transcript)
+
+    station = Station(
+        clock,
+        StationSettings(
+            port=port,
+            firmware=firmware,
+            baud=baud,
+            open_link=open_port,
+            find_port=_finder(settings.link.usb_identity, ports),
+            delay_s=settings.link.delay_s,
+            alignment=Alignment(settings.alignment.az_offset_deg, settings.alignment.el_offset_deg),
+            min_elevation_deg=motion.min_elevation_deg,
+            max_elevation_deg=motion.max_elevation_deg,
+            cable_min_deg=motion.cable_min_deg,
+            cable_max_deg=motion.cable_max_deg,
+            sectors=motion.no_go_sectors,
+            feed_name=settings.feed.active,
+            beam_deg=feed.beam_deg,
+            stow_allowed=feed.stow_allowed,
+            stop_releases_motors=motion.stop_releases_motors,
+            survey=survey,
+            reconnect=reconnect,
+            refuse_motion=settings.motion_problem,
+            backup_folder=paths.backups,
+        ),
+    )
+    keep_faults(station, journal)
+
+    def close() -> None:
+        journal.close(CLOSE_S)
+        if transcript is not None:
+            transcript.close(CLOSE_S)
+
+    return Session(clock, station, on_close=close)
+
+
+def _finder(identity: str | None, ports: PortLister) -> Callable[[str], str | None]:
+    """Return what finds a port: where it was, or where the adapter with the same USB identity is now.
+
+    The identity is the configured one, or the one that the port had when it was last seen.
+    """
+    seen = identity
+
+    def find(port: str) -> str | None:
+        nonlocal seen
+        here = identify(port, ports)
+        if here is not None:
+            seen = seen or here
+            return port
+        if seen is not None:
+            return find_again(seen, ports)
+        return port
+
+    return find

@@ -1,0 +1,135 @@
+"""Keeps the link: opens, notices silence and loss, finds the port again, and looks where the dish is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.base.errors import LinkError, NoReply
+from birdcage.base.wake import Wake
+from birdcage.protocol.protocol import FirmwareProtocol
+from birdcage.station.board import Board
+from birdcage.station.events import LinkChanged
+from birdcage.station.look import Look
+from birdcage.station.settings import StationSettings
+from birdcage.station.state import Activity, Link
+
+FIRST_RETRY_S = 0.5
+LONGEST_RETRY_S = 5.0
+SILENT_RETRY_S = 1.0
+
+
+class Connection:
+    """The state of the link is on the board; `due` says when to try again."""
+
+    def __init__(
+        self, board: Board, antenna: BirdcageAntenna, settings: StationSettings, look: Look, wake: Wake,
+        on_wake: Callable[[], None], on_line: Callable[[str], None],
+    ) -> None:  # fmt: skip
+        self._board, self._antenna, self._settings, self._look = board, antenna, settings, look
+        self._wake, self._on_wake, self._on_line = wake, on_wake, on_line
+        self._retry_s = FIRST_RETRY_S
+        self.due: float | None = None
+        """When to try to open, or to wake the silent dish; None while all is well."""
+
+    @property
+    def _protocol(self) -> FirmwareProtocol:
+        return self._antenna.protocol
+
+    @property
+    def is_up(self) -> bool:
+        """Whether the dish answers."""
+        return self._board.state.link.state is Link.UP
+
+    def begin(self) -> None:
+        """Open as soon as the loop turns."""
+        self.due = self._board.clock.monotonic()
+        self._set(Link.OPENING, f"opening {self._settings.port}")
+
+    def attempt(self) -> bool:
+        """Try once to come up; return whether the dish answers."""
+        if not self._protocol.is_connected and not self._open():
+            return False
+        try:
+            self._protocol.console.synchronize()
+            self._board.change(menu=self._protocol.console.menu)
+            self._look.first()
+        except LinkError as error:
+            self.lost(error)
+            return False
+        except NoReply as silence:
+            self.silent(silence)
+            return False
+        self._retry_s, self.due = FIRST_RETRY_S, None
+        self.note_reply()
+        self._set(Link.UP, f"{self._board.state.port} answers")
+        return True
+
+    def _open(self) -> bool:
+        port = self._settings.find_port(self._settings.port)
+        if port is None:
+            self._retry_later(Link.LOST, f"{self._settings.port} is not there. Looking for it; plug it in.")
+            return False
+        try:
+            link = self._settings.open_link(port, self._settings.baud or self._protocol.model.baud)
+        except LinkError as error:
+            self._retry_later(Link.LOST, str(error))
+            return False
+        self._protocol.attach(
+            link, self._board.clock, delay_s=self._settings.delay_s,
+            wake=self._wake, on_wake=self._on_wake, on_line=self._on_line,
+        )  # fmt: skip
+        self._board.change(port=port, demo=link.demo)
+        return True
+
+    def lost(self, error: LinkError) -> None:
+        """The port is gone: forget what may have changed, and look for it again."""
+        self._protocol.disconnect()
+        self._forget("unread")
+        self._retry_s = FIRST_RETRY_S
+        self._retry_later(Link.LOST, str(error))
+
+    def silent(self, silence: NoReply) -> None:
+        """The port is there, the dish does not answer."""
+        self._forget("unread")
+        self.due = self._board.clock.monotonic() + SILENT_RETRY_S
+        self._set(Link.SILENT, str(silence))
+
+    def _forget(self, reason: str) -> None:
+        self._protocol.gate.forget(reason)
+        self._board.change(
+            position_lost=self._board.state.position_lost or "link", activity=Activity.UNKNOWN, menu=None
+        )
+
+    def note_reply(self) -> None:
+        """Copy the console's own figures onto the board."""
+        console = self._protocol.console
+        link = self._board.state.link
+        link = replace(
+            link, last_reply=console.last_reply, round_trip_s=console.round_trip_s, stray_bytes=console.stray_bytes
+        )
+        self._board.change(link=link, menu=console.menu)
+
+    def _retry_later(self, state: Link, detail: str) -> None:
+        if not self._settings.reconnect:
+            self.due = None
+        else:
+            self.due = self._board.clock.monotonic() + self._retry_s
+            self._retry_s = min(self._retry_s * 2, LONGEST_RETRY_S)
+        self._set(state, detail)
+
+    def _set(self, state: Link, detail: str) -> None:
+        at, utc = self._board.stamp()
+        before = self._board.state.link
+        since = before.since if before.state is state else at
+        link = replace(before, state=state, since=since, detail=detail)
+        self._board.change(link=link)
+        if before.state is not state or before.detail != detail:
+            self._board.tell(LinkChanged(at, utc, link))
+
+    def close(self) -> None:
+        """Give the port back."""
+        self.due = None
+        self._protocol.disconnect()
+        self._set(Link.CLOSED, "closed")

@@ -1,0 +1,125 @@
+"""Serves requests, one at a time, on the station's thread."""
+
+from __future__ import annotations
+
+from concurrent.futures import Future
+
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.base.errors import BirdcageError, LinkError, MotionRefused, Stopped
+from birdcage.protocol.model import Turn
+from birdcage.station import requests as ask
+from birdcage.station.board import Board
+from birdcage.station.control import Control
+from birdcage.station.events import End, FaultAcknowledged
+from birdcage.station.look import Look
+from birdcage.station.mover import Job, Mover
+from birdcage.station.search import SearchSwitch
+from birdcage.station.settings import StationSettings
+from birdcage.station.state import Activity, Link
+from birdcage.station.stopper import Stopper
+from birdcage.station.vigil import Vigil
+from birdcage.station.watches import Watches
+
+
+class Desk:
+    """Knows who serves what. Errors are raised, and become the future's."""
+
+    def __init__(
+        self, board: Board, antenna: BirdcageAntenna, control: Control, mover: Mover, stopper: Stopper, look: Look,
+        watches: Watches, vigil: Vigil, settings: StationSettings,
+    ) -> None:  # fmt: skip
+        self._board, self._antenna, self._control, self._mover = board, antenna, control, mover
+        self._stopper, self._look, self._watches, self._vigil = stopper, look, watches, vigil
+        self._search = SearchSwitch(board, antenna, look, settings)
+
+    def serve(self, request: ask.Request, future: Future[object]) -> None:
+        """Serve one request; its future is resolved now, or at arrival for a motion."""
+        match request:
+            case ask.Goto() | ask.Follow() | ask.Jog():
+                self._move(request, future)
+                return
+            case ask.Home():
+                self._home(request)
+            case ask.ReleaseMotors(holder):
+                self._ready(holder)
+                self._antenna.protocol.release_motors()
+                self._board.change(position=None, position_lost="released", homed=None)
+            case ask.SetSearch(holder, disabled):
+                self._ready(holder)
+                future.set_result(self._search.set(disabled=disabled))
+                return
+            case ask.Stop(by):
+                self._stopper.call(by)
+                self._stopper.take_calls()
+            case ask.Release():
+                self._control.release()
+            case ask.AcquireLease(holder, take_over):
+                self._control.take(holder, take_over=take_over)
+            case ask.ReleaseLease(holder):
+                self._control.give_back(holder)
+            case ask.Watch():
+                self._watches.add(request)
+            case ask.Unwatch(watcher):
+                self._watches.remove(watcher)
+            case ask.AcknowledgeFault(by):
+                self._acknowledge(by)
+            case ask.AcceptLimits():
+                self._board.change(motion_refused_because=None)
+        future.set_result(None)
+
+    def ending(self) -> tuple[End, str, BirdcageError]:
+        """Return how motions end when the station does."""
+        return End.STOPPED, "the station ends", Stopped("The station has ended.", reason="closing")
+
+    def _ready(self, holder: str, az_deg: float | None = None, el_deg: float | None = None) -> None:
+        self._control.admit(holder, az_deg, el_deg)
+        link = self._board.state.link
+        if link.state is not Link.UP:
+            raise LinkError(f"No motion without a link to the dish ({link.detail}).", reason=link.state.value)
+        self._watches.end_excursion()
+
+    def _move(self, request: ask.Goto | ask.Follow | ask.Jog, future: Future[object]) -> None:
+        if isinstance(request, ask.Jog):
+            az_deg, el_deg = self._jogged(request)
+        else:
+            az_deg, el_deg = request.az_deg, request.el_deg
+        self._ready(request.holder, az_deg, el_deg)
+        follow = isinstance(request, ask.Follow)
+        job = Job(az_deg, el_deg, request.holder, future, follow=follow)
+        clamp = isinstance(request, ask.Goto) and request.clamp
+        self._mover.go(job, clamp=clamp, leapfrog=isinstance(request, ask.Follow) and request.leapfrog)
+
+    def _jogged(self, jog: ask.Jog) -> tuple[float, float]:
+        base = self._mover.target
+        if base is None:
+            position = self._board.state.position if self._board.state.position_lost is None else None
+            if position is None:
+                raise MotionRefused("No step from an unknown position. Wait until it was read.", reason="unread")
+            base = position.az_deg, position.el_deg
+        return (base[0] + jog.d_az_deg) % 360.0, base[1] + jog.d_el_deg
+
+    def _home(self, request: ask.Home) -> None:
+        self._ready(request.holder)
+        protocol = self._antenna.protocol
+        self._mover.fail(End.SUPERSEDED, "homing", Stopped("Homing replaced the motion."))
+        self._board.change(homed=None, position=None, position_lost="homing")
+        self._stopper.homing = True
+        try:
+            for motor in request.axes or (protocol.model.azimuth.index, protocol.model.elevation.index):
+                self._mover.activity(Activity.HOMING, protocol.model.axis(motor).name)
+                protocol.home_motor(motor)
+        finally:
+            self._stopper.homing = False
+            self._mover.activity(Activity.UNKNOWN, "")
+            self._stopper.resume()
+        if self._look.position() is not None and not request.axes:
+            protocol.gate.count_cable()
+            self._board.change(turn=Turn.COUNTED)
+            self._look.position()
+        self._mover.activity(Activity.IDLE, "")
+
+    def _acknowledge(self, by: str) -> None:
+        fault = self._board.state.fault
+        if fault is not None:
+            self._board.change(fault=None)
+            self._board.tell(FaultAcknowledged(*self._board.stamp(), fault, by))

@@ -1,0 +1,94 @@
+"""Looking at the dish: where it is, who it is, what it may do, what it hears."""
+
+from __future__ import annotations
+
+from birdcage.antenna.antenna import STILL_DEG, BirdcageAntenna
+from birdcage.base.errors import PositionUnknown
+from birdcage.protocol.types import Survey
+from birdcage.station.board import Board
+from birdcage.station.events import PositionRead
+from birdcage.station.settings import StationSettings
+from birdcage.station.state import Activity, Pointing, Search
+from birdcage.station.watches import RSSI_ITERATIONS
+
+
+class Look:
+    """Reads from the dish onto the board. Every method may raise LinkError or NoReply."""
+
+    def __init__(self, board: Board, antenna: BirdcageAntenna, settings: StationSettings) -> None:
+        self._board, self._antenna, self._settings = board, antenna, settings
+        self._surveyed = False
+
+    def forget_survey(self) -> None:
+        """The dish may be another one, or have other settings: read them again when the link comes up."""
+        self._surveyed = False
+
+    def first(self) -> None:
+        """Look where the dish is, after the link came up."""
+        self._antenna.protocol.enter_motor_menu()
+        self.position()
+
+    def position(self) -> Pointing | None:
+        """Read where the dish is; None when it does not know, because it is not homed."""
+        try:
+            true = self._antenna.get_position()
+        except PositionUnknown as unknown:
+            self._board.change(homed=False, position=None, position_lost=unknown.reason, activity=Activity.IDLE)
+            return None
+        gate = self._antenna.protocol.gate
+        dish = gate.position
+        assert dish is not None, "it was read just now"
+        at, utc = self._board.stamp()
+        pointing = Pointing(
+            true.azimuth, true.elevation, dish.azimuth, dish.elevation, at, utc, cable_deg=gate.cable_deg
+        )
+        self._board.change(position=pointing, position_lost=None, homed=True)
+        self._board.tell(PositionRead(at, utc, pointing))
+        return pointing
+
+    @staticmethod
+    def apart_deg(one: Pointing, other: Pointing) -> float:
+        """Return the larger of the two axes' differences, azimuth the short way round."""
+        turn = (one.dish_az_deg - other.dish_az_deg + 180.0) % 360.0 - 180.0
+        return max(abs(turn), abs(one.dish_el_deg - other.dish_el_deg))
+
+    def is_still(self, one: Pointing, other: Pointing) -> bool:
+        """Return whether two readings are those of a dish at rest."""
+        return self.apart_deg(one, other) <= STILL_DEG
+
+    def signal(self) -> None:
+        """Read the tuner's signal strength."""
+        reading = self._antenna.protocol.get_rssi(RSSI_ITERATIONS)
+        self._board.read("rssi", float(reading.average), "counts")
+
+    @property
+    def wants_survey(self) -> bool:
+        """Whether identity and limits are to be read, and the console can leave its menu without a long wait."""
+        return self._settings.survey and not self._surveyed and self._antenna.protocol.console.in_step
+
+    def survey(self) -> None:
+        """Read identity and limits, and come back to the motor menu."""
+        survey = self._antenna.protocol.survey()
+        self._board.forget_readings()
+        for name, text in (*survey.settings.items(), *survey.identity.items()):
+            self._board.read(name, text)
+        self._board.change(
+            firmware_version=survey.version,
+            search={None: Search.UNKNOWN, True: Search.OFF, False: Search.UNKNOWN}[survey.search_disabled],
+        )
+        self.limit(survey)
+        self._surveyed = True
+        self._antenna.protocol.enter_motor_menu()
+
+    def limit(self, survey: Survey) -> None:
+        """Set the limits: the dish's own settings, or its model's where it does not tell, narrowed by the user's."""
+        gate, offset = self._antenna.protocol.gate, self._antenna.alignment.el_offset_deg
+        axis, user = gate.model.elevation, self._settings
+        low = axis.min_deg if survey.el_min_deg is None else survey.el_min_deg
+        high = axis.max_deg if survey.el_max_deg is None else survey.el_max_deg
+        if user.min_elevation_deg is not None:
+            low = max(low, user.min_elevation_deg)
+        if user.max_elevation_deg is not None:
+            high = min(high, user.max_elevation_deg)
+        gate.update(el_min_deg=low, el_max_deg=high)
+        self._board.change(el_min_deg=low + offset, el_max_deg=high + offset)

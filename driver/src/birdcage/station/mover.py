@@ -1,0 +1,146 @@
+"""One motion at a time: sends it, follows it to its arrival, notices when it does not get there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from concurrent.futures import Future
+from dataclasses import dataclass
+
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.motion import stop_power_s
+from birdcage.base.errors import BirdcageError, Stopped, Superseded
+from birdcage.base.geometry import separation
+from birdcage.station.board import Board
+from birdcage.station.events import ActivityChanged, End, MoveEnded, MoveProgress, MoveStarted
+from birdcage.station.look import Look
+from birdcage.station.state import Activity, Motion, Pointing
+
+POLL_S = 0.1
+ARRIVED_DEG = 0.08
+"""The rest position lies up to 0.06 deg from the command (reference section 7.4), and a step on top."""
+STALL_S = 1.0
+"""How long a dish may stand still away from its target, after the time at which it should have moved."""
+
+
+@dataclass(slots=True)
+class Job:
+    """A motion that somebody waits for."""
+
+    az_deg: float
+    el_deg: float
+    holder: str
+    future: Future[object]
+    follow: bool = False
+    still_since: float | None = None
+    last: Pointing | None = None
+
+
+class Mover:
+    """Latest wins: a new target supersedes the motion under way."""
+
+    def __init__(self, board: Board, antenna: BirdcageAntenna, look: Look) -> None:
+        self._board, self._antenna, self._look = board, antenna, look
+        self._job: Job | None = None
+        self.due: float | None = None
+        """When to look at the motion next; None while nothing moves."""
+        self.target: tuple[float, float] | None = None
+        """The last direction that was commanded (true), from which a jog steps."""
+        self._last_follow: tuple[str, float] | None = None
+        self.on_stall: Callable[[str], None] = lambda _sentence: None
+        """Told when the dish stands still away from its target."""
+
+    @property
+    def is_moving(self) -> bool:
+        """Whether a motion is under way that this program sent."""
+        return self._job is not None
+
+    def go(self, job: Job, *, clamp: bool = False, leapfrog: bool = False) -> None:
+        """Send a motion. What the gate refuses is raised, and the motion under way goes on."""
+        now = self._board.clock.monotonic()
+        stream = job.follow and self._last_follow is not None and self._last_follow[0] == job.holder
+        stream = stream and self._last_follow is not None and now - self._last_follow[1] < 3.0
+        start = self._board.state.position
+        commanded = self._antenna.point(job.az_deg, job.el_deg, clamp=clamp, leapfrog=leapfrog and stream)
+        self._end(End.SUPERSEDED, "a newer target replaced it", Superseded("A newer target replaced this one."))
+        start = self._board.state.position if start is None else start
+        self._last_follow = (job.holder, now) if job.follow else None
+        job.az_deg, job.el_deg = commanded
+        self._job, self.target = job, commanded
+        self.due = self._board.clock.monotonic() + POLL_S
+        motion, model = self._antenna.motion, self._antenna.protocol.model
+        assert motion is not None, "the antenna has just begun it"
+        shown = Motion(
+            start.az_deg if start else commanded[0], start.el_deg if start else commanded[1], *commanded, now,
+            motion.eta(self._board.clock.rate), stop_power_s(model), model.stop_ladder[0].name,
+        )  # fmt: skip
+        at, utc = self._board.stamp()
+        self._board.change(motion=shown, target_az_deg=commanded[0], target_el_deg=commanded[1])
+        self.activity(Activity.SLEWING, "")
+        self._board.tell(MoveStarted(at, utc, shown, job.holder))
+
+    def tick(self) -> None:
+        """Read where the dish is, and judge whether it has arrived, is under way, or is stuck."""
+        job, clock = self._job, self._board.clock
+        if job is None:
+            self.due = None
+            return
+        pointing = self._look.position()
+        now = clock.monotonic()
+        self.due = now + POLL_S
+        if pointing is None:
+            self.fail(End.FAULT, "the dish no longer knows where it is", Stopped("The dish lost its position."))
+            return
+        still = job.last is not None and self._look.is_still(pointing, job.last)
+        job.last = pointing
+        job.still_since = (job.still_since or now) if still else None
+        dish_az, dish_el = self._antenna.alignment.to_dish(job.az_deg, job.el_deg)
+        off_az = abs((pointing.dish_az_deg - dish_az + 180.0) % 360.0 - 180.0)
+        off_el = abs(pointing.dish_el_deg - dish_el)
+        if still and max(off_az, off_el) <= ARRIVED_DEG:
+            self._arrive(job, pointing)
+            return
+        motion = self._board.state.motion
+        eta = motion.eta if motion is not None else now
+        if job.still_since is not None and now > max(eta, job.still_since) + STALL_S / clock.rate:
+            sentence = (
+                f"The dish stands still at {pointing.az_deg:.2f}°/{pointing.el_deg:.2f}°, "
+                f"{max(off_az, off_el):.2f}° from its target."
+            )
+            self.fail(End.FAULT, sentence, Stopped(sentence, reason="stall"))
+            self.on_stall(sentence)
+            return
+        to_go = separation(pointing.az_deg, pointing.el_deg, job.az_deg, job.el_deg)
+        at, utc = self._board.stamp()
+        self._board.tell(MoveProgress(at, utc, pointing, to_go, max(0.0, eta - now)))
+
+    def _arrive(self, job: Job, pointing: Pointing) -> None:
+        self._job, self.due, self._antenna.motion = None, None, None
+        self._board.change(motion=None)
+        self.activity(Activity.IDLE, "")
+        self._board.tell(MoveEnded(*self._board.stamp(), End.ARRIVED, "arrived", pointing))
+        job.future.set_result(pointing)
+
+    def fail(self, end: End, sentence: str, error: BirdcageError) -> None:
+        """End the motion under way, if there is one, without arrival."""
+        self.due, self.target = None, None
+        self._end(end, sentence, error)
+
+    def _end(self, end: End, sentence: str, error: BirdcageError) -> None:
+        job, self._job = self._job, None
+        if job is None:
+            return
+        if end is not End.SUPERSEDED:
+            # The antenna keeps its model: the dish may still be on its way, and STOP needs it.
+            self._board.change(motion=None)
+        self._board.tell(MoveEnded(*self._board.stamp(), end, sentence, self._board.state.position))
+        job.future.set_exception(error)
+
+    def activity(self, activity: Activity, text: str) -> None:
+        """Say what the dish is doing."""
+        state = self._board.state
+        if state.activity is activity and state.activity_text == text:
+            return
+        at, utc = self._board.stamp()
+        since = state.activity_since if state.activity is activity else at
+        self._board.change(activity=activity, activity_text=text, activity_since=since)
+        self._board.tell(ActivityChanged(at, utc, activity, text))

@@ -1,0 +1,80 @@
+"""A station and the thread that runs it."""
+
+from __future__ import annotations
+
+import math
+import threading
+from collections.abc import Callable
+
+from birdcage.base.clock import Clock
+from birdcage.base.errors import BirdcageError
+from birdcage.station.state import Activity, Pointing
+from birdcage.station.station import Station
+
+QUIT_S = 0.15
+"""How long closing may wait for the thread: STOP's bytes leave in 3 ms, their answers take a few more."""
+
+
+class Session:
+    """`Session(clock, station)`: `start` runs the station on a daemon thread of our own; tests `step` it instead."""
+
+    def __init__(self, clock: Clock, station: Station, on_close: Callable[[], None] = lambda: None) -> None:
+        self.clock, self.station = clock, station
+        self._on_close = on_close
+        self._begun = False
+        self._thread: threading.Thread | None = None
+        self.crash: BaseException | None = None
+        """What ended the thread, if it was not `close`."""
+
+    def start(self) -> None:
+        """Run the station on its own thread."""
+        self._thread = threading.Thread(target=self._run, name="station", daemon=True)
+        self._thread.start()
+
+    def step(self, seconds: float) -> None:
+        """Run the station on this thread for so many seconds of its clock."""
+        if self._thread is not None:
+            raise BirdcageError("This session runs by itself: it was started.")
+        if not self._begun:
+            self._begun = True
+            self.station.begin()
+        self.station.step(self.clock.monotonic() + seconds)
+
+    def _run(self) -> None:
+        try:
+            self.station.begin()
+            self.station.step(math.inf)
+        except BaseException as crash:
+            self.crash = crash
+            self.station.stop("a fault of birdcage")
+            raise
+        finally:
+            self.station.shut()
+
+    def close(self, *, leave_moving: bool = False) -> str:
+        """Send STOP if anything moves, give the port back, and return a sentence that says where the dish is.
+
+        `leave_moving` sends no STOP: for a person who asked for a motion that outlives the program.
+        """
+        state = self.station.state
+        moving = state.motion is not None or state.activity in (Activity.SLEWING, Activity.HOMING, Activity.STOPPING)
+        if moving and not leave_moving:
+            self.station.stop("quit")
+        self.station.end()
+        if self._thread is None:
+            self.station.shut()
+        else:
+            self._thread.join(QUIT_S)
+        self._on_close()
+        return farewell(self.station.state.position, state.position_lost, moving=moving and not leave_moving)
+
+
+def farewell(position: Pointing | None, lost: str | None, *, moving: bool) -> str:
+    """Say where the dish is left."""
+    if position is None or lost is not None:
+        where = "Where the dish is, is not known."
+    else:
+        where = (
+            f"The dish was last seen at AZ {position.az_deg:.2f}° EL {position.el_deg:.2f}°, {position.utc:%H:%M:%S}Z."
+        )
+    return f"STOP was sent. {where}" if moving else where

@@ -1,0 +1,232 @@
+"""The one owner of the dish: a step function over an injected clock (DESIGN section 5)."""
+
+from __future__ import annotations
+
+import math
+import threading
+from collections import deque
+from collections.abc import Callable
+from concurrent.futures import Future
+from functools import partial
+
+from birdcage.antenna.antenna import AntennaConfig, BirdcageAntenna
+from birdcage.base.clock import Clock
+from birdcage.base.errors import BirdcageError, LinkError, NoReply, Stopped
+from birdcage.base.wake import Wake
+from birdcage.protocol.registry import get_protocol
+from birdcage.protocol.types import Survey
+from birdcage.station.board import Board, Listener
+from birdcage.station.connection import Connection
+from birdcage.station.control import Control
+from birdcage.station.desk import Desk
+from birdcage.station.look import Look
+from birdcage.station.mover import Mover
+from birdcage.station.requests import Request
+from birdcage.station.settings import StationSettings
+from birdcage.station.state import StationState
+from birdcage.station.stopper import Stopper
+from birdcage.station.vigil import Vigil
+from birdcage.station.watches import Watches
+
+NO_FLOOR_DEG = -90.0
+"""A floor of the caller's own is for scripts; the station has the limits of the dish and of the settings."""
+LOOK_AT_CLOCK_S = 1.0
+"""How often a suspend or a step of the clock is looked for."""
+
+
+class Station:
+    """Requests in, events and a state out. `submit`, `stop`, `state` and `subscribe` are for any thread.
+
+    Everything else belongs to the thread that calls `step`.
+    """
+
+    def __init__(self, clock: Clock, settings: StationSettings) -> None:
+        protocol = get_protocol(settings.firmware)
+        config = AntennaConfig(settings.port, min_elevation=NO_FLOOR_DEG, leapfrog_enabled=False)
+        self.clock, self.settings = clock, settings
+        self._antenna = antenna = BirdcageAntenna(protocol, config, settings.alignment)
+        protocol.permit = self._permit
+        protocol.gate.update(
+            cable_min_deg=settings.cable_min_deg,
+            cable_max_deg=settings.cable_max_deg,
+            sectors=tuple(settings.alignment.sector_to_dish(*sector) for sector in settings.sectors),
+        )
+        offset = settings.alignment.el_offset_deg
+        state = StationState(
+            port=settings.port, dish=protocol.model, turn=protocol.model.turn,
+            az_offset_deg=settings.alignment.az_offset_deg, el_offset_deg=offset,
+            feed_name=settings.feed_name, beam_deg=settings.beam_deg, stow_allowed=settings.stow_allowed,
+            motion_refused_because=settings.refuse_motion,
+        )  # fmt: skip
+        self._board = board = Board(clock, state)
+        self._wake = Wake()
+        self._inbox: deque[tuple[Request, Future[object]]] = deque()
+        self._closing = threading.Event()
+        self._control = Control(board)
+        look = Look(board, antenna, settings)
+        look.limit(Survey())
+        self._mover = Mover(board, antenna, look)
+        self._stopper = Stopper(
+            board, antenna, self._control, self._mover, look, may_release=settings.stop_releases_motors
+        )
+        self._watches = Watches()
+        self._vigil = Vigil(board, antenna, self._control, self._mover, look, self._watches)
+        self._connection = Connection(board, antenna, settings, look, self._wake, self._on_wake, self._vigil.on_line)
+        self._desk = Desk(
+            board, antenna, self._control, self._mover, self._stopper, look, self._watches, self._vigil, settings
+        )
+
+    @property
+    def state(self) -> StationState:
+        """What is known now: immutable. Any thread."""
+        return self._board.state
+
+    def subscribe(self, listener: Listener) -> Callable[[], None]:
+        """Hear every event, on the station's thread: do nothing slow there. Returns what ends it."""
+        return self._board.subscribe(listener)
+
+    def submit(self, request: Request) -> Future[object]:
+        """Ask for something. The future holds its result, or a `BirdcageError` that says why not. Any thread."""
+        future: Future[object] = Future()
+        self._inbox.append((request, future))
+        self._wake.set()
+        if self._closing.is_set():
+            self._drop_inbox()
+        return future
+
+    def stop(self, by: str) -> None:
+        """STOP: its first bytes are on their way when this returns. Any thread; never waits for the dish."""
+        self._stopper.call(by)
+        self._wake.set()
+
+    def begin(self) -> None:
+        """Open the link as soon as the loop turns."""
+        self._antenna.adopt(threading.current_thread())
+        self._connection.begin()
+
+    def end(self) -> None:
+        """Make the loop return soon. Any thread."""
+        self._closing.set()
+        self._wake.set()
+
+    @property
+    def is_ending(self) -> bool:
+        """Whether `end` was called."""
+        return self._closing.is_set()
+
+    def step(self, until: float) -> None:
+        """Work until the monotonic time `until`, or until `end`."""
+        while not self._closing.is_set():
+            self._notice()
+            now = self.clock.monotonic()
+            due = self._due()
+            if due <= now:
+                self._work(now)
+                if now >= until:
+                    return
+                continue
+            if now >= until:
+                return
+            self._guard(partial(self._listen, min(due, until, now + LOOK_AT_CLOCK_S)))
+
+    def _listen(self, until: float) -> None:
+        """Wait; take in what comes unasked."""
+        protocol = self._antenna.protocol
+        if protocol.is_connected:
+            protocol.console.listen(until)
+        else:
+            self.clock.wait(None, until, self._wake)
+
+    def shut(self) -> None:
+        """Stop what moves, answer everybody, give the port back. On the station's thread, after the loop."""
+        self._drop_inbox()
+        self._mover.fail(*self._desk.ending())
+        self._connection.close()
+        self._antenna.adopt(None)
+        self._wake.close()
+
+    def _due(self) -> float:
+        if self._inbox:
+            return -math.inf
+        times = [self._connection.due, self._stopper.due]
+        if self._connection.is_up:
+            times += [self._mover.due, self._vigil.due(self._mover.is_moving)]
+        return min((time for time in times if time is not None), default=math.inf)
+
+    def _work(self, now: float) -> None:
+        """Do the one piece of work that ranks highest: STOP, link, motion, requests, then looking."""
+
+        def is_due(time: float | None) -> bool:
+            return time is not None and time <= now
+
+        if is_due(self._stopper.due):
+            self._guard(self._stopper.tick)
+        elif is_due(self._connection.due):
+            if self._connection.attempt():
+                self._vigil.look_again()
+        elif self._connection.is_up and is_due(self._mover.due):
+            self._guard(self._mover.tick)
+        elif self._inbox:
+            self._serve(*self._inbox.popleft())
+        else:
+            self._guard(self._vigil.tick)
+
+    def _serve(self, request: Request, future: Future[object]) -> None:
+        if not future.set_running_or_notify_cancel():
+            return
+        try:
+            self._desk.serve(request, future)
+        except LinkError as error:
+            future.set_exception(error)
+            self._link_gone(error)
+        except BirdcageError as error:
+            future.set_exception(error)
+            if isinstance(error, NoReply) and error.reason != "no_row":
+                self._connection.silent(error)
+        finally:
+            self._note()
+
+    def _guard(self, work: Callable[[], object]) -> None:
+        """Do work on the wire; a lost link or a silent dish is a state, not the end."""
+        try:
+            work()
+        except LinkError as error:
+            self._link_gone(error)
+        except NoReply as silence:
+            self._vigil.interrupted("link")
+            self._connection.silent(silence)
+        except Stopped:
+            pass  # STOP or the end of the station cut the exchange short; both have their own follow-up
+        finally:
+            self._note()
+
+    def _link_gone(self, error: LinkError) -> None:
+        self._vigil.interrupted("link")
+        self._connection.lost(error)
+
+    def _note(self) -> None:
+        if self._antenna.is_connected:
+            self._connection.note_reply()
+
+    def _notice(self) -> None:
+        """Take STOPs and look at the clock."""
+        self._wake.clear()
+        self._stopper.take_calls()
+        self._vigil.check_clock()
+
+    def _on_wake(self) -> None:
+        """Notice what happened in the middle of an exchange; end it when the station ends."""
+        self._notice()
+        if self._closing.is_set():
+            raise Stopped("The station ends.", reason="closing")
+
+    def _permit(self) -> None:
+        """Keep a line that moves the dish from going out once STOP is latched."""
+        if self._control.latched:
+            raise Stopped("STOP is latched: the motion was not sent.")
+
+    def _drop_inbox(self) -> None:
+        while self._inbox:
+            _request, future = self._inbox.popleft()
+            if future.set_running_or_notify_cancel():
+                future.set_exception(Stopped("The station has ended.", reason="closing"))

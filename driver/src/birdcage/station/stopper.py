@@ -1,0 +1,190 @@
+"""STOP: its first bytes from the caller's thread, its ladder and its proof on the station's (SEAMS *STOP*)."""
+
+from __future__ import annotations
+
+import math
+import threading
+from collections import deque
+from dataclasses import dataclass, replace
+
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.motion import stop_power_s
+from birdcage.base.errors import LinkError, NoReply, Stopped
+from birdcage.protocol.types import Position
+from birdcage.station.board import Board
+from birdcage.station.control import Control
+from birdcage.station.events import End, StopConfirmed, StopSent
+from birdcage.station.look import Look
+from birdcage.station.mover import Mover
+from birdcage.station.state import Activity, Pointing, StopReport
+
+MOST_REPEATS = 5
+COALESCE_S = 0.2
+"""Presses that follow this closely are one STOP."""
+ANSWER_S = 0.3
+POLL_S = 0.05
+
+
+@dataclass(slots=True)
+class Pending:
+    """A STOP whose effect is not known yet."""
+
+    report: StopReport
+    sent: int
+    answered: bool
+    last: Pointing | None
+    deadline: float
+    lines: tuple[str, ...] = ()
+    """What was sent, and is repeated as it was: a dish whose answers alone were lost must not be sent on."""
+
+
+class Stopper:
+    """Latches, sends, repeats until answered, and reports what was really done."""
+
+    def __init__(
+        self, board: Board, antenna: BirdcageAntenna, control: Control, mover: Mover, look: Look, *, may_release: bool
+    ) -> None:
+        self._board, self._antenna, self._control = board, antenna, control
+        self._mover, self._look, self._may_release = mover, look, may_release
+        self._calls: deque[tuple[StopReport, tuple[str, ...]]] = deque()
+        # Reentrant: a signal handler may call STOP on top of the STOP that it interrupted.
+        self._lock = threading.RLock()
+        self._pending: Pending | None = None
+        self._last_call = -math.inf
+        self.homing = False
+        """Set while the shell is blocked by homing, which nothing stops."""
+        self.retarget_works: bool | None = None
+        """Learnt from the first STOP in motion; None until then."""
+        self.due: float | None = None
+
+    def call(self, by: str) -> None:
+        """Latch, and write the first bytes. Any thread; never waits for the dish."""
+        with self._lock:
+            self._control.latched = True
+            now = self._board.clock.monotonic()
+            if now - self._last_call < COALESCE_S:
+                return
+            self._last_call = now
+            means, sentence = "nothing moved", "Nothing was moving. Looking where the dish is."
+            lines: tuple[str, ...] = ()
+            protocol = self._antenna.protocol
+            if not protocol.is_connected:
+                means, sentence = "no link", "There is no link to the dish: nothing could be sent. Cut its power."
+            elif self.homing:
+                means, sentence = "none", "Homing cannot be stopped from here: cut the power of the dish."
+            elif self.retarget_works is not False and (lines := self._antenna.stop_lines()):
+                means, sentence = "retarget", "A new target just ahead of the dish was sent."
+                try:
+                    protocol.interject(lines)
+                except LinkError as error:
+                    means, sentence = "no link", str(error)
+            elif self.retarget_works is False and self._antenna.motion is not None:
+                means, sentence = "none", "This dish takes new targets at the end of a move only: cut its power."
+            self._calls.append((StopReport(by, now, means, None, sentence), lines))
+
+    def take_calls(self) -> None:
+        """Publish the STOPs that were called since, on the station's thread."""
+        while self._calls:
+            report, lines = self._calls.popleft()
+            self._control.hold(report.by, "stop")
+            self._mover.fail(End.STOPPED, f"STOP by {report.by}", Stopped(f"STOP by {report.by} ended the motion."))
+            self._publish(report, sent=True)
+            if report.means == "no link":
+                self._publish(replace(report, confirmed=False), sent=False)
+                continue
+            self._mover.activity(Activity.STOPPING, "")
+            now = self._board.clock.monotonic()
+            repeats = self._pending.sent if self._pending is not None else 0
+            self._pending = Pending(
+                report, repeats + (report.means == "retarget"), report.means != "retarget", None,
+                now + stop_power_s(self._antenna.protocol.model) + 1.0, lines,
+            )  # fmt: skip
+            self.due = now
+
+    def resume(self) -> None:
+        """Homing is over: follow up a STOP that was called meanwhile."""
+        if self._pending is not None:
+            self.due = self._board.clock.monotonic()
+
+    def tick(self) -> None:
+        """Wait for the answer, repeat without one, then watch the dish come to rest."""
+        pending, clock = self._pending, self._board.clock
+        if pending is None or self.homing:
+            self.due = None
+            return
+        if not pending.answered:
+            pending.answered = self._answered()
+            if not pending.answered:
+                self._repeat(pending)
+                return
+        pointing = self._look.position()
+        now = clock.monotonic()
+        self.due = now + POLL_S
+        if pointing is None:
+            self._finish(pending, None, "The dish does not know where it is: whether it stands still is not known.")
+        elif pending.last is not None and self._look.is_still(pointing, pending.last):
+            if pending.report.means == "retarget":
+                self.retarget_works = self.retarget_works is not False and now <= pending.deadline
+            self._finish(
+                pending, now <= pending.deadline or pending.report.means == "nothing moved",
+                f"Stands still at {pointing.az_deg:.2f}°/{pointing.el_deg:.2f}°, "
+                f"{now - pending.report.at:.1f} s after STOP.",
+            )  # fmt: skip
+        else:
+            self._still_moving(pending, pointing, now)
+        pending.last = pointing
+
+    def _answered(self) -> bool:
+        try:
+            return bool(self._antenna.protocol.console.settle(ANSWER_S))
+        except NoReply:
+            return False
+
+    def _repeat(self, pending: Pending) -> None:
+        if pending.sent >= MOST_REPEATS:
+            if self._may_release:
+                self._release(pending)
+                return
+            self._finish(pending, False, "STOP was sent five times and not answered: cut the power of the dish.")
+            return
+        pending.sent += 1
+        self._antenna.protocol.interject(pending.lines)
+        self.due = self._board.clock.monotonic()
+
+    def _still_moving(self, pending: Pending, pointing: Pointing, now: float) -> None:
+        if pending.report.means == "nothing moved" and pending.last is not None:
+            seen = [(Position(p.dish_az_deg, p.dish_el_deg), p.at) for p in (pending.last, pointing)]
+            lines = self._antenna.stop_lines_seen(*seen[0], *seen[1])
+            self._antenna.protocol.interject(lines)
+            pending.lines = lines
+            pending.report = replace(
+                pending.report, means="retarget", sentence="The dish moved though nobody asked: retargeted ahead of it."
+            )
+            pending.answered = False
+            pending.sent += 1
+        elif now > pending.deadline and pending.report.confirmed is None and pending.report.means == "retarget":
+            self.retarget_works = False
+            pending.report = replace(pending.report, confirmed=False, sentence="The dish goes on: cut its power.")
+            self._publish(pending.report, sent=False)
+            if self._may_release:
+                self._release(pending)
+
+    def _release(self, pending: Pending) -> None:
+        """Climb the last rung: only if the user enabled it."""
+        self._antenna.protocol.release_motors()
+        self._board.change(position=None, position_lost="released", homed=None)
+        pending.report = replace(pending.report, means="release")
+        self._finish(pending, True, "The motors were released. Where the dish is, is not known: home it.")
+
+    def _finish(self, pending: Pending, confirmed: bool | None, sentence: str) -> None:
+        earlier = pending.report.confirmed
+        self._pending, self.due, self._antenna.motion = None, None, None
+        self._board.change(motion=None)
+        self._mover.activity(Activity.IDLE, "")
+        report = replace(pending.report, confirmed=confirmed if earlier is None else earlier, sentence=sentence)
+        self._publish(report, sent=False)
+
+    def _publish(self, report: StopReport, *, sent: bool) -> None:
+        self._board.change(last_stop=report)
+        at, utc = self._board.stamp()
+        self._board.tell(StopSent(at, utc, report) if sent else StopConfirmed(at, utc, report))

@@ -1,0 +1,169 @@
+"""What the station does when nobody asks for anything: looks where somebody looks, and notices what should not be."""
+
+from __future__ import annotations
+
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.base.errors import Stopped
+from birdcage.station.board import Board
+from birdcage.station.control import Control
+from birdcage.station.events import End, FaultRaised, TranscriptLine
+from birdcage.station.look import Look
+from birdcage.station.mover import Mover
+from birdcage.station.state import Activity, Fault, Pointing
+from birdcage.station.watches import Watches
+
+CLOCK_STEP_S = 2.0
+UNASKED_DEG = 0.3
+"""At rest a reading repeats to a hundredth; this much is motion."""
+UNASKED_POLL_S = 0.2
+
+
+class Vigil:
+    """Idle work: polls, and the alarms for motion nobody asked for, reboots, suspends and clock steps."""
+
+    def __init__(
+        self, board: Board, antenna: BirdcageAntenna, control: Control, mover: Mover, look: Look, watches: Watches
+    ) -> None:
+        self._board, self._antenna, self._control = board, antenna, control
+        self._mover, self._look, self._watches = mover, look, watches
+        self._offset_s = self._clock_offset_s()
+        self._look_again_at: float | None = None
+        mover.on_stall = self._stalled
+
+    def due(self, moving: bool) -> float | None:
+        """Return when there is something to look at; nothing else is asked for while the dish moves."""
+        if moving or self._board.state.activity not in (Activity.IDLE, Activity.UNKNOWN, Activity.MOVING_UNASKED):
+            return None
+        if self._look.wants_survey:
+            return self._board.clock.monotonic()
+        signal = self._signal_due()
+        if self._watches.excursion is not None:
+            return signal  # in the tuner's menu until the reads are done: the position waits
+        times = (self._look_again_at, self._watches.position_due(), signal)
+        return min((time for time in times if time is not None), default=None)
+
+    def _signal_due(self) -> float | None:
+        dish = self._board.state.dish
+        if dish is None or not dish.has_rssi or self._board.state.activity is not Activity.IDLE:
+            return None
+        return self._watches.rssi_due()
+
+    def tick(self) -> None:
+        """Look at whatever is due."""
+        if self._look.wants_survey:
+            self._look.survey()
+            return
+        now = self._board.clock.monotonic()
+        signal, position = self._signal_due(), self._watches.position_due()
+        if self._watches.excursion is not None:
+            self._read_signal(now)
+        elif (position is not None and position <= now) or self._is_due(self._look_again_at, now):
+            self._read_position()
+        elif self._is_due(signal, now):
+            self._read_signal(now)
+
+    @staticmethod
+    def _is_due(time: float | None, now: float) -> bool:
+        return time is not None and time <= now
+
+    def _read_signal(self, now: float) -> None:
+        self._look.signal()
+        self._watches.rssi_was_read(now)
+
+    def _read_position(self) -> None:
+        before = self._board.state.position
+        after = self._look.position()
+        self._watches.position_was_read(self._board.clock.monotonic())
+        self._look_again_at = None
+        self._judge(before, after)
+
+    def _judge(self, before: Pointing | None, after: Pointing | None) -> None:
+        """At rest, two readings must agree; else the dish moves though nobody asked."""
+        if after is None:
+            return
+        moved = before is None or self._look.apart_deg(before, after) > UNASKED_DEG
+        activity = self._board.state.activity
+        if not moved:
+            self._antenna.motion = None
+            self._mover.activity(Activity.IDLE, "")
+            return
+        self.look_again()
+        if activity is Activity.IDLE:
+            self._mover.activity(Activity.MOVING_UNASKED, "")
+            self.raise_fault(
+                "moved", "The dish moves though nobody asked",
+                "Its own TV search, another program, a hand or the wind may move it.",
+                "Keep clear. Space stops it as far as it can be stopped; if not, cut its power.",
+            )  # fmt: skip
+
+    def look_again(self) -> None:
+        """Read the position twice in short order, to see whether the dish moves."""
+        self._look_again_at = self._board.clock.monotonic() + UNASKED_POLL_S
+
+    def _stalled(self, sentence: str) -> None:
+        self._mover.activity(Activity.IDLE, "")
+        self.raise_fault(
+            "stall", sentence, "Something blocks it, or its motor lost steps.",
+            "Look at the dish before anything else. Free it, acknowledge, and home it if its angles are wrong.",
+        )  # fmt: skip
+
+    def raise_fault(self, reason: str, what: str, meaning: str, remedy: str) -> None:
+        """Stop asking for motion, and say so until a person acknowledges."""
+        at, utc = self._board.stamp()
+        fault = Fault(reason, what, meaning, remedy, utc)
+        self._board.change(fault=fault)
+        self._board.tell(FaultRaised(at, utc, fault))
+        self._control.hold("birdcage", "fault")
+
+    def on_line(self, line: str) -> None:
+        """Hear a line that nobody asked for; boot text means that the dish has forgotten everything."""
+        self._board.tell(TranscriptLine(*self._board.stamp(), "<", line))
+        if not any(mark in line for mark in self._antenna.protocol.boot_marks):
+            return
+        if self._board.state.activity is Activity.INITIALIZING:
+            self._mover.activity(Activity.INITIALIZING, line.strip())
+            return
+        fault = self._board.state.fault
+        if fault is None or fault.reason != "reboot":
+            self.forget("reboot")
+            self.interrupted("fault")
+            self.raise_fault(
+                "reboot", f"The dish has restarted: {line.strip()!r}",
+                "It homes by itself or has to be homed, and may begin its TV search.",
+                "Check its power and cable. Wait until it is quiet, then acknowledge and home it.",
+            )  # fmt: skip
+
+    def forget(self, reason: str) -> None:
+        """Drop what is known of the position."""
+        self._antenna.protocol.gate.forget("unread")
+        self._antenna.motion = None
+        self._look.forget_survey()
+        self._board.change(position_lost=reason, homed=None)
+
+    def interrupted(self, reason: str) -> None:
+        """The dish was out of sight: what moved is given up, and nothing moves by itself afterwards."""
+        state = self._board.state
+        moving = self._mover.is_moving
+        holder = state.holder
+        self._mover.fail(
+            End.STOPPED, f"interrupted: {reason}", Stopped(f"The motion was given up: {reason}.", reason=reason)
+        )
+        self._watches.end_excursion()
+        if moving or holder is not None:
+            self._control.hold("birdcage", reason)
+
+    def check_clock(self) -> None:
+        """Notice a suspend or a step of the clock: hold, and read the position again."""
+        offset_s = self._clock_offset_s()
+        if abs(offset_s - self._offset_s) <= CLOCK_STEP_S:
+            return
+        step_s, self._offset_s = offset_s - self._offset_s, offset_s
+        self._antenna.protocol.gate.forget("unread")
+        self._board.change(position_lost="clock")
+        self._watches.position_was_read(0.0)
+        self._mover.fail(End.STOPPED, "the clock stepped", Stopped("The clock stepped: the motion was given up."))
+        self._control.hold("birdcage", f"suspend or clock step of {step_s:+.0f} s")
+
+    def _clock_offset_s(self) -> float:
+        clock = self._board.clock
+        return clock.utc().timestamp() - clock.monotonic() * clock.rate

@@ -1,0 +1,96 @@
+"""A station, its link and a simulated dish in one thread on a virtual clock."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import pytest
+from birdcage.base.clock import VirtualClock
+from birdcage.base.errors import LinkError
+from birdcage.link.link import Link
+from birdcage.sim.port import SimPort, open_device
+from birdcage.station.requests import Watch
+from birdcage.station.session import Session
+from birdcage.station.settings import StationSettings
+from birdcage.station.state import Link as LinkNow
+from birdcage.station.station import Station
+
+
+@dataclass
+class Bench:
+    """What the tests of the station hold in their hands."""
+
+    address: str = "g2?seed=1"
+    options: dict = field(default_factory=dict)
+
+    def __post_init__(self):
+        self.clock = VirtualClock()
+        self.device = open_device(self.address, clock=self.clock)
+        self.opened = []
+        settings = StationSettings(port="sim:test", firmware="g2", open_link=self._open, **self.options)
+        self.station = Station(self.clock, settings)
+        self.session = Session(self.clock, self.station)
+        self.events = []
+        self.station.subscribe(self.events.append)
+
+    def _open(self, port, baud):
+        try:
+            sim = SimPort(self.device, port)
+        except ConnectionError as error:
+            raise LinkError(str(error), reason="missing") from error
+        self.opened.append(sim)
+        return Link(sim, self.clock)
+
+    @property
+    def sim(self):
+        """The port that is open now."""
+        return self.opened[-1]
+
+    def received(self):
+        """Lines that the dish has begun to carry out, with the time of each."""
+        with self.device.lock:
+            self.device.machine.run()
+            return list(self.device.shell.received)
+
+    @property
+    def state(self):
+        return self.station.state
+
+    def step(self, seconds):
+        self.session.step(seconds)
+
+    def connect(self, seconds=3.0):
+        self.step(seconds)
+        assert self.state.link.state is LinkNow.UP, self.state.link
+        return self
+
+    def watch(self, *features, rate_hz=10.0):
+        self.station.submit(Watch("test", frozenset(features), rate_hz))
+
+    def do(self, request, seconds=30.0):
+        """Submit, step until it is done, and return its result or raise its error."""
+        future = self.station.submit(request)
+        end = self.clock.monotonic() + seconds
+        while not future.done() and self.clock.monotonic() < end:
+            self.step(0.1)
+        assert future.done(), f"{request} was not done within {seconds} s"
+        return future.result(0)
+
+    def lines(self):
+        """All complete lines that the dish received, oldest first."""
+        return [line for _time, line in self.received()]
+
+    def moves_since(self, time):
+        """Lines that move an axis, received after `time`."""
+        return [
+            line for at, line in self.received()
+            if at > time and (line.startswith("a ") or line.startswith(("h ", "g ")))
+        ]  # fmt: skip
+
+    def kinds(self):
+        return [type(event).__name__ for event in self.events]
+
+
+@pytest.fixture
+def bench():
+    return Bench().connect()
