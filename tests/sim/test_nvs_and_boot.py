@@ -23,15 +23,18 @@ def test_boot_log_in_order_and_homed(terminal):
     early = dish.listen(2.0)
     assert "Bootloader" in early
     assert "TRK>" not in early
-    log = early + boot(dish)
+    log = early
+    while "Antenna Facing Front" not in log:
+        log += dish.listen(0.05)
+    truth = dish.port.dish.truth()
+    assert truth.homed
+    assert (round(truth.az_deg, 2), truth.el_deg) == (0.01, 65.0)
+    log += boot(dish)
     places = [log.index(text) for text in ORDER]
     assert places == sorted(places)
     assert "Boot Complete\r\n" in log
     assert "Loc Startup: IDU NOT Present\r\n" in log
     assert log.endswith("TRK>")
-    truth = dish.port.dish.truth()
-    assert truth.homed
-    assert (round(truth.az_deg, 2), truth.el_deg) == (0.01, 65.0)
 
 
 def test_with_nvs_20_true_nothing_is_homed(terminal):
@@ -135,3 +138,36 @@ def test_the_log_keeps_its_times_whatever_was_going_on(terminal):
     typed = terminal("latency_min=0&latency_max=0&echo=0")
     typed.type("reboot\r")
     assert heard_with_times(typed) == expected
+
+
+def test_the_tv_search_moves_the_dish_until_it_hears_a_satellite(terminal):
+    dish = terminal("boot=1&nvs20=0")
+    boot(dish)
+    dish.listen(60.0)
+    found = dish.port.dish.truth()
+    assert not found.moving
+    dish.ask("dvb", "DVB>")
+    assert int(dish.ask("rssi 20", "DVB>").split("avg: ")[1].split()[0]) > 460
+    deaf = terminal("boot=1&nvs20=0&lat=89")
+    boot(deaf)
+    deaf.device.stall(0)
+    deaf.listen(10.0)
+    deaf.device.stall(0, blocked=False)
+    places = set()
+    for _ in range(10):
+        deaf.listen(5.0)
+        places.add(round(deaf.port.dish.truth().az_deg))
+        assert 17.9 < deaf.port.dish.truth().el_deg < 65.1
+    assert len(places) > 5
+    deaf.device.power_off()
+    still = deaf.port.dish.truth()
+    deaf.listen(30.0)
+    assert deaf.port.dish.truth() == still
+
+
+def test_without_a_search_nothing_moves_after_power_on(terminal):
+    dish = terminal("boot=1")
+    boot(dish)
+    still = dish.port.dish.truth()
+    dish.listen(120.0)
+    assert dish.port.dish.truth() == still

@@ -82,14 +82,17 @@ class Axis:
         """Return where it will come to rest."""
         return self._count[-1].rest_deg
 
-    def retarget(self, now_s: float, target_deg: float) -> None:
-        """Go to another target from wherever it is, at whatever rate it has; what was queued is dropped."""
+    def retarget(self, now_s: float, target_deg: float, *, rate_deg_s: float | None = None) -> None:
+        """Go to another target from wherever it is, at whatever rate it has; what was queued is dropped.
+
+        `rate_deg_s` is the highest rate on the way, that of the axis when left out.
+        """
         if target_deg == self._target_deg and not self.stalled:
             return
         position, rate = _along(self._count, now_s)
         self._settle_play(now_s)
         self._count = []
-        self._append(now_s, position, rate, target_deg)
+        self._append(now_s, position, rate, target_deg, rate_deg_s)
 
     def queue(self, now_s: float, target_deg: float) -> None:
         """Go to another target after those already ordered."""
@@ -158,7 +161,9 @@ class Axis:
         self.homed = True
         return True
 
-    def _append(self, start_s: float, position: float, rate: float, target_deg: float) -> None:
+    def _append(
+        self, start_s: float, position: float, rate: float, target_deg: float, highest_deg_s: float | None = None
+    ) -> None:
         self._target_deg = target_deg
         if self.released or (self.stalled and not self._slips):
             self._count.append(at_rest(start_s, position))
@@ -166,7 +171,7 @@ class Axis:
         data = self.data
         ahead = target_deg - stopping_point(position, rate, data.accel_deg_s2)
         rest = self._rest(target_deg, 1 if ahead > 0 else -1)
-        self._count.append(plan(start_s, position, rate, rest, data.max_rate_deg_s, data.accel_deg_s2))
+        self._count.append(plan(start_s, position, rate, rest, highest_deg_s or data.max_rate_deg_s, data.accel_deg_s2))
 
     def _rest(self, target_deg: float, direction: int) -> float:
         """Choose the step it comes to rest on: past the target, inside the stops."""

@@ -10,6 +10,7 @@ from birdcage.sim.dish import Dish, Truth
 from birdcage.sim.g2.board import Board
 from birdcage.sim.g2.boot import boot_log
 from birdcage.sim.g2.console import menus
+from birdcage.sim.g2.tracker import Tracker
 from birdcage.sim.machine import Machine
 from birdcage.sim.settings import Settings
 from birdcage.sim.shell import Shell
@@ -31,9 +32,10 @@ class Device:
         self.session = 0
         """Counts how often the adapter was pulled out: a port of an earlier session is dead for good."""
         self.board = Board(settings, self.machine, self.dish, self._restart)
+        self.tracker = Tracker(self.board)
         self.shell = Shell(self.machine, settings, menus(self.board), self._send, self._echo)
         if settings.boot:
-            self.shell.play(boot_log(self.board))
+            self.shell.play(boot_log(self.board, self.tracker))
 
     def truth(self) -> Truth:
         """Return what the dish really does at this moment."""
@@ -76,7 +78,7 @@ class Device:
         """Cut the power for `off_s` seconds of dish time."""
         with self.lock:
             self.power_off()
-            self.machine.at(self.machine.wire_time(self.machine.dish_s + off_s), self.power_on)
+            self.machine.at_dish(self.machine.dish_s + off_s, self.power_on)
 
     def deadlock(self) -> None:
         """Have the shell's task hang: it neither answers nor echoes until power-on. The motors keep on."""
@@ -127,10 +129,11 @@ class Device:
             self._send(data)
 
     def _stop(self) -> None:
+        self.tracker.stop()
         self.dish.power_on(self.machine.dish_s)
 
     def _restart(self) -> None:
         self._stop()
         self.board.power_on()
         self.shell.reset()
-        self.shell.play(boot_log(self.board))
+        self.shell.play(boot_log(self.board, self.tracker))

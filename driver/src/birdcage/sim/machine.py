@@ -24,17 +24,13 @@ class Machine:
         """Seconds of dish time: they run `clock.rate` times faster than the wire's."""
         return self.now * self.clock.rate
 
-    def wire_time(self, dish_s: float) -> float:
-        """Return when, on the clock's monotonic scale, dish time reaches `dish_s`."""
-        return dish_s / self.clock.rate
+    def at_dish(self, dish_s: float, action: Callable[[], None]) -> None:
+        """Have `action` done when dish time reaches `dish_s`."""
+        self.at(dish_s / self.clock.rate, action)
 
     def at(self, time_s: float, action: Callable[[], None]) -> None:
         """Have `action` done at `time_s` on the monotonic scale."""
         heapq.heappush(self._events, (time_s, next(self._order), action))
-
-    def clear(self) -> None:
-        """Forget everything that was going to happen."""
-        self._events.clear()
 
     def next_event(self) -> float:
         """Return when the next thing happens by itself; inf for never."""

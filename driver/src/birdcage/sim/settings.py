@@ -40,7 +40,10 @@ class Settings:
     boot: bool = False
     """Start at power-on: play the boot log, and home unless NVS 20 is TRUE."""
     nvs20: bool = True
-    """Saved value of NVS 20, *Disable Tracker Proc?* ([V]; factory default FALSE): TRUE, so it does not move alone."""
+    """Saved value of NVS 20, *Disable Tracker Proc?* ([V]; factory default FALSE): 1, so it does not move by itself.
+
+    With 0 it homes and searches for a satellite after every power-on; a dish that starts without `boot` has found one.
+    """
     lat: float = 39.1
     """Latitude of the dish in degrees north; what it hears depends on it."""
     lon: float = -95.7

@@ -153,7 +153,7 @@ class Shell:
                 self._advance()
                 self._read()
 
-        self._machine.at(self._machine.wire_time(self._machine.dish_s + seconds), resume)
+        self._machine.at_dish(self._machine.dish_s + seconds, resume)
 
 
 def _nothing(data: bytes) -> None:

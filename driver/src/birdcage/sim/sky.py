@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import random
 from datetime import datetime
 
 from birdcage.base.geometry import separation, shortest_turn
@@ -55,10 +54,6 @@ class Sky:
     def floor(self, el_deg: float) -> float:
         """Return the level of the empty sky."""
         return self._settings.rssi_floor + AIR_COUNTS * (_air(el_deg) - _air(FLOOR_EL_DEG))
-
-    def reading(self, when: datetime, az_deg: float, el_deg: float, rng: random.Random) -> int:
-        """Return one reading with its noise, as the tuner gives it."""
-        return round(rng.gauss(self.level(when, az_deg, el_deg), self._settings.rssi_noise))
 
 
 def _air(el_deg: float) -> float:

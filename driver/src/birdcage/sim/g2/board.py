@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from datetime import timedelta
 
 from birdcage.sim.dish import Dish
 from birdcage.sim.g2.nvram import Nvram
 from birdcage.sim.machine import Machine
 from birdcage.sim.settings import Settings
+from birdcage.sim.sky import Sky
 
 
 class Board:
@@ -20,6 +22,7 @@ class Board:
         self.dish = dish
         self.reboot = reboot
         """Start over, as the command `reboot` does; the running command never returns."""
+        self.sky = Sky(settings)
         self.nvram = Nvram()
         self.nvram.write(20, str(int(settings.nvs20)))
         self.nvram.save()
@@ -29,6 +32,12 @@ class Board:
     def now_s(self) -> float:
         """Dish time."""
         return self.machine.dish_s
+
+    def level(self, dish_s: float, az_deg: float, el_deg: float) -> float:
+        """Return the noise-free level in counts at an instant of dish time, with the dish at its own az and el."""
+        clock = self.machine.clock
+        when = clock.utc() + timedelta(seconds=dish_s - clock.monotonic() * clock.rate)
+        return self.sky.level(when, az_deg + self.settings.heading, el_deg)
 
     def power_on(self) -> None:
         """Read the settings memory and go by it from now on."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from birdcage.sim.g2.board import Board
 from birdcage.sim.g2.mot import home
+from birdcage.sim.g2.tracker import Tracker
 from birdcage.sim.shell import Pause, Script
 
 BEFORE_HOMING = (
@@ -20,8 +21,8 @@ BEFORE_HOMING = (
 )
 
 
-def boot_log(board: Board) -> Script:
-    """Play the log, homing on the way unless NVS 20 is TRUE; the shell prints its prompt afterwards."""
+def boot_log(board: Board, tracker: Tracker) -> Script:
+    """Play the log; home and start the TV search unless NVS 20 is TRUE. The shell prints its prompt afterwards."""
     for seconds, line in BEFORE_HOMING:
         yield Pause(seconds)
         yield f"{line}\n"
@@ -31,3 +32,4 @@ def boot_log(board: Board) -> Script:
         yield "Antenna Facing Front\n"
     yield Pause(0.2)
     yield "Boot Complete\nLoc Startup: IDU NOT Present\n"
+    tracker.start()

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from datetime import timedelta
-
 from birdcage.sim.chance import seeded
 from birdcage.sim.g2.board import Board
 from birdcage.sim.g2.menu import G2Menu
 from birdcage.sim.shell import Pause, Script
-from birdcage.sim.sky import Sky
 
 MOST_READS = 1000
 
@@ -22,7 +19,6 @@ class Dvb(G2Menu):
     def __init__(self, board: Board) -> None:
         super().__init__(board)
         self.commands |= {"rssi": self._rssi, "lnbdc": self._lnbdc}
-        self._sky = Sky(board.settings)
         self._rng = seeded("rssi", board.settings.seed)
 
     def _rssi(self, args: list[str]) -> Script:
@@ -38,10 +34,9 @@ class Dvb(G2Menu):
         yield f"{self.board.settings.rssi_lead}\nReads:{reads} RSSI[avg: {average} cur: {values[-1]}]\n"
 
     def _reading(self) -> int:
-        machine, clock = self.board.machine, self.board.machine.clock
-        when = clock.utc() - timedelta(seconds=(clock.monotonic() - machine.now) * clock.rate)
-        az_deg, el_deg = self.board.dish.shafts(machine.dish_s)
-        return self._sky.reading(when, az_deg + self.board.settings.heading, el_deg, self._rng)
+        now_s = self.board.now_s
+        level = self.board.level(now_s, *self.board.dish.shafts(now_s))
+        return round(self._rng.gauss(level, self.board.settings.rssi_noise))
 
     def _lnbdc(self, args: list[str]) -> Script:
         # 13 V instead of 18 V: nobody measured what that does to the level, so here it does nothing.
