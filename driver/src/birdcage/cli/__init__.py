@@ -1,0 +1,10 @@
+"""The command line. `main` is the console script; a command's module is loaded when that command is run."""
+
+from __future__ import annotations
+
+
+def main() -> None:
+    """Run `birdcage` with the arguments of this process; ends it with one of `birdcage.cli.exits`."""
+    from birdcage.cli.app import cli
+
+    cli(prog_name="birdcage")

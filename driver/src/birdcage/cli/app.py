@@ -1,0 +1,98 @@
+"""The group `birdcage`: what there is, loaded when it is run, and what errors end as."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any
+
+import click
+
+from birdcage.cli import exits
+from birdcage.cli.options import global_options
+from birdcage.cli.say import say
+
+COMMANDS = {
+    "init": "Wait for the dish to boot; look at its TV search, and switch it.",
+    "pos": "Print where the dish points.",
+    "move": "Point the dish, and wait until it is there.",
+    "stop": "Stop the dish, whichever program drives it.",
+    "home": "Find the reference by running into the stops.",
+    "status": "Print all that is known of the dish.",
+    "ports": "List the serial ports of this machine.",
+    "sim": "Simulate a dish that any program can talk to.",
+    "config": "Show and check birdcage.toml.",
+    "paths": "Print where files are kept.",
+}
+"""Each has its module in `birdcage.cli.commands`. Kept here so that `--help` loads none of them."""
+
+
+class Ended(Exception):
+    """A signal ended the command, after STOP."""
+
+    def __init__(self, number: int) -> None:
+        super().__init__(f"signal {number}")
+        self.number = number
+
+
+class Birdcage(click.Group):
+    """Loads a command's module when that command is run, and turns errors into a sentence and an exit code."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002 - click's signature
+        """Return the names, in the order of use."""
+        return list(COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002 - click's signature
+        """Load a command; None if there is none of that name."""
+        if cmd_name not in COMMANDS:
+            return None
+        module = import_module(f"birdcage.cli.commands.{cmd_name}")
+        command: click.Command = module.command
+        return command
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
+        """Write the list of commands without loading them."""
+        with formatter.section("Commands"):
+            formatter.write_dl(list(COMMANDS.items()))
+
+    def invoke(self, ctx: click.Context) -> Any:  # noqa: ANN401 - click's signature
+        """Run the command. Expected errors are one sentence on stderr, never a traceback."""
+        from birdcage.base.errors import BirdcageError
+
+        try:
+            return super().invoke(ctx)
+        except Ended as ended:
+            _say_notes(ended)
+            ctx.exit(exits.SIGNAL + ended.number)
+        except (click.Abort, KeyboardInterrupt):
+            say("Cancelled: nothing was done.")
+            ctx.exit(exits.SIGNAL + 2)
+        except BirdcageError as error:
+            say(str(error))
+            _say_notes(error)
+            ctx.exit(exits.code_of(error))
+
+
+def _say_notes(error: Exception) -> None:
+    """Say what was noted on the way out: what STOP did, and where the dish is."""
+    for note in getattr(error, "__notes__", ()):
+        say(note)
+
+
+def _version(context: click.Context, _parameter: click.Parameter, asked: bool) -> None:
+    if asked and not context.resilient_parsing:
+        from birdcage.base.version import version
+
+        click.echo(f"birdcage {version()}")
+        context.exit()
+
+
+@click.group(cls=Birdcage, epilog=exits.EPILOG, context_settings={"help_option_names": ["-h", "--help"]})
+@click.option(
+    "--version", is_flag=True, is_eager=True, expose_value=False, callback=_version, help="Print the version."
+)
+@global_options()
+def cli() -> None:
+    """Drive a surplus motorised satellite dish through its serial console.
+
+    Options may stand before or after the command. A flag counts before its variable, and that before birdcage.toml.
+    """

@@ -1,0 +1,77 @@
+"""`birdcage config`."""
+
+from __future__ import annotations
+
+import click
+
+from birdcage.cli import exits
+from birdcage.cli.options import find_paths, flags, global_options, load_settings
+
+
+@click.group("config", epilog=exits.EPILOG)
+@global_options("config", "json", "verbose")
+def command() -> None:
+    """Show and check birdcage.toml. It is never written."""
+
+
+@command.command("path", epilog=exits.EPILOG)
+@global_options("config", "verbose")
+def path() -> None:
+    """Print where birdcage.toml is, or would be."""
+    from birdcage.cli.say import tell
+
+    tell(str(find_paths().config_file))
+
+
+@command.command("show", epilog=exits.EPILOG)
+@global_options()
+def show() -> None:
+    """Print every setting as it counts now, and where its value comes from."""
+    from birdcage.base.config import rows
+    from birdcage.cli.say import say, tell, tell_json
+
+    settings = load_settings(find_paths())
+    values: dict[str, object] = {}
+    for row in rows():
+        if row.section == "feed.NAME":
+            continue
+        values[row.path] = getattr(getattr(settings, row.section), row.key)
+    for name, feed in settings.feeds.items():
+        for row in rows():
+            if row.section == "feed.NAME":
+                values[f"feed.{name}.{row.key}"] = getattr(feed, row.key)
+
+    def source(key: str) -> str:
+        return settings.sources.get(key, "default")
+
+    if flags().json:
+        tell_json({key: {"value": value, "source": source(key)} for key, value in values.items()})
+    else:
+        for key, value in values.items():
+            tell(f"{key:36} {_shown(value):28} {source(key)}")
+    for problem in settings.problems:
+        say(problem.text)
+
+
+@command.command("check", epilog=exits.EPILOG)
+@global_options("config", "verbose")
+@click.pass_context
+def check(context: click.Context) -> None:
+    """Say what in birdcage.toml and the variables cannot be read: file, line and key."""
+    from birdcage.cli.say import say
+
+    paths = find_paths()
+    settings = load_settings(paths)
+    for problem in settings.problems:
+        say(problem.text)
+    if settings.motion_problem is not None:
+        say("Until that is mended, nothing moves.")
+    if settings.problems:
+        context.exit(exits.USAGE)
+    say(f"{paths.config_file} {'is in order' if paths.config_file.exists() else 'does not exist: all is default'}.")
+
+
+def _shown(value: object) -> str:
+    if value is None:
+        return "-"
+    return str(value).lower() if isinstance(value, bool) else str(value)

@@ -1,0 +1,68 @@
+"""`birdcage home`."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING
+
+import click
+
+from birdcage.cli.exits import EPILOG
+from birdcage.cli.options import flags, global_options, wanted
+
+if TYPE_CHECKING:
+    from birdcage.station.events import Event
+
+HOLDER = "birdcage home"
+
+
+@click.command("home", epilog=EPILOG)
+@click.argument("axis", type=click.Choice(["az", "el"]), required=False)
+@click.option("--yes", is_flag=True, help="Do not ask.")
+@global_options()
+def command(axis: str | None, yes: bool) -> None:
+    """Find the reference of one axis, or of both, by running into the stops.
+
+    Homing cannot be stopped by a command: only by cutting the power of the dish.
+    """
+    from birdcage.base.errors import PositionUnknown
+    from birdcage.cli.dish import open_dish
+    from birdcage.cli.say import position_lines, say, tell, tell_json
+    from birdcage.station.events import ActivityChanged
+    from birdcage.station.requests import Home
+    from birdcage.station.state import Activity
+
+    _confirm(axis, yes)
+
+    def hear(event: Event) -> None:
+        if isinstance(event, ActivityChanged) and event.activity is Activity.HOMING:
+            say(f"Homing the {event.text}. Cut the power of the dish to stop it.")
+
+    with open_dish(wanted(), moves=True) as dish:
+        model = dish.come_up(15.0).dish
+        assert model is not None, "a station knows its dish from the start"
+        axes = {None: (), "az": (model.azimuth.index,), "el": (model.elevation.index,)}[axis]
+        dish.ask(Home(HOLDER, axes), 2 * (model.homing_s or 60.0) + 15.0, hear)
+        state = dish.state
+    position = state.position
+    if position is None or state.position_lost is not None:
+        raise PositionUnknown("The dish still does not know where it is: home the other axis too.", reason="unhomed")
+    if flags().json:
+        tell_json({"azimuth_deg": position.az_deg, "elevation_deg": position.el_deg, "demo": state.demo})
+    else:
+        tell(position_lines(position.az_deg, position.el_deg))
+
+
+def _confirm(axis: str | None, yes: bool) -> None:
+    if yes:
+        return
+    what = {None: "both axes", "az": "the azimuth axis", "el": "the elevation axis"}[axis]
+    consequence = (
+        f"Homing turns {what} through the whole range and knocks at the stops. Nothing but cutting the power stops it. "
+        "Keep its swing clear."
+    )
+    if not sys.stdin.isatty():
+        raise click.UsageError(f"{consequence} Give --yes to do it.")
+    click.echo(consequence, err=True)
+    if click.prompt("Type home to do it", default="", show_default=False, err=True).strip() != "home":
+        raise click.Abort

@@ -1,0 +1,135 @@
+"""`birdcage init`."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING
+
+import click
+
+from birdcage.cli.exits import EPILOG
+from birdcage.cli.options import flags, global_options, wanted
+
+if TYPE_CHECKING:
+    from birdcage.cli.dish import Dish
+    from birdcage.station.events import Event
+
+HOLDER = "birdcage init"
+
+DISABLE = (
+    "This saves NVS 20 (Disable Tracker Proc) as TRUE in the dish, after a copy of its whole table was kept here. "
+    "It takes effect when the dish is next switched off and on. From then on the dish neither searches for TV "
+    "satellites nor homes by itself: run `birdcage home` after each power-up. `birdcage init --restore-search` walks "
+    "it back."
+)
+RESTORE = (
+    "This saves NVS 20 (Disable Tracker Proc) as FALSE in the dish, after a copy of its whole table was kept here. "
+    "From the next power-up on the dish homes by itself and searches for TV satellites: it moves without being asked."
+)
+
+
+@click.command("init", epilog=EPILOG)
+@click.option("--disable-search", "switch", flag_value="disable", help="Switch the TV search off for good.")
+@click.option("--restore-search", "switch", flag_value="restore", help="Walk that back.")
+@click.option("--yes", is_flag=True, help="Do not ask before the dish's settings are written.")
+@click.option("--timeout", "timeout_s", type=click.FloatRange(1.0, 3600.0), default=180.0, show_default=True,
+              help="Seconds to wait for the dish.")  # fmt: skip
+@global_options()
+def command(switch: str | None, yes: bool, timeout_s: float) -> None:
+    """Wait until the dish answers, then say how it is and what its TV search does.
+
+    A dish that has been up for long answers at once; the boot of one just switched on is shown as it goes. Nothing
+    moves. Ctrl+C ends it.
+    """
+    from birdcage.cli.dish import open_dish
+    from birdcage.cli.say import say, tell_json
+    from birdcage.station.report import status_report
+
+    if switch is not None:
+        _confirm(DISABLE if switch == "disable" else RESTORE, yes)
+    with open_dish(wanted()) as dish:
+        follower = Follower(dish)
+        dish.come_up(timeout_s, patient=True, hear=follower.hear, each_time=follower.show)
+        dish.survey()
+        dish.progress.clear()
+        _describe(dish)
+        if switch is not None:
+            _switch(dish, disabled=switch == "disable", booted=follower.booted)
+        report = status_report(dish.state, dish.now)
+    if flags().json:
+        tell_json(report)
+    else:
+        say("Ready.")
+
+
+class Follower:
+    """Tells the boot as it goes, with the time since the beginning."""
+
+    def __init__(self, dish: Dish) -> None:
+        self._dish, self._since = dish, dish.now
+        self.booted = False
+        """Whether boot text was seen."""
+
+    @property
+    def elapsed_s(self) -> float:
+        """Seconds since the beginning."""
+        return self._dish.now - self._since
+
+    def hear(self, event: Event) -> None:
+        """Tell what the dish prints by itself."""
+        from birdcage.cli.say import say
+        from birdcage.station.events import TranscriptLine
+
+        if isinstance(event, TranscriptLine) and event.direction == "<" and event.text.strip():
+            self.booted = True
+            self._dish.progress.clear()
+            say(f"{self.elapsed_s:5.1f} s  {event.text.strip()}")
+
+    def show(self) -> None:
+        """Show that it is still waiting, and for what."""
+        if self.elapsed_s >= 1.0:
+            self._dish.progress.show(f"{self.elapsed_s:5.0f} s  waiting: {self._dish.state.link.detail}")
+
+
+def _describe(dish: Dish) -> None:
+    from birdcage.cli.say import say
+
+    state = dish.state
+    assert state.dish is not None, "a station knows its dish from the start"
+    say(f"{state.dish.name}, firmware {state.firmware_version or '-'}, answers at {state.port}.")
+    if state.homed is False:
+        say("It is not homed, so it does not know where it is: run `birdcage home`.")
+    elif state.position is not None and state.position_lost is None:
+        say(f"It points at AZ {state.position.az_deg:.2f}° EL {state.position.el_deg:.2f}°.")
+    tracker = state.readings.get("nvs.20")
+    if tracker is None:
+        say("What its TV search does is not known.")
+    elif tracker.value == "TRUE":
+        say("Its TV search is off (NVS 20 is TRUE), so it does not home by itself: run `birdcage home` at power-up.")
+    else:
+        say(
+            "NVS 20 is FALSE: at power-up this dish homes by itself and then searches for TV satellites, moving "
+            "without being asked. `birdcage init --disable-search` switches that off."
+        )
+
+
+def _switch(dish: Dish, *, disabled: bool, booted: bool) -> None:
+    from birdcage.cli.say import say
+    from birdcage.station.requests import AcknowledgeFault, Release, SetSearch
+
+    if booted:
+        # The restart that a station holds for is here what was waited for.
+        dish.ask(AcknowledgeFault(HOLDER), 5.0)
+        dish.ask(Release(HOLDER), 5.0)
+    backup = dish.ask(SetSearch(HOLDER, disabled), 60.0)
+    say(f"The dish's settings as they were are kept in {backup}.")
+    say(f"NVS 20 is saved as {'TRUE' if disabled else 'FALSE'}. Now switch the dish off and on.")
+
+
+def _confirm(consequence: str, yes: bool) -> None:
+    click.echo(consequence, err=True)
+    if yes:
+        return
+    if not sys.stdin.isatty():
+        raise click.UsageError("Give --yes to do it.")
+    click.confirm("Write it?", abort=True, err=True)

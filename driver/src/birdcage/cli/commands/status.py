@@ -1,0 +1,82 @@
+"""`birdcage status`."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import click
+
+from birdcage.cli import exits
+from birdcage.cli.options import Wanted, flags, global_options, wanted
+
+
+@click.command("status", epilog=exits.EPILOG)
+@click.option("--quick", is_flag=True, help="Do not read its identity and settings, which takes some seconds.")
+@global_options()
+@click.pass_context
+def command(context: click.Context, quick: bool) -> None:
+    """Print all that is known of the dish.
+
+    If another birdcage program has the port, that one is asked. What is not known is a dash, or null in JSON.
+    """
+    from birdcage.base.errors import LinkError, NoReply
+    from birdcage.cli.say import say, tell, tell_json
+
+    dish, trouble = wanted(), None
+    status = _ask_owner(dish)
+    if status is None:
+        try:
+            status = _look(dish, quick=quick)
+        except (LinkError, NoReply) as error:
+            trouble, status = error, _unknown(dish)
+    if flags().json:
+        tell_json(status)
+    else:
+        for name, value in status.items():
+            tell(f"{name:24} {_shown(value)}")
+    if trouble is not None:
+        say(str(trouble))
+        context.exit(exits.code_of(trouble))
+
+
+def _ask_owner(dish: Wanted) -> dict[str, Any] | None:
+    from birdcage.cli.say import say
+    from birdcage.station.ring import NoAnswer, NobodyThere, find_owner, ring
+
+    owner = find_owner(dish.owners, dish.port)
+    if owner is None:
+        return None
+    try:
+        return ring(owner, "status", "birdcage status")
+    except NoAnswer as error:
+        say(f"{error}.")
+    except NobodyThere:
+        pass  # it has ended: the port is free to be opened
+    return None
+
+
+def _look(wanted: Wanted, *, quick: bool) -> dict[str, Any]:
+    from birdcage.cli.dish import open_dish
+    from birdcage.station.report import status_report
+
+    with open_dish(wanted, survey=not quick) as dish:
+        dish.come_up(15.0)
+        if not quick:
+            dish.survey()
+        return dict(status_report(dish.state, dish.now))
+
+
+def _unknown(dish: Wanted) -> dict[str, Any]:
+    """Return the report of a dish that could not be reached: nothing is known of it."""
+    from birdcage.station.report import status_report
+    from birdcage.station.state import StationState
+
+    return dict(status_report(StationState(port=dish.port), 0.0)) | {"firmware": dish.firmware}
+
+
+def _shown(value: object) -> str:
+    if value is None:
+        return "-"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    return str(value["sentence"]) if isinstance(value, dict) else str(value)

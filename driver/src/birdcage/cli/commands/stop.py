@@ -1,0 +1,98 @@
+"""`birdcage stop`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from birdcage.cli import exits
+from birdcage.cli.options import Wanted, flags, global_options, wanted
+
+if TYPE_CHECKING:
+    from birdcage.station.ring import Owner
+
+BY = "birdcage stop"
+
+
+@click.command("stop", epilog=exits.EPILOG)
+@global_options()
+@click.pass_context
+def command(context: click.Context) -> None:
+    """Stop the dish, and say what was really done.
+
+    If another birdcage program has the port, that one stops the dish and holds it until a person releases it there.
+    When no port is named anywhere, every birdcage program that has one is stopped. If none has, the port is opened.
+    """
+    from birdcage.base.errors import LinkError
+
+    dish = wanted()
+    done = _ring(dish)
+    if not done:
+        try:
+            done = [_stop_ourselves(dish)]
+        except LinkError:
+            # One may have taken the port, or given it back, since we looked.
+            done = _ring(dish)
+            if not done:
+                raise
+    _tell(done)
+    if not all(stop["confirmed"] for stop in done):
+        context.exit(exits.NOT_DONE)
+
+
+def _ring(dish: Wanted) -> list[dict[str, Any]]:
+    """Have the owners of the port stop, and return what each did; empty if there is none."""
+    done = []
+    for owner in _owners(dish):
+        stop = _ring_one(owner)
+        if stop is not None:
+            done.append(stop | {"port": owner.port, "pid": owner.pid})
+    return done
+
+
+def _owners(dish: Wanted) -> list[Owner]:
+    from birdcage.station.ring import find_owner, find_owners
+
+    if not dish.port_given:
+        return find_owners(dish.owners)
+    owner = find_owner(dish.owners, dish.port)
+    return [owner] if owner else []
+
+
+def _ring_one(owner: Owner) -> dict[str, Any] | None:
+    from birdcage.station.ring import NoAnswer, NobodyThere, ring
+
+    try:
+        return ring(owner, "stop", BY)
+    except NoAnswer as error:
+        return {"by": BY, "means": "none", "confirmed": False, "sentence": f"{error}: cut the power of the dish."}
+    except NobodyThere:
+        return None
+
+
+def _stop_ourselves(wanted: Wanted) -> dict[str, Any]:
+    """Open the port, look where the dish is and whether it moves, and stop it."""
+    from birdcage.cli.dish import open_dish
+    from birdcage.station.report import stop_report
+
+    with open_dish(wanted, survey=False) as dish:
+        dish.come_up(15.0, patient=True)
+        report = dish.stop(BY)
+        port = dish.state.port
+    if report is None:
+        sentence = "STOP was sent; whether the dish stands still is not known."
+        return {"by": BY, "means": "sent", "confirmed": None, "sentence": sentence, "port": port}
+    return stop_report(report) | {"port": port}
+
+
+def _tell(done: list[dict[str, Any]]) -> None:
+    from birdcage.cli.say import tell, tell_json
+
+    for stop in done:
+        if flags().json:
+            tell_json(stop)
+            continue
+        whose = f" ({stop['port']}, process {stop['pid']})" if "pid" in stop else ""
+        held = " Held until a person releases it there." if "pid" in stop else ""
+        tell(f"{stop['sentence']}{held}{whose}")

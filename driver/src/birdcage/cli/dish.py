@@ -1,0 +1,234 @@
+"""A dish for the length of one command: opened, waited for, and never left moving by accident."""
+
+from __future__ import annotations
+
+import queue
+import signal
+import threading
+import traceback
+from collections.abc import Callable, Iterator
+from concurrent.futures import Future
+from contextlib import ExitStack, contextmanager
+from types import FrameType
+
+import click
+
+from birdcage.base.clock import RealClock
+from birdcage.base.errors import BirdcageError, ConfigError, LinkError, NoReply
+from birdcage.cli import exits
+from birdcage.cli.app import Ended
+from birdcage.cli.options import Wanted
+from birdcage.cli.say import Progress, say
+from birdcage.station.doorbell import Doorbell
+from birdcage.station.events import Event, StopConfirmed
+from birdcage.station.inhibitor import SleepInhibitor
+from birdcage.station.known import list_firmwares
+from birdcage.station.requests import Request, Watch
+from birdcage.station.session import Session
+from birdcage.station.state import Activity, Link, StationState, StopReport
+
+SLICE_S = 0.1
+"""How long a wait goes without looking round: on Windows no signal ends it."""
+CONFIRM_S = 4.0
+"""How long the end of a command waits for the dish to confirm a STOP."""
+SURVEY_S = 10.0
+"""The line counts as quiet 4 s after it was opened; a survey takes less than one."""
+
+Hear = Callable[[Event], None]
+
+
+class Dish:
+    """The session of one command, and the waiting for it. Signals end every wait with `Ended`, after STOP."""
+
+    def __init__(self, session: Session, *, moves: bool) -> None:
+        self.session, self.station = session, session.station
+        self.progress = Progress()
+        self.confirmed: StopReport | None = None
+        """What the dish said to the last STOP."""
+        self.closing = False
+        self.leave_moving = False
+        """Set when the motion shall outlive the command."""
+        self._moves = moves
+        self._events: queue.SimpleQueue[Event | None] = queue.SimpleQueue()
+        self._signal: int | None = None
+        self.station.subscribe(self._events.put)
+
+    @property
+    def state(self) -> StationState:
+        """What is known now."""
+        return self.station.state
+
+    @property
+    def now(self) -> float:
+        """Monotonic seconds of the session's clock."""
+        return self.session.clock.monotonic()
+
+    def on_signal(self, number: int, _frame: FrameType | None) -> None:
+        """STOP before anything else; the wait under way ends afterwards."""
+        if self._moves and not self.closing:
+            self.station.stop(signal.Signals(number).name)
+        self._signal = number
+        self._events.put(None)
+
+    def come_up(
+        self, timeout_s: float, *, patient: bool = False, hear: Hear | None = None,
+        each_time: Callable[[], None] = lambda: None,
+    ) -> StationState:  # fmt: skip
+        """Wait until the dish answers. LinkError when the port can't be had, NoReply when the dish does not answer.
+
+        Someone patient waits out the silence (of a dish that boots) until the time is over.
+        """
+        deadline = self.now + timeout_s
+        while self.state.link.state is not Link.UP:
+            link, over = self.state.link, self.now >= deadline
+            if link.state is Link.LOST and (over or not patient or link.last_reply is None):
+                raise LinkError(link.detail)
+            if over or (link.state is Link.SILENT and not patient):
+                raise NoReply(link.detail)
+            self.look(hear)
+            each_time()
+        return self.state
+
+    def ask(self, request: Request, timeout_s: float, hear: Hear | None = None) -> object:
+        """Submit a request and wait for its result, which may be the error that it raises."""
+        future = self.station.submit(request)
+        self.wait(future, timeout_s, hear)
+        return future.result()
+
+    def wait(self, future: Future[object], timeout_s: float, hear: Hear | None = None) -> None:
+        """Wait for a future; BirdcageError when it takes too long."""
+        deadline = self.now + timeout_s
+        while not future.done():
+            if self.now >= deadline:
+                raise BirdcageError(f"Not done within {timeout_s:.0f} s.", reason="timeout")
+            self.look(hear)
+
+    def look(self, hear: Hear | None = None) -> None:
+        """Wait a moment for something to happen. Raises Ended after a signal, and what ended the station's thread."""
+        self._next(hear)
+        if self._signal is not None:
+            raise Ended(self._signal)
+        if self.session.crash is not None:
+            raise self.session.crash
+
+    def _next(self, hear: Hear | None = None) -> None:
+        try:
+            event = self._events.get(timeout=SLICE_S)
+        except queue.Empty:
+            return
+        if isinstance(event, StopConfirmed):
+            self.confirmed = event.report
+        if event is not None and hear is not None:
+            hear(event)
+
+    def survey(self) -> None:
+        """Wait until the dish has told its limits and settings, which it is asked once the line is proven quiet."""
+        deadline = self.now + SURVEY_S
+        self.station.submit(Watch("birdcage", frozenset({"position"})))
+        while not self.state.readings and self.now < deadline and self.state.link.state is Link.UP:
+            self.progress.show("Reading the dish's settings …")
+            self.look()
+        self.progress.clear()
+
+    def close(self) -> str:
+        """Give the port back, and return where the dish is left."""
+        self.progress.clear()
+        self.closing = True
+        return self.session.close(leave_moving=self.leave_moving)
+
+    @property
+    def in_motion(self) -> bool:
+        """Whether the dish moves, as far as is known."""
+        return self.state.motion is not None or self.state.activity in (
+            Activity.SLEWING, Activity.STOPPING, Activity.HOMING, Activity.MOVING_UNASKED,
+        )  # fmt: skip
+
+    def stop(self, by: str) -> StopReport | None:
+        """STOP, and wait for what came of it; None when nothing did in time."""
+        called = self.now
+        self.station.stop(by)
+        return self.settle(called)
+
+    def settle(self, since: float) -> StopReport | None:
+        """Wait for what came of a STOP that was called at `since` or later."""
+        deadline = self.now + CONFIRM_S
+        while self.now < deadline and self.session.crash is None:
+            if self.confirmed is not None and self.confirmed.at >= since:
+                return self.confirmed
+            self._next()
+        return None
+
+
+@contextmanager
+def open_dish(wanted: Wanted, *, moves: bool = False, survey: bool = True) -> Iterator[Dish]:
+    """Open the dish for one command, and close it whatever happens.
+
+    `moves`: the command may move the dish, so a signal or an error sends STOP before the port is closed, and a last
+    line says where the dish is. ConfigError for a firmware that this version does not speak.
+    """
+    dish = Dish(_session(wanted, survey=survey), moves=moves)
+    with ExitStack() as stack:
+        _take_signals(stack, dish)
+        begun = dish.now
+        if not wanted.port.startswith("sim:"):
+            stack.callback(Doorbell(dish.station, wanted.owners).close)
+        if moves:
+            stack.callback(SleepInhibitor(dish.station).close)
+        dish.session.start()
+        try:
+            yield dish
+        except (BirdcageError, Ended, click.ClickException) as error:
+            _leave(dish, begun, error)
+            raise
+        except BaseException as crash:
+            if moves:
+                dish.station.stop("a fault of birdcage")
+            traceback.print_exception(crash)
+            _leave(dish, begun, crash)
+            for line in crash.__notes__:
+                say(line)
+            raise click.exceptions.Exit(exits.CRASH) from crash
+        else:
+            dish.close()
+
+
+def _leave(dish: Dish, begun: float, error: BaseException) -> None:
+    """Stop what moves, and close. What is to be said after the error itself goes into its notes."""
+    error.__notes__ = []
+    stopped = dish.state.last_stop is not None
+    if dish.in_motion and not stopped:
+        dish.station.stop("birdcage")
+        stopped = True
+    if stopped:
+        report = dish.settle(begun) or dish.state.last_stop
+        if report is not None:
+            error.add_note(report.sentence)
+    farewell = dish.close()
+    if stopped or isinstance(error, Ended):
+        error.add_note(farewell)
+
+
+def _session(wanted: Wanted, *, survey: bool) -> Session:
+    from birdcage.station.build import open_session
+
+    known = list_firmwares()
+    if wanted.firmware not in known:
+        default = "" if wanted.firmware_given else ", the default of --firmware"
+        raise ConfigError(
+            f"This version does not speak {wanted.firmware}{default}: it speaks {', '.join(known)}. "
+            f"For a Carryout G2 give --firmware g2, or set BIRDCAGE_FIRMWARE=g2."
+        )
+    return open_session(
+        port=wanted.port, firmware=wanted.firmware, baud=wanted.baud, settings=wanted.settings, paths=wanted.paths,
+        clock=RealClock(), survey=survey,
+    )  # fmt: skip
+
+
+def _take_signals(stack: ExitStack, dish: Dish) -> None:
+    if threading.current_thread() is not threading.main_thread():
+        return  # only the main thread can; a program that runs commands elsewhere keeps its own handlers
+    for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK"):
+        number = getattr(signal, name, None)
+        # What was ignored from the start (nohup, a job in the background) stays ignored.
+        if number is not None and signal.getsignal(number) is not signal.SIG_IGN:
+            stack.callback(signal.signal, number, signal.signal(number, dish.on_signal))

@@ -1,0 +1,39 @@
+"""Exit codes of `birdcage`, and which error has which."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from birdcage.base.errors import BirdcageError
+
+OK = 0
+NOT_DONE = 1
+"""The dish did not do it: did not arrive, refused the command, was stopped, or did not confirm a STOP."""
+USAGE = 2
+"""The command line or the settings are wrong."""
+LINK = 3
+"""The port is missing, busy or forbidden, or nothing answers there."""
+REFUSED = 4
+"""A limit, or an unknown position, forbids the motion: nothing was sent."""
+CRASH = 70
+"""A fault of birdcage itself."""
+SIGNAL = 128
+"""Plus the signal's number: 130 after Ctrl+C."""
+
+EPILOG = (
+    "Exit status: 0 done; 1 the dish did not do it; 2 wrong command line or settings; 3 no link to the dish; "
+    "4 refused by a limit or an unknown position, nothing was sent; 70 a fault of birdcage; "
+    "128 + n ended by signal n (130: Ctrl+C), after STOP."
+)
+
+
+def code_of(error: BirdcageError) -> int:
+    """Return the exit code for an error."""
+    from birdcage.base.errors import ConfigError, LinkError, MotionRefused, NoReply
+
+    if isinstance(error, ConfigError):
+        return USAGE
+    if isinstance(error, LinkError | NoReply) or error.reason == "link":
+        return LINK
+    return REFUSED if isinstance(error, MotionRefused) else NOT_DONE

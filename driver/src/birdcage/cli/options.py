@@ -1,0 +1,149 @@
+"""The global options, accepted before and after the subcommand, and what they come to with variables and the file."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import click
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from birdcage.base.config import Settings
+    from birdcage.base.paths import Paths
+
+DEFAULT_PORT = "/dev/ttyUSB0"
+DEFAULT_FIRMWARE = "hal205"
+
+AnyCallable = TypeVar("AnyCallable", bound=Callable[..., Any])
+
+
+@dataclass
+class Flags:
+    """The global options as given; None is *not given*. The one after the subcommand counts."""
+
+    values: dict[str, Any] = field(default_factory=dict)
+
+    def get(self, name: str) -> Any:  # noqa: ANN401 - as varied as options are
+        """Return what was given for an option."""
+        return self.values.get(name)
+
+    @property
+    def json(self) -> bool:
+        """Whether data is wanted as JSON."""
+        return bool(self.values.get("json"))
+
+
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """Which dish, reached how: flags over variables over the file over defaults."""
+
+    port: str
+    port_given: bool
+    """Whether anybody named the port; else it is the default."""
+    firmware: str
+    firmware_given: bool
+    baud: int | None
+    settings: Settings
+    paths: Paths
+
+    @property
+    def owners(self) -> Path:
+        """The folder in which processes announce that they own a port."""
+        return self.paths.state / "owners"
+
+
+def flags() -> Flags:
+    """Return the flags of the command under way."""
+    return click.get_current_context().ensure_object(Flags)
+
+
+def _keep(context: click.Context, parameter: click.Parameter, value: Any) -> None:  # noqa: ANN401 - click's signature
+    given = context.find_root().ensure_object(Flags)
+    if value not in (None, False) and parameter.name is not None:
+        given.values[parameter.name] = value
+        if parameter.name == "verbose":
+            _log_everything()
+
+
+def _log_everything() -> None:
+    import logging
+
+    logging.basicConfig(level=logging.DEBUG, format="%(relativeCreated)7.0f ms %(name)s: %(message)s", force=True)
+
+
+_OPTIONS: dict[str, tuple[tuple[str, ...], dict[str, Any]]] = {
+    "verbose": (("-v", "--verbose"), {"is_flag": True, "help": "Tell every detail on stderr."}),
+    "port": (
+        ("--port",),
+        {"metavar": "PORT", "help": f"Serial port or URL, or BIRDCAGE_PORT.  [default: {DEFAULT_PORT}]"},
+    ),
+    "firmware": (
+        ("--firmware",),
+        {"metavar": "NAME", "help": f"Firmware, or BIRDCAGE_FIRMWARE.  [default: {DEFAULT_FIRMWARE}]"},
+    ),
+    "baud": (
+        ("--baud",),
+        {"type": click.IntRange(50, 4_000_000), "help": "Speed of the port.  [default: the firmware's]"},
+    ),
+    "json": (("--json",), {"is_flag": True, "help": "Print data as JSON."}),
+    "config": (("--config",), {"type": click.Path(), "help": "Another birdcage.toml."}),
+}
+
+
+def global_options(*names: str) -> Callable[[AnyCallable], AnyCallable]:
+    """Add the global options, or those named, to a command. `flags` and `wanted` return what they hold."""
+
+    def decorate(function: AnyCallable) -> AnyCallable:
+        for name in reversed(names or tuple(_OPTIONS)):
+            declarations, attributes = _OPTIONS[name]
+            function = click.option(*declarations, name, callback=_keep, expose_value=False, **attributes)(function)
+        return function
+
+    return decorate
+
+
+def find_paths() -> Paths:
+    """Return where files live; ConfigError for a `--config` that names no file."""
+    from pathlib import Path
+
+    from birdcage.base.errors import ConfigError
+    from birdcage.base.paths import Paths
+
+    paths, chosen = Paths.default(), flags().get("config")
+    if chosen is None:
+        return paths
+    if not Path(chosen).is_file():
+        raise ConfigError(f"{chosen} (--config) is no file.")
+    return paths.with_config(Path(chosen))
+
+
+def load_settings(paths: Paths) -> Settings:
+    """Return the settings with the flags of this command over them."""
+    from birdcage.base.config import load
+
+    given = flags()
+    over = {"dish.port": given.get("port"), "dish.firmware": given.get("firmware"), "dish.baud": given.get("baud")}
+    return load(paths.config_file, flags=over)
+
+
+def wanted() -> Wanted:
+    """Return which dish is meant, and say what in the settings could not be read."""
+    from birdcage.cli.say import say
+
+    paths = find_paths()
+    settings = load_settings(paths)
+    for problem in settings.problems:
+        say(problem.text)
+    dish = settings.dish
+    return Wanted(
+        port=dish.port or DEFAULT_PORT,
+        port_given=dish.port is not None,
+        firmware=dish.firmware or DEFAULT_FIRMWARE,
+        firmware_given=dish.firmware is not None,
+        baud=dish.baud,
+        settings=settings,
+        paths=paths,
+    )

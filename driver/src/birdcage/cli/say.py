@@ -1,0 +1,55 @@
+"""stdout is data, stderr is narration."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import sys
+from collections.abc import Mapping, Sequence
+
+
+def say(sentence: str) -> None:
+    """Tell a person something. The terminal may be gone (SIGHUP): what follows must happen all the same."""
+    with contextlib.suppress(OSError):
+        print(sentence, file=sys.stderr, flush=True)
+
+
+def tell(line: str) -> None:
+    """Print a line of data."""
+    print(line, flush=True)
+
+
+def tell_json(value: Mapping[str, object] | Sequence[object]) -> None:
+    """Print data as one line of JSON."""
+    tell(json.dumps(value, ensure_ascii=False))
+
+
+def position_lines(az_deg: float, el_deg: float) -> str:
+    """Return a position as the API document shows it: at least one decimal, at most two."""
+    return f"AZ: {round(az_deg, 2) % 360.0 + 0.0}\nEL: {round(el_deg, 2) + 0.0}"
+
+
+class Progress:
+    """One line on a terminal, written over and over; nothing elsewhere."""
+
+    def __init__(self) -> None:
+        self._shown = False
+        self._on = sys.stderr.isatty()
+
+    def show(self, text: str) -> None:
+        """Replace the line."""
+        if self._on:
+            self._shown = True
+            self._write(f"\r\033[K{text}")
+
+    def clear(self) -> None:
+        """Take the line away, before something else is said."""
+        if self._shown:
+            self._shown = False
+            self._write("\r\033[K")
+
+    @staticmethod
+    def _write(text: str) -> None:
+        with contextlib.suppress(OSError):
+            sys.stderr.write(text)
+            sys.stderr.flush()

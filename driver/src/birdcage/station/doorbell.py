@@ -1,0 +1,162 @@
+"""Lets `birdcage stop` and `birdcage status` reach the process that owns the port: only one can have it open.
+
+The owner listens on 127.0.0.1, on a TCP port that the system chooses, and leaves a file that only its user may read:
+where it listens, and a token. One JSON line in, one out:
+
+    {"token": "…", "do": "stop", "by": "birdcage stop"}  ->  {"ok": true, "stop": {…}}     (`report.stop_report`)
+    {"token": "…", "do": "status"}                       ->  {"ok": true, "status": {…}}   (`report.status_report`)
+
+The caller's side is `ring`.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hmac
+import json
+import logging
+import os
+import secrets
+import select
+import socket
+import threading
+from pathlib import Path
+
+from birdcage.base.wake import Wake
+from birdcage.station.events import Event, LinkChanged, StopConfirmed
+from birdcage.station.report import status_report, stop_report
+from birdcage.station.ring import owner_file
+from birdcage.station.state import Link
+from birdcage.station.station import Station
+
+LONGEST_LINE = 4096
+LINE_S = 2.0
+"""How long a caller may take to say what it wants."""
+CONFIRM_S = 6.0
+"""How long the answer to a stop waits for the dish to confirm: five repeats, and the time to come to rest."""
+ANSWERED_S = 0.3
+"""How long closing waits for an answer that is being sent."""
+
+log = logging.getLogger(__name__)
+
+
+class Doorbell:
+    """Rung by other processes of the same user. Never announced for a simulated dish inside this process."""
+
+    def __init__(self, station: Station, folder: Path) -> None:
+        """Listen for `station`; `folder` is where owners leave their files. OSError when that cannot be done."""
+        self._station, self._folder = station, folder
+        self._token = secrets.token_hex(16)
+        self._file: Path | None = None
+        self._lock = threading.Lock()
+        self._callers: list[threading.Thread] = []
+        self._wake = Wake()
+        self._listener = socket.create_server(("127.0.0.1", 0))
+        self._listener.setblocking(False)
+        self._thread = threading.Thread(target=self._listen, name="doorbell", daemon=True)
+        self._thread.start()
+        self._unsubscribe = station.subscribe(self._hear)
+
+    def close(self) -> None:
+        """Stop listening, take the file away, and let those who rang have their answer."""
+        self._unsubscribe()
+        with self._lock:
+            self._withdraw()
+        self._wake.set()
+        self._thread.join(1.0)
+        for caller in self._callers:
+            caller.join(ANSWERED_S)
+
+    def _hear(self, event: Event) -> None:
+        """Announce the port once it is really ours, which its being open proves: another program may have it."""
+        if isinstance(event, LinkChanged) and event.link.state in (Link.UP, Link.SILENT):
+            state = self._station.state
+            if state.demo or not state.port:
+                return
+            try:
+                with self._lock:
+                    self._announce(state.port)
+            except OSError as error:
+                log.warning("`birdcage stop` will not reach this program: %s", error)
+
+    def _announce(self, port: str) -> None:
+        path = owner_file(self._folder, port)
+        if self._file not in (None, path):
+            self._withdraw()
+        text = json.dumps(
+            {"pid": os.getpid(), "tcp_port": self._listener.getsockname()[1], "token": self._token, "port": port}
+        )
+        self._folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+        aside = path.with_suffix(f".{os.getpid()}")
+        aside.unlink(missing_ok=True)
+        descriptor = os.open(aside, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+        with os.fdopen(descriptor, "w", encoding="utf-8") as file:
+            file.write(text)
+        aside.replace(path)
+        self._file = path
+
+    def _withdraw(self) -> None:
+        """Remove the file, unless another owner has replaced it."""
+        if self._file is None:
+            return
+        with contextlib.suppress(OSError):
+            if self._token in self._file.read_text(encoding="utf-8"):
+                self._file.unlink()
+        self._file = None
+
+    def _listen(self) -> None:
+        while True:
+            select.select([self._listener.fileno(), self._wake.fileno()], [], [])
+            if self._wake.is_set():
+                break
+            with contextlib.suppress(OSError):  # the caller has hung up already
+                caller, _ = self._listener.accept()
+                # A thread each: a caller that says nothing must not keep the next one's STOP waiting.
+                thread = threading.Thread(target=self._answer, args=(caller,), name="doorbell caller", daemon=True)
+                self._callers = [*(other for other in self._callers if other.is_alive()), thread]
+                thread.start()
+        self._listener.close()
+        self._wake.close()
+
+    def _answer(self, caller: socket.socket) -> None:
+        with caller, contextlib.suppress(OSError):
+            caller.setblocking(True)
+            caller.settimeout(LINE_S)
+            with caller.makefile("rb") as lines:
+                reply = self._serve(lines.readline(LONGEST_LINE))
+            caller.sendall(json.dumps(reply).encode() + b"\n")
+
+    def _serve(self, line: bytes) -> dict[str, object]:
+        try:
+            asked = json.loads(line)
+        except ValueError:
+            return {"ok": False, "error": "not a JSON line"}
+        if not isinstance(asked, dict) or not hmac.compare_digest(str(asked.get("token")), self._token):
+            return {"ok": False, "error": "wrong token"}
+        match asked.get("do"):
+            case "stop":
+                return {"ok": True, "stop": self._stop(str(asked.get("by") or "another program"))}
+            case "status":
+                station = self._station
+                return {"ok": True, "status": status_report(station.state, station.clock.monotonic())}
+            case other:
+                return {"ok": False, "error": f"cannot do {other!r}"}
+
+    def _stop(self, by: str) -> dict[str, object]:
+        called = self._station.clock.monotonic()
+        confirmed = threading.Event()
+
+        def hear(event: Event) -> None:
+            if isinstance(event, StopConfirmed) and event.report.confirmed is not None and event.at >= called:
+                confirmed.set()
+
+        unsubscribe = self._station.subscribe(hear)
+        try:
+            self._station.stop(by)
+            confirmed.wait(CONFIRM_S)
+        finally:
+            unsubscribe()
+        last = self._station.state.last_stop
+        if last is None or last.at < called:
+            return {"by": by, "means": "sent", "confirmed": None, "sentence": "STOP was called; nothing came of it."}
+        return dict(stop_report(last))

@@ -1,0 +1,140 @@
+"""Keeps the machine awake while the dish moves: a suspended program stops nothing."""
+
+from __future__ import annotations
+
+import logging
+import os
+import queue
+import shutil
+import subprocess
+import sys
+import threading
+from collections.abc import Callable
+from typing import Protocol
+
+from birdcage.station.events import ActivityChanged, Event
+from birdcage.station.state import Activity
+from birdcage.station.station import Station
+
+AFTER_S = 10.0
+"""How long it is held after the dish came to rest: the next motion often follows soon."""
+MOVING = (Activity.SLEWING, Activity.STOPPING, Activity.HOMING, Activity.MOVING_UNASKED)
+
+log = logging.getLogger(__name__)
+
+
+class Hold(Protocol):
+    """A hold on the machine's sleep."""
+
+    def works(self) -> bool:
+        """Whether the system still honours it."""
+
+    def let_go(self) -> None:
+        """Let the machine sleep again."""
+
+
+Launcher = Callable[[], Hold | None]
+"""Takes a hold; None where the system has no such thing. May raise OSError."""
+
+
+class _Child:
+    """A helper process that holds the machine awake while it lives."""
+
+    def __init__(self, command: list[str]) -> None:
+        # The child ends when its standard input does: so also when this program is killed.
+        self._process = subprocess.Popen(  # noqa: S603 - the command is ours
+            command,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+            start_new_session=True,
+        )
+
+    def works(self) -> bool:
+        return self._process.poll() is None
+
+    def let_go(self) -> None:
+        if self._process.stdin is not None:
+            self._process.stdin.close()
+        self._process.terminate()
+        try:
+            self._process.wait(1.0)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+
+
+def launch() -> Hold | None:
+    """Hold by `systemd-inhibit` on Linux, `caffeinate` on macOS; None elsewhere."""
+    if sys.platform == "darwin":
+        name, rest = "caffeinate", ["-i", "-w", str(os.getpid())]
+    else:
+        why = ["--what=sleep:idle", "--who=birdcage", "--why=The dish moves", "--mode=block"]
+        name, rest = "systemd-inhibit", [*why, "cat"]
+    path = shutil.which(name)
+    return _Child([path, *rest]) if path else None
+
+
+class SleepInhibitor:
+    """Holds while the dish of `station` moves and `after_s` longer; never for a simulated dish. All on its own thread.
+
+    On a system without such a thing, the log says so once.
+    """
+
+    def __init__(self, station: Station, launch: Launcher = launch, *, after_s: float = AFTER_S) -> None:
+        self._station, self._launch, self._after_s = station, launch, after_s
+        self._told: queue.SimpleQueue[bool | None] = queue.SimpleQueue()
+        self._thread: threading.Thread | None = None
+        self._hopeless = False
+        self._unsubscribe = station.subscribe(self._hear)
+
+    def close(self) -> None:
+        """Let the machine sleep; waits for the helper process to end, a second at most."""
+        self._unsubscribe()
+        if self._thread is not None:
+            self._told.put(None)
+            self._thread.join(1.0)
+
+    def _hear(self, event: Event) -> None:
+        if not isinstance(event, ActivityChanged) or self._station.state.demo:
+            return
+        if self._thread is None:
+            if event.activity not in MOVING:
+                return
+            self._thread = threading.Thread(target=self._run, name="sleep inhibitor", daemon=True)
+            self._thread.start()
+        self._told.put(event.activity in MOVING)
+
+    def _run(self) -> None:
+        hold: Hold | None = None
+        moving: bool | None = False
+        while moving is not None:
+            try:
+                moving = self._told.get(timeout=self._after_s if hold is not None and not moving else None)
+            except queue.Empty:
+                self._end(hold)
+                hold = None
+                continue
+            if moving and hold is None and not self._hopeless:
+                hold = self._begin()
+        self._end(hold)
+
+    def _begin(self) -> Hold | None:
+        try:
+            hold = self._launch()
+        except OSError as error:
+            hold, why = None, str(error)
+        else:
+            why = "this system has no sleep inhibitor that birdcage knows"
+        if hold is None:
+            self._give_up(why)
+        return hold
+
+    def _end(self, hold: Hold | None) -> None:
+        if hold is not None:
+            if not hold.works():
+                self._give_up("the system refused the sleep inhibitor")
+            hold.let_go()
+
+    def _give_up(self, why: str) -> None:
+        self._hopeless = True
+        log.info("The machine may fall asleep while the dish moves: %s.", why)

@@ -1,0 +1,13 @@
+"""What this version knows of firmwares and ports: for the faces, which do not look below the station."""
+
+from __future__ import annotations
+
+from birdcage.link.ports import PortInfo, list_ports
+from birdcage.protocol.registry import FIRMWARE_REGISTRY
+
+__all__ = ["PortInfo", "list_firmwares", "list_ports"]
+
+
+def list_firmwares() -> tuple[str, ...]:
+    """Return the short names of the firmwares that this version speaks."""
+    return tuple(sorted(FIRMWARE_REGISTRY))

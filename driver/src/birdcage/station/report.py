@@ -1,0 +1,61 @@
+"""The station's state as plain values: what `birdcage status --json` and the doorbell tell."""
+
+from __future__ import annotations
+
+from birdcage.protocol.model import Turn
+from birdcage.station.state import Activity, Link, Search, StationState, StopReport
+
+Value = str | float | bool | None
+
+
+def status_report(state: StationState, now: float) -> dict[str, Value | dict[str, Value]]:
+    """Return the state as a dict that JSON can hold; what is not known is None.
+
+    `now` is the station's monotonic time, from which ages in seconds are counted. Angles are true degrees, as read:
+    a position that no longer holds is left out, and `position_lost` says why.
+    """
+    pointing = state.position if state.position_lost is None else None
+    motion, held, dish = state.motion, state.held, state.dish
+    return {
+        "connected": state.link.state is Link.UP,
+        "link": state.link.state.value,
+        "link_detail": state.link.detail or None,
+        "last_reply_age_s": _age(state.link.last_reply, now),
+        "port": state.port or None,
+        "demo": state.demo,
+        "firmware": dish.firmware if dish else None,
+        "firmware_version": state.firmware_version,
+        "azimuth_deg": _rounded(pointing.az_deg) if pointing else None,
+        "elevation_deg": _rounded(pointing.el_deg) if pointing else None,
+        "age_s": _age(pointing.at, now) if pointing else None,
+        "position_lost": state.position_lost,
+        "target_azimuth_deg": _rounded(motion.to_az_deg) if motion else None,
+        "target_elevation_deg": _rounded(motion.to_el_deg) if motion else None,
+        "homed": state.homed,
+        "activity": None if state.activity is Activity.UNKNOWN else state.activity.value,
+        "holder": state.holder,
+        "held": held is not None,
+        "held_by": held.by if held else None,
+        "held_reason": held.reason if held else None,
+        "fault": state.fault.what if state.fault else None,
+        "motion_refused_because": state.motion_refused_because,
+        "search": None if state.search is Search.UNKNOWN else state.search.value,
+        "turn_of_cable": None if state.turn is Turn.UNKNOWN else state.turn.value,
+        "cable_deg": _rounded(pointing.cable_deg) if pointing and pointing.cable_deg is not None else None,
+        "stop_power_s": motion.stop_power_s if motion else None,
+        "stop_means": motion.stop_means if motion else None,
+        "last_stop": stop_report(state.last_stop) if state.last_stop else None,
+    }
+
+
+def stop_report(report: StopReport) -> dict[str, Value]:
+    """Return what a STOP really did; `confirmed` is None while, or where, that is not known."""
+    return {"by": report.by, "means": report.means, "confirmed": report.confirmed, "sentence": report.sentence}
+
+
+def _age(at: float | None, now: float) -> float | None:
+    return None if at is None else round(max(0.0, now - at), 3)
+
+
+def _rounded(angle_deg: float) -> float:
+    return round(angle_deg, 3)

@@ -1,0 +1,97 @@
+"""Rings the doorbell of the process that owns a port. The owner's side is `doorbell`."""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import json
+import os
+import re
+import socket
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+CONNECT_S = 1.0
+ANSWER_S = 10.0
+"""Longer than the owner waits for the dish to confirm a STOP."""
+
+
+@dataclass(frozen=True, slots=True)
+class Owner:
+    """A process that has a port open, as it announced itself."""
+
+    pid: int
+    port: str
+    tcp_port: int
+    token: str
+    file: Path
+
+
+class NobodyThere(Exception):
+    """No process answers: it never listened, or it has ended."""
+
+
+class NoAnswer(Exception):
+    """The process lives, and does not answer."""
+
+
+def owner_file(folder: Path, port: str) -> Path:
+    """Return the file in which the owner of `port` announces itself; all names of one device lead to one file."""
+    real = port if "://" in port else os.path.realpath(port)
+    # The name is for people; what tells one port from another is the sum.
+    readable = re.sub(r"\W+", "-", real).strip("-")[-40:]
+    return folder / f"{readable}-{hashlib.sha256(real.encode()).hexdigest()[:8]}.json"
+
+
+def find_owner(folder: Path, port: str) -> Owner | None:
+    """Return who announced to own `port`; whether it still lives shows when it is rung."""
+    return _read(owner_file(folder, port))
+
+
+def find_owners(folder: Path) -> list[Owner]:
+    """Return all that announced themselves."""
+    found = (_read(path) for path in sorted(folder.glob("*.json")))
+    return [owner for owner in found if owner is not None]
+
+
+def ring(owner: Owner, do: str, by: str) -> dict[str, Any]:
+    """Ask the owner to `stop` or for its `status`, and return what it tells; `by` says who asks.
+
+    NobodyThere when it has ended, or ends before it answers; a file left behind by it is then removed. NoAnswer when
+    it lives and keeps silent.
+    """
+    asked = json.dumps({"token": owner.token, "do": do, "by": by}).encode() + b"\n"
+    try:
+        with socket.create_connection(("127.0.0.1", owner.tcp_port), CONNECT_S) as line:
+            line.settimeout(ANSWER_S)
+            line.sendall(asked)
+            with line.makefile("rb") as lines:
+                reply = json.loads(lines.readline())
+    except TimeoutError:
+        raise NoAnswer(f"Process {owner.pid} has {owner.port} and does not answer") from None
+    except (OSError, ValueError):
+        _forget(owner)
+        raise NobodyThere(f"process {owner.pid} has ended") from None
+    if not isinstance(reply, dict) or not reply.get("ok"):
+        # The system gave its TCP port to another program.
+        _forget(owner)
+        raise NobodyThere(f"process {owner.pid} has ended")
+    told = reply.get(do)
+    return told if isinstance(told, dict) else {}
+
+
+def _read(path: Path) -> Owner | None:
+    try:
+        told = json.loads(path.read_text(encoding="utf-8"))
+        return Owner(int(told["pid"]), str(told["port"]), int(told["tcp_port"]), str(told["token"]), path)
+    except (OSError, ValueError, KeyError, TypeError):
+        return None
+
+
+def _forget(owner: Owner) -> None:
+    """Remove what a dead process left, unless a living one has replaced it since."""
+    with contextlib.suppress(OSError):
+        now = _read(owner.file)
+        if now is not None and now.token == owner.token:
+            owner.file.unlink()
