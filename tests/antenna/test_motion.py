@@ -47,3 +47,15 @@ def test_a_second_stop_aims_where_the_first_one_did():
     first = motion.stopped(0.5, 1.0)
     assert first.stopped(0.6, 1.0).rest == pytest.approx(first.rest)
     assert first.stopped(9.0, 1.0).rest == pytest.approx(first.rest)
+
+
+def test_an_azimuth_that_turns_the_other_way_round_is_noticed():
+    """The turn of the cable was not known: 170 deg ahead is 190 deg the other way for a cable at its stop."""
+    motion = start_motion(CARRYOUT_G2, Position(0.0, 45.0), 170.0, 45.0, now=0.0)
+    real = plan_slew(0, -190, 65, 400)
+    for tenths in range(1, 11):
+        motion = motion.with_reading(Position(real.at(tenths / 10)[0] % 360, 45.0), tenths / 10, 1.0)
+    position, velocity = real.at(1.05)
+    aim = motion.stopped(1.05, 1.0).rest[0] - 360
+    rest = position + velocity * abs(velocity) / 800
+    assert rest - 10 < aim <= rest

@@ -84,7 +84,7 @@ class Bench:
         """Lines that move an axis, received after `time`."""
         return [
             line for at, line in self.received()
-            if at > time and (line.startswith("a ") or line.startswith(("h ", "g ")))
+            if at > time and line.startswith(("a ", "h ", "g "))
         ]  # fmt: skip
 
     def kinds(self):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import pytest
 from birdcage.sim.port import SimPort
 from birdcage.station.requests import Goto, Home, Unwatch, Watch
@@ -48,7 +50,7 @@ def test_rest_traffic_stays_within_three_commands_a_second():
         assert sum(first <= at < first + 10 for at in times) <= 30
     visits = [at for at, line in bench.received() if at > start and line == "dvb"]
     assert len(visits) > 8
-    assert all(later - earlier >= 4.99 for earlier, later in zip(visits, visits[1:], strict=False))
+    assert all(later - earlier >= 4.99 for earlier, later in pairwise(visits))
     assert "rssi" in bench.state.readings
 
 
@@ -92,9 +94,8 @@ def test_the_dish_s_own_limits_count():
         port.write(line.encode() + b"\r")
         bench.clock.advance(2)
     bench.device.power_cycle()
-    for _second in range(60):
-        bench.clock.advance(1)
-        port.read()
+    bench.clock.advance(60)
+    assert b"Boot Complete" in port.read()
     bench.connect()
     bench.do(Home("you"), seconds=60)
     bench.watch("position")

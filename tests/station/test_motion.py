@@ -128,3 +128,12 @@ def test_an_offset_stands_between_base_and_world():
     assert pointing.az_deg == pytest.approx(5, abs=0.07)
     assert pointing.dish_az_deg == pytest.approx(355, abs=0.07)
     assert "a 1 45.00" in bench.lines()
+
+
+def test_the_time_of_arrival_follows_a_slow_dish():
+    bench = Bench("g2?seed=1&az_speed=2").connect()
+    bench.do(go(350, 45))
+    bench.station.submit(go(330, 45))
+    bench.step(3)
+    motion = bench.state.motion
+    assert motion.eta - bench.clock.monotonic() == pytest.approx(7, abs=1)

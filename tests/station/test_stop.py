@@ -150,3 +150,18 @@ def test_stop_without_a_link_latches_and_says_so(bench):
     assert bench.state.held is not None
     assert bench.state.last_stop.means == "no link"
     assert bench.state.last_stop.confirmed is False
+
+
+def test_stop_when_the_cable_makes_the_dish_turn_the_other_way(bench):
+    """From cable angle 0 the way to 170 is counterclockwise, which nobody knows until the dish is seen turning."""
+    bench.station.submit(Goto(170, 45, "you"))
+    bench.step(1.0)
+    before = bench.device.truth()
+    assert before.moving
+    assert before.cable_deg < 0
+    bench.station.stop("you")
+    bench.step(2)
+    after = bench.device.truth()
+    assert not after.moving
+    assert before.cable_deg - 20 < after.cable_deg < before.cable_deg
+    assert bench.state.last_stop.confirmed is True

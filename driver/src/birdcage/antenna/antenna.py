@@ -203,6 +203,8 @@ class BirdcageAntenna:
         """
         self._check_thread()
         self._moves = 0
+        if self.motion is not None:
+            self.get_position()  # tells which way the azimuth turns, if the turn of the cable was not known
         lines = self.stop_lines()
         if not lines:
             return

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 
+from birdcage.base.geometry import shortest_turn
 from birdcage.kinematics import Slew, plan_slew, rest_point
 from birdcage.protocol.model import Axis, DishModel
-from birdcage.protocol.types import Position
+from birdcage.protocol.types import MOTOR_AZIMUTH, Position
 
 STOP_LATENCY_S = 0.1
 """The longest that a STOP line normally takes to act on a retargetable dish (SEAMS *Figures*: 20 to 100 ms)."""
+AGAINST_DEG_S = 2.0
+"""A mean rate above this tells the direction: noise and overshoot are slower."""
 MODEL_TRUST_DEG = 1.0
 """A position that was read within this of the model's confirms the model."""
 
@@ -33,12 +37,39 @@ class AxisMotion:
 
     def with_reading(self, angle_deg: float, at: float, rate: float) -> AxisMotion:
         """Take in an angle that was read at `at`."""
-        unrolled = self.read_deg + (angle_deg - self.read_deg + 180.0) % 360.0 - 180.0
-        expected = self.modelled(at, rate)[0]
-        unrolled += 360.0 * round((expected - unrolled) / 360.0) if self.axis.index == 0 else 0.0
+        unrolled = self.read_deg + shortest_turn(self.read_deg, angle_deg)
         elapsed_s = (at - self.read_at) * rate
         mean = (unrolled - self.read_deg) / elapsed_s if elapsed_s > 0 else None
-        return replace(self, read_deg=unrolled, read_at=at, rate_deg_s=mean)
+        seen = replace(self, read_deg=unrolled, read_at=at, rate_deg_s=mean)
+        return seen.other_way_round(mean) if mean is not None and self._turns_against(mean) else seen
+
+    def _turns_against(self, mean_deg_s: float) -> bool:
+        """Return whether the azimuth turns the other way than modelled: the turn of the cable was not known."""
+        return (
+            self.axis.index == MOTOR_AZIMUTH
+            and abs(mean_deg_s) > AGAINST_DEG_S
+            and (self.slew.end_deg - self.read_deg) * mean_deg_s < 0
+        )
+
+    def other_way_round(self, mean_deg_s: float) -> AxisMotion:
+        """Return the motion to the same azimuth on the next turn of the cable, in the direction of `mean_deg_s`."""
+        end = self.slew.end_deg + math.copysign(360.0, mean_deg_s)
+        axis = self.axis
+        velocity = max(-axis.speed_deg_s, min(axis.speed_deg_s, mean_deg_s))
+        slew = plan_slew(self.read_deg, end, axis.speed_deg_s, axis.acceleration_deg_s2, velocity)
+        return replace(self, slew=slew, started=self.read_at)
+
+    def _as_modelled(self, rate: float) -> bool:
+        """Return whether the last reading lies where the model has the axis, give or take the latency."""
+        low, high = sorted(self.modelled(self.read_at - early_s, rate)[0] for early_s in (0.0, STOP_LATENCY_S))
+        return low - MODEL_TRUST_DEG <= self.read_deg <= high + MODEL_TRUST_DEG
+
+    def eta(self, rate: float) -> float:
+        """Return the monotonic time of arrival: as modelled, or at the mean rate that was seen if that contradicts."""
+        modelled = self.started + self.slew.duration_s / rate
+        if self._as_modelled(rate) or not self.rate_deg_s:
+            return modelled
+        return max(modelled, self.read_at + abs(self.slew.end_deg - self.read_deg) / abs(self.rate_deg_s) / rate)
 
     def stopping_slew(self, now: float, rate: float) -> Slew:
         """Return the slew that brings the axis to rest at `stop_at`."""
@@ -57,12 +88,9 @@ class AxisMotion:
         axis, end = self.axis, self.slew.end_deg
         if velocity == 0.0 and abs(self.read_deg - end) <= MODEL_TRUST_DEG:
             return end
-        modelled_then = self.modelled(self.read_at, rate)[0]
-        modelled_before = self.modelled(self.read_at - STOP_LATENCY_S, rate)[0]
-        low, high = sorted((modelled_then, modelled_before))
-        if not low - MODEL_TRUST_DEG <= self.read_deg <= high + MODEL_TRUST_DEG and self.rate_deg_s is not None:
+        if not self._as_modelled(rate) and self.rate_deg_s is not None:
             elapsed_s = (now - self.read_at) * rate
-            sign = 1.0 if end >= self.read_deg else -1.0
+            sign = math.copysign(1.0, self.rate_deg_s)
             speed = min(axis.speed_deg_s, abs(self.rate_deg_s) + axis.acceleration_deg_s2 * elapsed_s)
             position, velocity = self.read_deg + sign * speed * elapsed_s, sign * speed
         aim = rest_point(position, velocity, axis.acceleration_deg_s2, latency_s)
@@ -78,7 +106,7 @@ class DishMotion:
 
     def eta(self, rate: float) -> float:
         """Return the monotonic time at which both axes should rest."""
-        return max(axis.started + axis.slew.duration_s / rate for axis in (self.azimuth, self.elevation))
+        return max(self.azimuth.eta(rate), self.elevation.eta(rate))
 
     def with_reading(self, position: Position, at: float, rate: float) -> DishMotion:
         """Take in a position that was read at `at`."""

@@ -18,6 +18,7 @@ class Machine:
         self.now = clock.monotonic()
         self._events: list[tuple[float, int, Callable[[], None]]] = []
         self._order = itertools.count()
+        self._running = False
 
     @property
     def dish_s(self) -> float:
@@ -37,10 +38,16 @@ class Machine:
         return self._events[0][0] if self._events else math.inf
 
     def run(self) -> None:
-        """Do everything that is due."""
-        until = self.clock.monotonic()
-        while self._events and self._events[0][0] <= until:
-            time_s, _, action = heapq.heappop(self._events)
-            self.now = max(self.now, time_s)
-            action()
-        self.now = max(self.now, until)
+        """Do everything that is due. Called by an action that this runs, it does nothing: `now` is the action's."""
+        if self._running:
+            return
+        self._running = True
+        try:
+            until = self.clock.monotonic()
+            while self._events and self._events[0][0] <= until:
+                time_s, _, action = heapq.heappop(self._events)
+                self.now = max(self.now, time_s)
+                action()
+            self.now = max(self.now, until)
+        finally:
+            self._running = False

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from concurrent.futures import Future
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import stop_power_s
@@ -85,6 +85,8 @@ class Mover:
             self.due = None
             return
         pointing = self._look.position()
+        if self._job is not job:
+            return  # STOP was taken in the middle of the exchange: this motion has ended
         now = clock.monotonic()
         self.due = now + POLL_S
         if pointing is None:
@@ -99,8 +101,7 @@ class Mover:
         if still and max(off_az, off_el) <= ARRIVED_DEG:
             self._arrive(job, pointing)
             return
-        motion = self._board.state.motion
-        eta = motion.eta if motion is not None else now
+        eta = self._update_eta(now)
         if job.still_since is not None and now > max(eta, job.still_since) + STALL_S / clock.rate:
             sentence = (
                 f"The dish stands still at {pointing.az_deg:.2f}°/{pointing.el_deg:.2f}°, "
@@ -112,6 +113,15 @@ class Mover:
         to_go = separation(pointing.az_deg, pointing.el_deg, job.az_deg, job.el_deg)
         at, utc = self._board.stamp()
         self._board.tell(MoveProgress(at, utc, pointing, to_go, max(0.0, eta - now)))
+
+    def _update_eta(self, now: float) -> float:
+        shown, model = self._board.state.motion, self._antenna.motion
+        if shown is None or model is None:
+            return now
+        eta = model.eta(self._board.clock.rate)
+        if abs(eta - shown.eta) > POLL_S:
+            self._board.change(motion=replace(shown, eta=eta))
+        return eta
 
     def _arrive(self, job: Job, pointing: Pointing) -> None:
         self._job, self.due, self._antenna.motion = None, None, None
