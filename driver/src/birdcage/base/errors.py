@@ -2,6 +2,7 @@
 
     BirdcageError
       ConfigError        a setting cannot be read or is not allowed
+      StoreError         a database cannot be opened or written
       LinkError          the port: missing, busy, forbidden, lost, broken
       NoReply            the port is there, the dish did not answer in time
       CommandRefused     the firmware answered with an error
@@ -37,6 +38,12 @@ class ConfigError(BirdcageError):
     """A setting cannot be read or is not allowed; the message names file, key and remedy."""
 
     reason = "config"
+
+
+class StoreError(BirdcageError):
+    """A database of ours. Reasons: newer, damaged, failed."""
+
+    reason = "failed"
 
 
 class LinkError(BirdcageError):

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from birdcage.base.background import BackgroundWriter
 from birdcage.link.transcript_file import FILE_LIMIT, TOTAL_LIMIT, TranscriptFiles
-from birdcage.link.transcript_line import Direction, Entry
+from birdcage.link.transcript_line import Direction, Entry, Header
 
 QUEUE_SIZE = 8192
 QUIET_S = 0.05
@@ -36,7 +36,7 @@ class Transcript:
     ) -> None:
         self._listeners: tuple[Listener, ...] = ()
         self._files: TranscriptFiles | None = None
-        self._writer: BackgroundWriter[Entry | tuple[Entry, str]] | None = None
+        self._writer: BackgroundWriter[Entry] | None = None
         self._version = version
         if folder is not None:
             self._files = TranscriptFiles(folder, file_limit=file_limit, total_limit=total_limit)
@@ -54,11 +54,8 @@ class Transcript:
 
     def begin(self, port: str, *, demo: bool, utc: datetime) -> None:
         """Announce that `port` was opened; from here on it stands in the first line of each file."""
-        header = f"birdcage {self._version} port {port}" + (" DEMO (simulated dish)" if demo else "")
-        entry = Entry(utc, "#", header.encode())
-        if self._writer is not None:
-            self._writer.offer((entry, header))
-        self._tell(entry)
+        text = f"birdcage {self._version} port {port}" + (" DEMO (simulated dish)" if demo else "")
+        self._take(Header(utc, "#", text.encode()))
 
     def record(self, direction: Direction, data: bytes, utc: datetime) -> None:
         """Take bytes that passed. Returns at once."""
@@ -92,8 +89,5 @@ class Transcript:
     def _take(self, entry: Entry) -> None:
         if self._writer is not None:
             self._writer.offer(entry)
-        self._tell(entry)
-
-    def _tell(self, entry: Entry) -> None:
         for listener in self._listeners:
             listener(entry)

@@ -8,7 +8,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TextIO
 
-from birdcage.link.transcript_line import Entry, format_line
+from birdcage.link.transcript_line import Entry, Header, format_line
 
 FILE_LIMIT = 4_000_000
 TOTAL_LIMIT = 40_000_000
@@ -35,25 +35,19 @@ class TranscriptFiles:
         self._total_limit = total_limit
         self._file: TextIO | None = None
         self._written = 0
-        self._header = ""
+        self._header = b""
         self._open_line: Entry | None = None
         self._retry_at = 0.0
         self._lost = 0
 
-    def write(self, items: list[Entry | tuple[Entry, str]], dropped: int) -> None:
+    def write(self, items: list[Entry], dropped: int) -> None:
         """Take what came, and how many events did not fit into the queue; with nothing, end the unfinished line."""
         lines: list[Entry] = []
         if dropped:
             lines += self._finish()
             lines.append(Entry(_now(), "#", b"%d events are missing here: the disk was too slow" % dropped))
         for item in items:
-            if isinstance(item, tuple):
-                entry, self._header = item
-                lines += self._finish()
-                # A new file says the same in its first line.
-                lines += [entry] if self._file is not None else []
-            else:
-                lines += self._join(item)
+            lines += self._join(item)
         if not items:
             lines += self._finish()
         if lines:
@@ -97,8 +91,12 @@ class TranscriptFiles:
             self._give_up(error, len(lines))
 
     def _put_line(self, line: Entry) -> None:
+        if isinstance(line, Header):
+            self._header = line.data
         if self._file is None or self._written >= self._file_limit:
             self._open_next(line.utc)
+            if isinstance(line, Header):
+                return
         text = format_line(line) + "\n"
         assert self._file is not None
         self._file.write(text)
@@ -111,7 +109,7 @@ class TranscriptFiles:
         self.path = _free_name(self._folder, utc)
         self._file = self.path.open("x", encoding="ascii", newline="\n")
         self._written = 0
-        self._put_line(Entry(utc, "#", self._header.encode()))
+        self._put_line(Entry(utc, "#", self._header))
         if self._lost:
             self._put_line(
                 Entry(utc, "#", b"%d lines are missing here: %s" % (self._lost, (self.problem or "").encode()))

@@ -38,6 +38,12 @@ class Entry:
         return escape(self.data)
 
 
+class Header(Entry):
+    """A remark that says what follows: it stands in the first line of each file until there is another."""
+
+    __slots__ = ()
+
+
 def escape(data: bytes) -> str:
     r"""Return `data` as printable ASCII; `unescape` gives it back exactly."""
     text = "".join(_ESCAPED.get(byte) or chr(byte) for byte in data)

@@ -1,0 +1,62 @@
+"""The file as it is: its tables, where each key stands, or why it could not be read at all."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from birdcage.base.config.lines import find_lines, line_of
+from birdcage.base.config.settings import Problem
+
+
+@dataclass(frozen=True, slots=True)
+class Document:
+    """A file that was read, or what can be said of one that was not."""
+
+    path: Path | None
+    data: dict[str, Any] = field(default_factory=dict)
+    problems: tuple[Problem, ...] = ()
+    lines: dict[tuple[str, ...], int] = field(default_factory=dict)
+
+    def line(self, path: tuple[str, ...]) -> int | None:
+        """Return in which line the key stands, None if nowhere."""
+        return line_of(self.lines, path)
+
+
+def read_document(path: Path | None) -> Document:
+    """Read a TOML file; one that is absent is empty, one that is damaged too, and says so."""
+    if path is None:
+        return Document(None)
+    try:
+        raw = path.read_bytes()
+    except FileNotFoundError:
+        return Document(path)
+    except OSError as error:
+        return _unreadable(path, None, f"The file cannot be read ({error.strerror}).")
+    try:
+        text = raw.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = raw.count(b"\n", 0, error.start) + 1
+        return _unreadable(path, line, "The file is damaged here: this is no UTF-8 text.")
+    try:
+        return Document(path, tomllib.loads(text), (), find_lines(text))
+    except tomllib.TOMLDecodeError as error:
+        found = re.search(r"\(at line (\d+)", str(error))
+        line = int(found.group(1)) if found else len(text.rstrip().splitlines())
+        what = re.sub(r"\s*\(at .*\)$", "", str(error))
+        return _unreadable(path, line, f"The file is no valid TOML here ({what}).{_key_in(text, line)}")
+
+
+def _unreadable(path: Path, line: int | None, what: str) -> Document:
+    # Nobody can tell which limits it held, so it counts as holding some.
+    sentence = f"{what} All settings have their defaults."
+    return Document(path, problems=(Problem(path, line, None, sentence, limits_motion=True),))
+
+
+def _key_in(text: str, line: int) -> str:
+    lines = text.splitlines()
+    content = lines[line - 1].strip() if 0 < line <= len(lines) else ""
+    return f" The line is: {content[:60]}." if content else ""

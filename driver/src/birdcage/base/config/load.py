@@ -1,0 +1,159 @@
+"""Reads `birdcage.toml`, the variables over it and the flags over both. The file is never written."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from types import MappingProxyType
+from typing import TypeVar
+
+from birdcage.base.config.document import Document, read_document
+from birdcage.base.config.feeds import BUILT_IN, FeedProfile, FeedSettings
+from birdcage.base.config.field import Section
+from birdcage.base.config.schema import SECTIONS, Row, rows_of
+from birdcage.base.config.sections import (
+    AlignmentSettings,
+    AppSettings,
+    DishSettings,
+    LinkSettings,
+    MotionSettings,
+    PlaceSettings,
+)
+from birdcage.base.config.settings import Problem, Settings, Source
+from birdcage.base.config.value import BadValue, did_you_mean, from_text, from_toml, nearest
+
+S = TypeVar("S", bound=Section)
+
+
+def load(
+    path: Path | None,
+    environ: Mapping[str, str] | None = None,
+    flags: Mapping[str, object] | None = None,
+) -> Settings:
+    """Return the settings, whatever state the file is in; `Settings.problems` says what could not be read.
+
+    `path` None, or a file that is not there, gives the defaults. `environ` is by default the process's own.
+    `flags` are values by dotted key (`{"dish.port": "COM4"}`); None among them means that the flag was not given.
+    """
+    reader = _Reader(
+        read_document(path),
+        os.environ if environ is None else environ,
+        {key: value for key, value in (flags or {}).items() if value is not None},
+    )
+    return reader.settings()
+
+
+class _Reader:
+    """Collects sections and what is wrong with them."""
+
+    def __init__(self, document: Document, environ: Mapping[str, str], flags: Mapping[str, object]) -> None:
+        self._document = document
+        self._environ = environ
+        self._flags = flags
+        self._problems = list(document.problems)
+        self._sources: dict[str, Source] = {}
+
+    def settings(self) -> Settings:
+        """Read every section."""
+        self._check_sections()
+        feed, feeds = self._feeds()
+        return Settings(
+            dish=self._plain(DishSettings),
+            link=self._plain(LinkSettings),
+            motion=self._plain(MotionSettings),
+            alignment=self._plain(AlignmentSettings),
+            place=self._plain(PlaceSettings),
+            feed=feed,
+            feeds=feeds,
+            app=self._plain(AppSettings),
+            problems=tuple(self._problems),
+            sources=MappingProxyType(self._sources),
+        )
+
+    def _check_sections(self) -> None:
+        known = {section.section: section for section in SECTIONS if "." not in section.section}
+        for name, value in self._document.data.items():
+            if name in known:
+                continue
+            near = nearest(name, known)
+            what = "is no section" if isinstance(value, dict) else "stands outside every section"
+            # What was meant to limit motion and doesn't is worse than a refusal too many.
+            limits = near is None or known[near].limits_motion or not isinstance(value, dict)
+            self._complain((name,), what + did_you_mean(name, known), limits_motion=limits)
+
+    def _table(self, section: type[Section]) -> dict[str, object]:
+        value = self._document.data.get(section.section, {})
+        if isinstance(value, dict):
+            return value
+        what = f"is a value, where a section [{section.section}] belongs"
+        self._complain((section.section,), what, limits_motion=section.limits_motion)
+        return {}
+
+    def _plain(self, section: type[S]) -> S:
+        return self._section(section(), self._table(section), (section.section,), section.limits_motion)
+
+    def _feeds(self) -> tuple[FeedSettings, Mapping[str, FeedProfile]]:
+        table = self._table(FeedSettings)
+        tables = {key: value for key, value in table.items() if isinstance(value, dict)}
+        rest = {key: value for key, value in table.items() if key not in tables}
+        feed = self._section(FeedSettings(), rest, ("feed",), limits_motion=True)
+        feeds = dict(BUILT_IN)
+        for name, values in tables.items():
+            # A mistake in a feed that hangs on the wall keeps no dish from moving.
+            limits = name == feed.active
+            feeds[name] = self._section(BUILT_IN.get(name, FeedProfile()), values, ("feed", name), limits)
+        if feed.active not in feeds:
+            what = f"is {feed.active!r}, and there is no [feed.{feed.active}]{did_you_mean(feed.active, feeds)}"
+            self._complain(("feed", "active"), what, limits_motion=True)
+            feed = FeedSettings()
+        return feed, MappingProxyType(feeds)
+
+    def _section(self, base: S, table: dict[str, object], path: tuple[str, ...], limits_motion: bool) -> S:
+        """Read one section: the file's table over `base`, then variables and flags over it."""
+        known = rows_of(type(base))
+        values: dict[str, object] = {}
+        for key, value in table.items():
+            if key not in known:
+                self._complain((*path, key), f"is no setting{did_you_mean(key, known)}", limits_motion=limits_motion)
+                continue
+            try:
+                values[key] = from_toml(known[key], value)
+                self._sources[".".join((*path, key))] = "file"
+            except BadValue as error:
+                self._complain((*path, key), str(error), limits_motion=limits_motion)
+        for row in known.values():
+            self._override(row, ".".join((*path, row.key)), values, limits_motion)
+        read: S = dataclasses.replace(base, **values)  # type: ignore[type-var]
+        complaints = list(read.complaints())
+        for key, what in complaints:
+            self._complain((*path, key), what, limits_motion=limits_motion)
+        if complaints:
+            # Keys that contradict each other: nobody can tell which is wrong, so the section keeps its defaults.
+            for key in values:
+                self._sources.pop(".".join((*path, key)), None)
+            return base
+        return read
+
+    def _override(self, row: Row, dotted: str, values: dict[str, object], limits_motion: bool) -> None:
+        text = self._environ.get(row.env) if row.env else None
+        culprit = row.env
+        try:
+            if text:
+                values[row.key] = from_text(row, text)
+                self._sources[dotted] = "environment"
+            culprit = dotted
+            if dotted in self._flags:
+                values[row.key] = from_toml(row, self._flags[dotted])
+                self._sources[dotted] = "flag"
+        except BadValue as error:
+            self._problems.append(Problem(None, None, culprit, f"{culprit} {error}.", limits_motion))
+
+    def _complain(self, path: tuple[str, ...], what: str, *, limits_motion: bool) -> None:
+        key = ".".join(path)
+        sentence = f"{key} {what}" if what.endswith("?") else f"{key} {what}."
+        if self._sources.get(key, "file") == "file":
+            self._problems.append(Problem(self._document.path, self._document.line(path), key, sentence, limits_motion))
+        else:
+            self._problems.append(Problem(None, None, key, sentence, limits_motion))

@@ -1,0 +1,108 @@
+"""The schema as data: one row a key, derived from the sections, for checking, help and `birdcage config`."""
+
+from __future__ import annotations
+
+import dataclasses
+import types
+import typing
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from birdcage.base.config.feeds import FeedProfile, FeedSettings
+from birdcage.base.config.field import Declared, Section
+from birdcage.base.config.sections import (
+    AlignmentSettings,
+    AppSettings,
+    DishSettings,
+    LinkSettings,
+    MotionSettings,
+    PlaceSettings,
+)
+
+SECTIONS: tuple[type[Section], ...] = (
+    DishSettings,
+    LinkSettings,
+    MotionSettings,
+    AlignmentSettings,
+    PlaceSettings,
+    FeedSettings,
+    FeedProfile,
+    AppSettings,
+)
+"""In the order in which they are shown."""
+
+_UNITS = {"_deg_s": "deg/s", "_deg": "deg", "_hz": "Hz", "_s": "s", "_m": "m"}
+
+Kind = Literal["text", "whole number", "number", "true or false", "choice", "sectors"]
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One key of the file."""
+
+    section: str
+    key: str
+    kind: Kind
+    default: object
+    optional: bool
+    """Whether it may be left unset (its default is None)."""
+    unit: str | None
+    minimum: float | None
+    maximum: float | None
+    choices: tuple[str, ...]
+    doc: str
+    env: str | None
+    """The variable that overrides the file; None for what a variable cannot say."""
+    limits_motion: bool
+
+    @property
+    def path(self) -> str:
+        """The dotted key: `motion.min_elevation_deg`."""
+        return f"{self.section}.{self.key}"
+
+
+def rows() -> tuple[Row, ...]:
+    """Return every key that `birdcage.toml` may have, section by section."""
+    return tuple(row for section in SECTIONS for row in rows_of(section).values())
+
+
+def rows_of(section: type[Section]) -> dict[str, Row]:
+    """Return the rows of one section by key."""
+    hints = typing.get_type_hints(section)
+    assert dataclasses.is_dataclass(section)
+    return {field.name: _row(section, field, hints[field.name]) for field in dataclasses.fields(section)}
+
+
+def _row(section: type[Section], field: dataclasses.Field[Any], hint: object) -> Row:
+    declared: Declared = field.metadata["declared"]
+    optional = isinstance(hint, types.UnionType) or typing.get_origin(hint) is typing.Union
+    if optional:
+        (hint,) = (each for each in typing.get_args(hint) if each is not type(None))
+    kind, choices = _kind(hint)
+    unit = next((unit for suffix, unit in _UNITS.items() if field.name.endswith(suffix)), None)
+    env = declared.env
+    if env is None and kind != "sectors" and section is not FeedProfile:
+        env = f"BIRDCAGE_{section.section}_{field.name}".upper()
+    return Row(
+        section=section.section,
+        key=field.name,
+        kind=kind,
+        default=field.default,
+        optional=optional,
+        unit=unit,
+        minimum=declared.minimum,
+        maximum=declared.maximum,
+        choices=choices,
+        doc=declared.doc,
+        env=env,
+        limits_motion=section.limits_motion,
+    )
+
+
+def _kind(hint: object) -> tuple[Kind, tuple[str, ...]]:
+    if typing.get_origin(hint) is Literal:
+        return "choice", typing.get_args(hint)
+    if typing.get_origin(hint) is tuple:
+        return "sectors", ()
+    plain: dict[object, Kind] = {str: "text", int: "whole number", float: "number", bool: "true or false"}
+    return plain[hint], ()

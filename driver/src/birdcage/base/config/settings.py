@@ -1,0 +1,75 @@
+"""What was read: every section, what was wrong, and where each value came from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from types import MappingProxyType
+from typing import Literal
+
+from birdcage.base.config.feeds import BUILT_IN, FeedProfile, FeedSettings
+from birdcage.base.config.sections import (
+    AlignmentSettings,
+    AppSettings,
+    DishSettings,
+    LinkSettings,
+    MotionSettings,
+    PlaceSettings,
+)
+
+Source = Literal["file", "environment", "flag"]
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """Something that could not be read. The setting keeps its default; the file is left as it is."""
+
+    file: Path | None
+    """None if a variable or a flag is to blame."""
+    line: int | None
+    """Counted from 1; None if it has no place."""
+    key: str | None
+    """`motion.min_elevation_deg`, or the variable's name; None if the whole file is meant."""
+    sentence: str
+    limits_motion: bool
+
+    @property
+    def text(self) -> str:
+        """The sentence with its place in front: `/home/me/birdcage.toml:12: motion...`."""
+        if self.file is None:
+            return self.sentence
+        place = str(self.file) if self.line is None else f"{self.file}:{self.line}"
+        return f"{place}: {self.sentence}"
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """All settings, typed. With nothing given, every default."""
+
+    dish: DishSettings = field(default_factory=DishSettings)
+    link: LinkSettings = field(default_factory=LinkSettings)
+    motion: MotionSettings = field(default_factory=MotionSettings)
+    alignment: AlignmentSettings = field(default_factory=AlignmentSettings)
+    place: PlaceSettings = field(default_factory=PlaceSettings)
+    feed: FeedSettings = field(default_factory=FeedSettings)
+    feeds: Mapping[str, FeedProfile] = field(default_factory=lambda: BUILT_IN)
+    """Every profile by name, the built-in ones among them."""
+    app: AppSettings = field(default_factory=AppSettings)
+    problems: tuple[Problem, ...] = ()
+    sources: Mapping[str, Source] = field(default_factory=lambda: MappingProxyType({}))
+    """Where a value came from, by its dotted key; what is not in here has its default."""
+
+    @property
+    def active_feed(self) -> FeedProfile:
+        """The profile that counts. It never allows to stow while something that limits motion could not be read."""
+        profile = self.feeds[self.feed.active]
+        return replace(profile, stow_allowed=False) if self.motion_problem else profile
+
+    @property
+    def motion_problem(self) -> str | None:
+        """Why motion is to be refused: a setting that limits it could not be read. None when all could."""
+        first = next((problem for problem in self.problems if problem.limits_motion), None)
+        if first is None:
+            return None
+        return f"Settings that limit motion could not be read, so nothing moves. {first.text} Mend it and start again."

@@ -1,0 +1,73 @@
+"""Opens every database of ours: SQLite, WAL, migrations by `user_version`."""
+
+from __future__ import annotations
+
+import sqlite3
+from collections.abc import Sequence
+from pathlib import Path
+
+from birdcage.base.errors import StoreError
+
+BUSY_TIMEOUT_S = 5.0
+"""How long to wait for another program that is writing."""
+
+Migration = Sequence[str]
+"""The SQL statements that lead from one version to the next."""
+
+
+def open_database(path: Path, migrations: Sequence[Migration]) -> sqlite3.Connection:
+    """Open `path`, bring it to version `len(migrations)` and return a connection for the calling thread alone.
+
+    Each migration happens whole or not at all, once, whoever else opens the file at that moment. Every statement
+    outside a `BEGIN` commits by itself. Raises StoreError: ``newer`` (a later version of the program made it),
+    ``damaged``, ``failed`` (no permission, disk full).
+    """
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        connection = sqlite3.connect(path, timeout=BUSY_TIMEOUT_S, isolation_level=None)
+    except (OSError, sqlite3.Error) as error:
+        raise StoreError(f"{path} cannot be opened: {error}. Check the folder and its permissions.") from error
+    try:
+        connection.execute("PRAGMA journal_mode = WAL")
+        connection.execute("PRAGMA synchronous = NORMAL")
+        connection.execute("PRAGMA foreign_keys = ON")
+        _migrate(connection, path, migrations)
+    except sqlite3.OperationalError as error:
+        connection.close()
+        raise StoreError(f"{path} cannot be used: {error}. Check its permissions and the room on the disk.") from error
+    except sqlite3.DatabaseError as error:
+        connection.close()
+        raise StoreError(
+            f"{path} is damaged ({error}). Move it away: a new one is made at the next start.", reason="damaged"
+        ) from error
+    except StoreError:
+        connection.close()
+        raise
+    return connection
+
+
+def _migrate(connection: sqlite3.Connection, path: Path, migrations: Sequence[Migration]) -> None:
+    if _version(connection) == len(migrations):
+        return
+    # The lock comes before the second look: another program may have migrated in between.
+    connection.execute("BEGIN IMMEDIATE")
+    try:
+        version = _version(connection)
+        if version > len(migrations):
+            raise StoreError(
+                f"{path} was written by a newer birdcage (version {version}, this one knows {len(migrations)}). "
+                "Update birdcage, or move the file away.",
+                reason="newer",
+            )
+        for statements in migrations[version:]:
+            for statement in statements:
+                connection.execute(statement)
+        connection.execute(f"PRAGMA user_version = {len(migrations)}")
+    except BaseException:
+        connection.execute("ROLLBACK")
+        raise
+    connection.execute("COMMIT")
+
+
+def _version(connection: sqlite3.Connection) -> int:
+    return int(connection.execute("PRAGMA user_version").fetchone()[0])
