@@ -125,6 +125,15 @@ def test_unplugging_and_return(terminal):
     assert "Angle[0] = 199." in dish.listen(1.0) or "Angle[0] = 200." in dish.listen(1.0)
 
 
+def test_what_came_while_no_port_was_open_is_lost(terminal):
+    dish = terminal("id=closed")
+    dish.type("mot\r")
+    dish.port.close()
+    dish.clock.advance(1.0)
+    dish.port = type(dish.port)(dish.device, "sim:g2")
+    assert dish.ask("") == "\r\nMOT>"
+
+
 def test_what_is_said_while_unplugged_is_lost(terminal):
     dish = terminal()
     dish.device.unplug()

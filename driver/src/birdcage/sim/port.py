@@ -33,6 +33,7 @@ class SimPort:
         self._closed = False
         if not device.wire.plugged:
             raise ConnectionError(f"{name}: the adapter is not there")
+        self.read()  # what came while nobody had the port open is lost, as on a real one
 
     @property
     def dish(self) -> Dish:

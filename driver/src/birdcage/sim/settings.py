@@ -154,7 +154,7 @@ def from_options(options: dict[str, str]) -> Settings:
     for name, text in options.items():
         if name not in types:
             near = difflib.get_close_matches(name, types, n=3)
-            hint = f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(sorted(types))}"
+            hint = f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(option_names())}"
             raise ValueError(f"the simulated g2 has no option {name!r}: {hint}")
         values[name] = _value(name, types[name], text)
     return Settings(**values)

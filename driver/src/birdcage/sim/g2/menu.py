@@ -22,7 +22,7 @@ class G2Menu:
 
     def run(self, words: list[str]) -> Script:
         """Carry out one line."""
-        command = self.commands.get(words[0].lower())
+        command = self.commands.get(words[0])
         if command is None:
             yield from self.unknown(words)
         else:

@@ -32,9 +32,8 @@ class Root(G2Menu):
 
     def run(self, words: list[str]) -> Script:
         """Carry out one line; the name of a submenu enters it."""
-        name = words[0].lower()
-        if name in SUBMENUS:
-            yield Enter(name)
+        if words[0] in SUBMENUS:
+            yield Enter(words[0])
         else:
             yield from super().run(words)
 
