@@ -1,0 +1,85 @@
+"""A program in a terminal of its own, timed from outside. Shared by the benchmarks; POSIX only."""
+
+from __future__ import annotations
+
+import fcntl
+import os
+import pty
+import select
+import signal
+import struct
+import sys
+import termios
+import time
+from collections.abc import Callable, Sequence
+
+
+class Terminal:
+    """Runs a command on a pseudo terminal of a given size, and keeps what it prints."""
+
+    def __init__(self, command: Sequence[str], columns: int = 160, rows: int = 48) -> None:
+        self.started = time.monotonic()
+        self.pid, self.fd = pty.fork()
+        if self.pid == 0:
+            os.environ.update(TERM="xterm-256color", COLORTERM="truecolor", COLUMNS=str(columns), LINES=str(rows))
+            os.execvp(command[0], list(command))
+        fcntl.ioctl(self.fd, termios.TIOCSWINSZ, struct.pack("HHHH", rows, columns, 0, 0))
+        self.output = b""
+
+    def read(self, timeout_s: float) -> bytes:
+        """Read what comes within `timeout_s`; empty when nothing did, or at the end."""
+        ready, _, _ = select.select([self.fd], [], [], timeout_s)
+        if not ready:
+            return b""
+        try:
+            data = os.read(self.fd, 65536)
+        except OSError:
+            return b""
+        self.output += data
+        return data
+
+    def wait_for(self, seen: Callable[[bytes], bool], timeout_s: float = 20.0) -> float:
+        """Return the monotonic time at which `seen(output)` first held."""
+        end = time.monotonic() + timeout_s
+        while time.monotonic() < end:
+            if self.read(0.05) and seen(self.output):
+                return time.monotonic()
+        sys.exit(f"not seen within {timeout_s} s; the end of the output: {self.output[-2000:]!r}")
+
+    def watch(self, seconds: float) -> None:
+        """Read on for a while, so that the program is never held up by a full terminal."""
+        end = time.monotonic() + seconds
+        while (left := end - time.monotonic()) > 0:
+            self.read(left)
+
+    def press(self, keys: bytes) -> float:
+        """Type; return the time just before the bytes went in."""
+        now = time.monotonic()
+        os.write(self.fd, keys)
+        return now
+
+    def wait_for_end(self, timeout_s: float = 10.0) -> float:
+        """Return the time at which the program was gone."""
+        end = time.monotonic() + timeout_s
+        while time.monotonic() < end:
+            pid, _status = os.waitpid(self.pid, os.WNOHANG)
+            if pid:
+                return time.monotonic()
+            self.read(0.002)
+        self.kill()
+        sys.exit(f"still running after {timeout_s} s")
+
+    def kill(self) -> None:
+        """End the program for good."""
+        try:
+            os.kill(self.pid, signal.SIGKILL)
+            os.waitpid(self.pid, 0)
+        except (ProcessLookupError, ChildProcessError):
+            pass
+        os.close(self.fd)
+
+
+def percentile(values: Sequence[float], share: float) -> float:
+    """Return the value below which `share` of the values lie (nearest rank)."""
+    ordered = sorted(values)
+    return ordered[min(len(ordered) - 1, int(share * len(ordered)))]
