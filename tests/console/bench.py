@@ -35,7 +35,7 @@ class NudgingClock(VirtualClock):
         return super().wait(endpoint, until, wake)
 
 
-# One fault: how many bytes pass before it, whether its byte is lost or doubled, by how much it is late, noise before it.
+# One fault: how many bytes pass first, whether its byte is lost or doubled, how late it is, noise before it.
 NOISE = st.binary(min_size=0, max_size=2).map(lambda data: data.replace(b"q", b"~").replace(b"Q", b"~"))
 FAULTS = st.lists(
     st.tuples(
@@ -47,9 +47,12 @@ FAULTS = st.lists(
     max_size=12,
 )
 COMMANDS = ["a", "a 0 12", "?", "", "mot", "dvb", "rssi 3", "freqs", "q", "h 0", "x y"]
+LAGS = st.sampled_from([0.0, 0.0, 0.0, 0.5, 1.5, 2.0])
+"""How late every byte of one direction is, for the length of a step."""
 NUDGES = st.tuples(st.sampled_from(["cancel", "interject"]), st.integers(1, 12))
 STEPS = st.lists(
     st.tuples(
+        st.tuples(LAGS, LAGS),
         st.one_of(st.none(), st.none(), NUDGES),
         st.one_of(
             st.tuples(st.just("exchange"), st.sampled_from(COMMANDS)),
@@ -57,7 +60,9 @@ STEPS = st.lists(
             st.tuples(st.just("run"), st.sampled_from([("mot", "a"), ("dvb", "rssi 3"), ("mot", "h 0"), ("mot", "?")])),
             st.tuples(st.just("stream"), st.sampled_from([0.0, 0.35, 3.0])),
             st.tuples(st.just("wait"), st.sampled_from([0.1, 1.0, 2.5, 9.0])),
-            st.tuples(st.sampled_from(["leave", "synchronize", "interject", "settle", "leave_all", "renew"]), st.none()),
+            st.tuples(
+                st.sampled_from(["leave", "synchronize", "interject", "settle", "leave_all", "renew"]), st.none()
+            ),
         ),
     ),
     min_size=1,

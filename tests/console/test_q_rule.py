@@ -2,78 +2,75 @@
 
 from __future__ import annotations
 
-import importlib.util
 import sys
-from collections.abc import Iterator
-from pathlib import Path
+from dataclasses import replace
 
 import pytest
-from hypothesis import HealthCheck, given, settings
-
 from birdcage.sim.port import open_port
 from birdcage.sim.wire import PASS, Byte
+from hypothesis import HealthCheck, given, settings
+
+bench, scripted = sys.modules["console_bench"], sys.modules["console_scripted"]
 
 
-def _sibling(name: str):
-    spec = importlib.util.spec_from_file_location(f"console_{name}", Path(__file__).with_name(f"{name}.py"))
-    module = sys.modules.setdefault(spec.name, importlib.util.module_from_spec(spec))
-    if not hasattr(module, "__test_loaded__"):
-        module.__test_loaded__ = True
-        spec.loader.exec_module(module)
-    return module
+class Faults:
+    """What happens to the bytes of one direction, one by one; `lag_s` holds for all of them."""
 
+    def __init__(self, faults) -> None:
+        self.lag_s = 0.0
+        self._actions = self._plan(faults)
 
-bench, scripted = _sibling("bench"), _sibling("scripted")
+    @staticmethod
+    def _plan(faults):
+        for skip, kind, late_s, noise in faults:
+            for _ in range(skip):
+                yield PASS
+            yield Byte(drop=kind == "drop", double=kind == "double", delay_s=late_s, noise=noise)
 
+    def __call__(self, value: int) -> Byte:
+        action = next(self._actions, PASS)
+        return replace(action, delay_s=max(action.delay_s, self.lag_s))
 
-def plan(faults) -> Iterator[Byte]:
-    for skip, kind, late_s, noise in faults:
-        for _ in range(skip):
-            yield PASS
-        yield Byte(drop=kind == "drop", double=kind == "double", delay_s=late_s, noise=noise)
-
-
-def scripted_plan(faults):
-    actions = plan(faults)
-
-    def fault(byte: int) -> list[tuple[float, bytes]]:
-        action = next(actions, PASS)
-        data = b"" if action.drop else bytes([byte]) * (2 if action.double else 1)
+    def scripted(self, value: int) -> list[tuple[float, bytes]]:
+        action = self(value)
+        data = b"" if action.drop else bytes([value]) * (2 if action.double else 1)
         return [(action.delay_s, bytes([one])) for one in action.noise + data]
 
-    return fault
+
+def drive(port, clock, steps, lanes, alive) -> None:
+    """Do the steps; `alive` looks at the dish itself."""
+    owner = bench.Owner(port, clock)
+    for lags, nudge, action in steps:
+        for lane, lag_s in zip(lanes, lags, strict=True):
+            lane.lag_s = lag_s
+        owner.step(nudge, action)
+        assert alive(), (nudge, action)
+    clock.advance(60.0)
+    assert alive()
+    clock.wake.close()
 
 
 def drive_simulator(steps, to_dish, to_host) -> None:
-    clock = bench.NudgingClock()
+    clock, lanes = bench.NudgingClock(), (Faults(to_dish), Faults(to_host))
     port = open_port("g2?root_q=kill", clock=clock)
-    port.wire.to_dish.set_plan(plan(to_dish))
-    port.wire.to_host.set_plan(plan(to_host))
-    owner = bench.Owner(port, clock)
-    for nudge, action in steps:
-        owner.step(nudge, action)
-        assert port.dish.truth().shell_alive, (nudge, action)
-    clock.advance(60.0)
-    assert port.dish.truth().shell_alive
-    clock.wake.close()
+    port.wire.to_dish.set_plan(lanes[0])
+    port.wire.to_host.set_plan(lanes[1])
+    drive(port, clock, steps, lanes, lambda: port.dish.truth().shell_alive)
 
 
 def drive_scripted(steps, to_dish, to_host) -> None:
-    clock = bench.NudgingClock()
-    dish = scripted.Dish(clock, echo=True)
-    dish.in_fault, dish.out_fault = scripted_plan(to_dish), scripted_plan(to_host)
-    owner = bench.Owner(dish, clock)
-    for nudge, action in steps:
-        owner.step(nudge, action)
+    clock, lanes = bench.NudgingClock(), (Faults(to_dish), Faults(to_host))
+    dish = scripted.Dish(clock)
+    dish.in_fault, dish.out_fault = lanes[0].scripted, lanes[1].scripted
+
+    def alive() -> bool:
         dish.pending()
-        assert dish.alive, (nudge, action)
-    clock.advance(60.0)
-    dish.pending()
-    assert dish.alive
-    clock.wake.close()
+        return dish.alive
+
+    drive(dish, clock, steps, lanes, alive)
 
 
-QUICK = settings(max_examples=150, derandomize=True, deadline=None, database=None)
+QUICK = settings(max_examples=300, derandomize=True, deadline=None, database=None)
 LONG = settings(max_examples=20_000, deadline=None, database=None, suppress_health_check=list(HealthCheck))
 drawn = given(bench.STEPS, bench.FAULTS, bench.FAULTS)
 

@@ -53,7 +53,7 @@ class LinkError(BirdcageError):
 
 
 class NoReply(BirdcageError):
-    """The dish did not answer within its deadline. Reasons: silent, garbage, blocked."""
+    """The dish did not answer within its deadline. Reasons: silent, garbage, echo, blocked."""
 
     reason = "silent"
 
