@@ -1,0 +1,1 @@
+"""What is up there. Knows no hardware."""

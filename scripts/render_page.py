@@ -1,0 +1,70 @@
+"""Render the app in a given state, size and theme to SVG and PNG: `render_page.py OUT [STATE ...] [--size 80x24] [--theme dusk]`."""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import re
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "tui"))
+
+import stand_in  # noqa: E402
+
+FONTS = ("DejaVu Sans Mono", "/usr/share/fonts/truetype/dejavu")
+
+
+def to_png(svg: str) -> bytes:
+    """Return the picture, drawn with a font that holds braille and box drawing."""
+    import resvg_py
+
+    svg = re.sub(r"@font-face\s*{.*?}", "", svg, flags=re.DOTALL)
+    svg = svg.replace("Fira Code", FONTS[0]).replace("font-variant-east-asian: full-width;", "")
+    folder = Path(FONTS[1])
+    files = [str(path) for path in sorted(folder.glob("DejaVuSans*.ttf"))]
+    return bytes(resvg_py.svg_to_bytes(svg_string=svg, font_files=files, font_family=FONTS[0]))
+
+
+def ink(png_text: str) -> int:
+    """Return how many visible characters a screen's text holds: an empty picture is a failed one."""
+    return sum(not char.isspace() for char in png_text)
+
+
+async def picture(name: str, size: tuple[int, int], theme: str, keys: list[str]) -> tuple[str, str]:
+    """Return the SVG and the text of the app in a state of the stand-in."""
+    app = stand_in.app_in(name, theme=theme)
+    async with app.run_test(size=size) as pilot:
+        await pilot.pause()
+        if keys:
+            await pilot.press(*keys)
+            await pilot.pause()
+        app.paint()
+        await pilot.pause()
+        return app.export_screenshot(title=f"birdcage: {name}"), stand_in.text_of(app)
+
+
+def main() -> int:
+    """Write the pictures and say how much ink each holds."""
+    parse = argparse.ArgumentParser(description=__doc__)
+    parse.add_argument("out", type=Path)
+    parse.add_argument("states", nargs="*", default=[], help=", ".join(stand_in.STATES))
+    parse.add_argument("--size", default="80x24")
+    parse.add_argument("--theme", default="dusk")
+    parse.add_argument("--keys", default="", help="keys to press first, with commas")
+    options = parse.parse_args()
+    width, height = map(int, options.size.split("x"))
+    options.out.mkdir(parents=True, exist_ok=True)
+    for name in options.states or stand_in.STATES:
+        keys = [key for key in options.keys.split(",") if key]
+        svg, text = asyncio.run(picture(name, (width, height), options.theme, keys))
+        stem = options.out / f"{name}-{options.size}-{options.theme}"
+        stem.with_suffix(".svg").write_text(svg)
+        stem.with_suffix(".png").write_bytes(to_png(svg))
+        stem.with_suffix(".txt").write_text(text)
+        print(f"{stem.name}: {ink(text)} characters of ink")
+    return 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

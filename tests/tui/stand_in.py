@@ -1,0 +1,206 @@
+"""A stand-in station with states to show, and the app around it, on a virtual clock."""
+
+from __future__ import annotations
+
+from concurrent.futures import Future
+from dataclasses import replace
+from types import MappingProxyType
+
+from birdcage.base.clock import VirtualClock
+from birdcage.protocol.g2_model import CARRYOUT_G2
+from birdcage.protocol.model import Turn
+from birdcage.station.state import (
+    Activity,
+    Fault,
+    HeldState,
+    Link,
+    LinkState,
+    Motion,
+    Pointing,
+    Reading,
+    Search,
+    StationState,
+    StopReport,
+)
+from birdcage_tui.app import BirdcageApp
+from birdcage_tui.settings import AppSettings, Place
+from birdcage_tui.view import Sample
+
+PLACE = Place(40.4, -95.0, "EN10")
+
+
+class Station:
+    """Notes what is asked of it."""
+
+    def __init__(self, state):
+        self.state = state
+        self.asked, self.stops, self.listeners = [], [], []
+
+    def submit(self, request):
+        self.asked.append(request)
+        return Future()
+
+    def stop(self, by):
+        self.stops.append(by)
+
+    def subscribe(self, listener):
+        self.listeners.append(listener)
+        return lambda: self.listeners.remove(listener)
+
+    def asked_for(self, kind):
+        return [request for request in self.asked if isinstance(request, kind)]
+
+
+class Session:
+    def __init__(self, state, clock):
+        self.clock, self.station = clock, Station(state)
+        self.started = self.closed = 0
+
+    def start(self):
+        self.started += 1
+
+    def close(self):
+        self.closed += 1
+
+
+def at_rest(clock):
+    """A homed, simulated G2 that answers, and rests on 101°W."""
+    now, utc = clock.monotonic(), clock.utc()
+    return StationState(
+        link=LinkState(Link.UP, now - 60, now - 0.2, 0.012),
+        port="sim:g2",
+        demo=True,
+        dish=CARRYOUT_G2,
+        firmware_version="02.02.48",
+        position=Pointing(189.16, 42.87, 189.16, 42.87, now - 0.2, utc, -120.0),
+        target_az_deg=189.16,
+        target_el_deg=42.87,
+        activity=Activity.IDLE,
+        homed=True,
+        search=Search.OFF,
+        turn=Turn.COUNTED,
+        feed_name="Ku LNB",
+        beam_deg=2.6,
+        el_min_deg=18.0,
+        el_max_deg=65.0,
+        readings=MappingProxyType(
+            {
+                "rssi": Reading(512.0, "counts", now - 0.4, utc),
+                "nvs.20": Reading("TRUE", "", now - 50, utc),
+            }
+        ),
+    )
+
+
+def slewing(clock):
+    state, now = at_rest(clock), clock.monotonic()
+    return replace(
+        state,
+        motion=Motion(231.0, 25.0, 160.7, 40.21, now - 0.6, now + 0.62, 0.3, "retarget"),
+        position=replace(state.position, az_deg=201.3, el_deg=32.9, dish_az_deg=201.3),
+        target_az_deg=160.7,
+        target_el_deg=40.21,
+        activity=Activity.SLEWING,
+        holder="you",
+    )
+
+
+def held(clock):
+    return replace(
+        at_rest(clock),
+        held=HeldState("you", clock.monotonic() - 8, clock.utc(), "stop", "Gpredict", 231.4, 44.0, 3),
+        last_stop=StopReport("you", clock.monotonic() - 8, "retarget", True, "Stopped."),
+        activity=Activity.IDLE,
+    )
+
+
+def lost(clock):
+    state, now = at_rest(clock), clock.monotonic()
+    return replace(
+        slewing(clock),
+        link=LinkState(Link.LOST, now - 7, now - 7.3, 0.012, "trying ttyUSB0, by-id FTDI_FT232R"),
+        position=replace(state.position, at=now - 7.3),
+        port="/dev/ttyUSB0",
+        demo=False,
+        homed=None,
+    )
+
+
+def silent(clock):
+    now = clock.monotonic()
+    link = LinkState(Link.SILENT, now - 4, now - 6, None, "no prompt: power off, cable out at the dish, or deadlocked")
+    return replace(at_rest(clock), link=link, position=None, homed=None, demo=False, port="/dev/ttyUSB0")
+
+
+def not_homed(clock):
+    return replace(
+        at_rest(clock),
+        homed=False,
+        position=None,
+        position_lost="unhomed",
+        turn=Turn.UNKNOWN,
+        target_az_deg=None,
+        target_el_deg=None,
+    )
+
+
+def opening(clock):
+    link = LinkState(Link.OPENING, clock.monotonic() - 1)
+    return StationState(link=link, port="/dev/ttyUSB0", turn=Turn.UNKNOWN)
+
+
+def fault(clock):
+    return replace(
+        at_rest(clock),
+        fault=Fault(
+            "stall",
+            "Azimuth stalled at 203.1°.",
+            "Something holds the dish, or a stop was hit; its steps may be lost.",
+            "Clear its swing, then home it.",
+            clock.utc(),
+        ),
+        holder=None,
+    )
+
+
+STATES = {
+    "idle": at_rest,
+    "slewing": slewing,
+    "held": held,
+    "lost": lost,
+    "silent": silent,
+    "not-homed": not_homed,
+    "opening": opening,
+    "fault": fault,
+}
+
+
+def samples(clock):
+    """A sweep over two satellites, as the tuner hears it."""
+    from math import exp, sin
+
+    now = clock.monotonic()
+    return [
+        Sample(
+            now - 0.4 - age * 0.5,
+            480 + 12 * sin(age * 1.7) + 420 * exp(-(((age - 14) / 5) ** 2)) + 260 * exp(-(((age - 52) / 4) ** 2)),
+        )
+        for age in range(150, -1, -1)
+    ]
+
+
+def app_in(name, *, theme="dusk", tour=False, heard=True):
+    clock = VirtualClock()
+    state = STATES[name](clock)
+    session = Session(state, clock)
+    settings = AppSettings(theme=theme, place=PLACE if state.demo else None, tour=tour)
+    app = BirdcageApp(session, settings)
+    if heard and state.position is not None:
+        app._signal.extend(samples(clock))
+    return app
+
+
+def text_of(app):
+    """What a person reads, row by row."""
+    strips = app.screen._compositor.render_strips()
+    return "\n".join("".join(segment.text for segment in strip) for strip in strips)

@@ -1,0 +1,97 @@
+"""Two surfaces to draw on: cells that hold text, and braille dots (2 across, 4 down in a cell) laid over them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+from rich.segment import Segment
+from rich.style import Style
+from textual.strip import Strip
+
+_DOT = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
+
+
+class Cells:
+    """A rectangle of characters, each with the name of its ink. Only characters one cell wide belong in here."""
+
+    def __init__(self, width: int, height: int, ink: str = "text") -> None:
+        self.width, self.height = max(width, 0), max(height, 0)
+        self._chars = [[" "] * self.width for _ in range(self.height)]
+        self._inks = [[ink] * self.width for _ in range(self.height)]
+
+    def put(self, x: int, y: int, text: str, ink: str = "text") -> int:
+        """Write `text`, clipped at the edges. Return the column after it."""
+        if 0 <= y < self.height:
+            chars, inks = self._chars[y], self._inks[y]
+            for column, char in enumerate(text, x):
+                if 0 <= column < self.width:
+                    chars[column], inks[column] = char, ink
+        return x + len(text)
+
+    def right(self, x: int, y: int, text: str, ink: str = "text") -> None:
+        """Write `text` so that it ends before column `x`."""
+        self.put(x - len(text), y, text, ink)
+
+    def free(self, x: int, y: int, length: int) -> bool:
+        """Return whether nothing stands there yet (braille counts as nothing)."""
+        if not (0 <= y < self.height and x >= 0 and x + length <= self.width):
+            return False
+        return all(char == " " or "\u2800" <= char <= "\u28ff" for char in self._chars[y][x : x + length])
+
+    def strips(self, inks: Mapping[str, Style]) -> list[Strip]:
+        """Return one strip a row; neighbours in the same ink become one segment."""
+        rows = []
+        for chars, names in zip(self._chars, self._inks, strict=True):
+            segments, start = [], 0
+            for end in range(1, self.width + 1):
+                if end == self.width or names[end] != names[start]:
+                    segments.append(Segment("".join(chars[start:end]), inks[names[start]]))
+                    start = end
+            rows.append(Strip(segments, self.width))
+        return rows
+
+
+class Braille:
+    """Dots in ink. What is drawn later gives its cell the colour. `copy` keeps a static layer for reuse."""
+
+    def __init__(self, width: int, height: int) -> None:
+        self.width, self.height = max(width, 0), max(height, 0)
+        self._bits = bytearray(self.width * self.height)
+        self._inks: list[str] = [""] * (self.width * self.height)
+
+    def copy(self) -> Braille:
+        """Return an equal canvas that may be drawn on."""
+        twin = Braille(0, 0)
+        twin.width, twin.height = self.width, self.height
+        twin._bits, twin._inks = bytearray(self._bits), list(self._inks)
+        return twin
+
+    def dot(self, x: float, y: float, ink: str) -> None:
+        """Set the dot at column `x` (0 to 2 width) and row `y` (0 to 4 height); nothing happens outside."""
+        column, row = math.floor(x), math.floor(y)
+        if 0 <= column < self.width * 2 and 0 <= row < self.height * 4:
+            index = (row >> 2) * self.width + (column >> 1)
+            self._bits[index] |= _DOT[row & 3][column & 1]
+            self._inks[index] = ink
+
+    def line(self, x0: float, y0: float, x1: float, y1: float, ink: str, every: int = 1) -> None:
+        """Draw a straight line, one dot in `every`."""
+        steps = max(1, round(max(abs(x1 - x0), abs(y1 - y0))))
+        for step in range(0, steps + 1, every):
+            self.dot(x0 + (x1 - x0) * step / steps, y0 + (y1 - y0) * step / steps, ink)
+
+    def circle(self, x: float, y: float, radius: float, ink: str, spacing: float = 0.8) -> None:
+        """Draw a circle, a dot every `spacing` dots along it."""
+        count = max(8, round(2 * math.pi * radius / spacing))
+        for step in range(count):
+            angle = 2 * math.pi * step / count
+            self.dot(x + radius * math.sin(angle) + 0.5, y - radius * math.cos(angle) + 0.5, ink)
+
+    def onto(self, cells: Cells, x: int, y: int) -> None:
+        """Lay the dots over `cells`, with the top left corner at (x, y); cells without dots are left alone."""
+        for row in range(self.height):
+            for column in range(self.width):
+                index = row * self.width + column
+                if self._bits[index]:
+                    cells.put(x + column, y + row, chr(0x2800 + self._bits[index]), self._inks[index])

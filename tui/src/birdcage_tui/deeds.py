@@ -1,0 +1,150 @@
+"""What the commands do. Mixed into the app; every deed is a request to the station or a change of what is shown."""
+
+from __future__ import annotations
+
+import asyncio
+import signal
+from collections.abc import Callable
+from concurrent.futures import Future
+from typing import TYPE_CHECKING
+
+from textual import on
+
+from birdcage.station.requests import AcknowledgeFault, Goto, Home, Jog, Release, Request
+from birdcage_tui.commands import BY_NAME
+from birdcage_tui.dialogs import GotoLine, HelpScreen, QuestionScreen
+from birdcage_tui.footer import KeyBar
+from birdcage_tui.status import BadDayRow, StopButton
+from birdcage_tui.themes import LOOKS
+
+if TYPE_CHECKING:
+    from birdcage_tui.app import BirdcageApp
+
+YOU = "you"
+STEP_DEG = 1.0
+STEPS = {
+    "left": (-STEP_DEG, 0.0),
+    "right": (STEP_DEG, 0.0),
+    "up": (0.0, STEP_DEG),
+    "down": (0.0, -STEP_DEG),
+}
+
+
+class Deeds:
+    """The handlers behind the table of commands."""
+
+    _note: str
+
+    def action_command(self: BirdcageApp, name: str) -> None:
+        """Do the command, or say why not."""
+        reason = BY_NAME[name].refused(self.view())
+        if reason is not None:
+            self.say("" if name == "release" else reason)
+            return
+        self._deed(name)()
+
+    def _deed(self: BirdcageApp, name: str) -> Callable[[], object]:
+        if name.startswith("page-"):
+            return lambda: self.show_page(name.removeprefix("page-"))
+        if name in STEPS:
+            return lambda: self.ask(Jog(*STEPS[name], YOU))
+        deeds: dict[str, Callable[[], object]] = {
+            "stop": self.stop_now,
+            "release": self.release,
+            "goto": self.query_one(GotoLine).open,
+            "home": self.ask_home,
+            "help": lambda: self.push_screen(HelpScreen(self.view())),
+            "palette": self.action_command_palette,
+            "theme": self.next_theme,
+            "quit": self.leave,
+        }
+        return deeds[name]
+
+    def say(self: BirdcageApp, words: str) -> None:
+        """Put a sentence into row 2, where the calm line is."""
+        self._note = words
+        self.paint()
+
+    def ask(self: BirdcageApp, request: Request) -> None:
+        """Submit a request; if it fails, the sentence of its error is shown."""
+
+        def done(future: Future[object]) -> None:
+            error = None if future.cancelled() else future.exception()
+            if error is not None and self._loop is not None and not self._loop.is_closed():
+                self._loop.call_soon_threadsafe(self.say, str(error))
+
+        self.station.submit(request).add_done_callback(done)
+
+    def stop_now(self: BirdcageApp) -> None:
+        """STOP."""
+        self.station.stop(YOU)
+        self.end_tour()
+        self.say("STOP.")
+
+    def release(self: BirdcageApp) -> None:
+        """Acknowledge a fault; with none, let go of HELD."""
+        if self.station.state.fault is not None:
+            self.ask(AcknowledgeFault(YOU))
+        elif self.station.state.held is not None:
+            self.ask(Release(YOU))
+        self.say("")
+
+    def ask_home(self: BirdcageApp) -> None:
+        """Ask in words, then home."""
+        dish = self.station.state.dish
+        takes = "" if dish is None or dish.homing_s is None else f", up to {dish.homing_s * 2:.0f} s"
+        stoppable = dish is not None and dish.homing_stoppable
+        words = f"The dish turns through its whole range and knocks at its stops{takes}. Keep its swing clear."
+        if not stoppable:
+            words += " Homing cannot be stopped from here: keep a hand on the 12 V switch."
+
+        def answered(yes: bool | None) -> None:
+            if yes:
+                self.ask(Home(YOU))
+
+        self.push_screen(QuestionScreen("Home the dish", words, "area is clear: home"), answered)
+
+    def next_theme(self: BirdcageApp) -> None:
+        """Change to the next look."""
+        names = list(LOOKS)
+        self.theme = names[(names.index(self.theme) + 1) % len(names)] if self.theme in names else names[0]
+
+    def leave(self: BirdcageApp) -> None:
+        """STOP first if anything moves; give the terminal back; `main` closes the session."""
+        if self.view().moving:
+            self.station.stop(YOU)
+        self.exit()
+
+    def _catch_signals(self: BirdcageApp) -> None:
+        """SIGTERM and SIGHUP end the app as Ctrl+Q does, with the customary exit status."""
+        loop = asyncio.get_running_loop()
+        for name in ("SIGTERM", "SIGHUP"):
+            number = getattr(signal, name, None)
+            if number is None:
+                continue
+            try:
+                loop.add_signal_handler(number, self._leave_by, int(number))
+            except (NotImplementedError, RuntimeError, ValueError):
+                return  # no signal handlers on this platform, or not in the main thread: the default action stays
+
+    def _leave_by(self: BirdcageApp, number: int) -> None:
+        if self.view().moving:
+            self.station.stop("signal")
+        self.exit(return_code=128 + number)
+
+    @on(StopButton.Pressed)
+    def _stop_pressed(self: BirdcageApp) -> None:
+        self.stop_now()
+
+    @on(BadDayRow.Pressed)
+    def _row_pressed(self: BirdcageApp) -> None:
+        self.release()
+
+    @on(KeyBar.Chosen)
+    def _key_chosen(self: BirdcageApp, event: KeyBar.Chosen) -> None:
+        self.end_tour()
+        self.action_command(event.name)
+
+    @on(GotoLine.Sent)
+    def _goto_sent(self: BirdcageApp, event: GotoLine.Sent) -> None:
+        self.ask(Goto(event.az_deg, event.el_deg, YOU))

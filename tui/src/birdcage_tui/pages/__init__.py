@@ -1,0 +1,1 @@
+"""The pages behind F1 to F10."""

@@ -1,0 +1,39 @@
+"""F1: what the dish does, what stops it, what comes next; then pictures."""
+
+from __future__ import annotations
+
+from textual.app import ComposeResult
+from textual.containers import Vertical
+
+from birdcage_tui.pages.page import Page
+from birdcage_tui.panes.health import HealthPane
+from birdcage_tui.panes.next import NextPane
+from birdcage_tui.panes.pointing import PointingPane
+from birdcage_tui.panes.signal import SignalPane
+from birdcage_tui.panes.sky import SkyPane
+
+
+class DashboardPage(Page):
+    """The sky at the left, as large as it can be round; readings and words at the right."""
+
+    WATCHES = frozenset({"position", "rssi", "health"})
+    RATE_HZ = 2.0
+
+    def compose(self) -> ComposeResult:
+        """Sky, then the right-hand column."""
+        yield SkyPane(id="sky")
+        with Vertical(id="readings") as column:
+            column.border_title = "Pointing"
+            yield PointingPane(id="pointing")
+            yield SignalPane(id="signal")
+            yield HealthPane(id="health")
+            yield NextPane(id="next")
+
+    def on_resize(self) -> None:
+        """Give the sky the width that makes its disc fill the height, and leave the readings theirs."""
+        width, height = self.size
+        if width < 100:
+            sky = 40
+        else:
+            sky = max(min((height - 2) * 2 + 6, width - 50), 40)
+        self.query_one(SkyPane).styles.width = sky

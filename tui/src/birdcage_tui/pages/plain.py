@@ -1,0 +1,101 @@
+"""A page that is not built yet says so, and what will be there."""
+
+from __future__ import annotations
+
+import textwrap
+
+from birdcage_tui.canvas import Cells
+from birdcage_tui.commands import PAGES
+from birdcage_tui.pages.page import Page
+from birdcage_tui.pane import Pane
+from birdcage_tui.view import View
+from textual.app import ComposeResult
+
+WILL = {
+    "control": (
+        "A compass rose and an elevation arc, moved with the arrow keys.",
+        "Jog steps, nudge of single digits, named presets.",
+        "Tracking: one pass, its reach, the error while following.",
+    ),
+    "signal": (
+        "A strip chart over the full width, lock and SNR, the peak marked.",
+        "Sweeps with true axes and a fitted peak.",
+        "A sky map in degrees that fills in while it runs.",
+    ),
+    "system": (
+        "Tables of hardware, motors, NVS, receiver and health.",
+        "Each value with its unit, age and the command it came from.",
+        "Changes shown as a difference before anything is written.",
+    ),
+    "console": (
+        "Every byte that passes on the wire, with its time.",
+        "The dish's own prompt, with its commands and their help.",
+        "A warning in words before a command that could harm it.",
+    ),
+    "camera": (
+        "A picture every so often, or at the events of a pass.",
+        "Files named by time, target and direction, never overwritten.",
+    ),
+    "passes": (
+        "What will be in reach of this dish, with countdown and minutes.",
+        "The path of the chosen pass over the sky, and what cuts it short.",
+    ),
+    "setup": (
+        "Eleven steps from wires to the first satellite.",
+        "Each one says what it does before it does it, and how to go back.",
+    ),
+    "motor": (
+        "A one-axis positioner driven over the coaxial cable.",
+        "Its stored positions, limits, and the arc it can reach.",
+    ),
+    "survey": (
+        "What the firmware answers to each of its own commands.",
+        "Reading only, menu by menu, kept as a report to compare.",
+    ),
+}
+MEANWHILE = {
+    "control": "Until then: g goes to a direction, and the arrow keys step 1°, on every page.",
+    "signal": "Until then: the dashboard (1) shows the signal as a strip.",
+    "system": "Until then: the dashboard (1) shows health, limits and firmware.",
+    "setup": "Until then: H homes the dish, and the dashboard (1) says what comes next.",
+}
+
+
+class PlainWords(Pane):
+    """The words of a page that is to come."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__()
+        self._name_of_page = name
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """A title, a few sentences, and where to go meanwhile."""
+        number, (_, title, text) = next(
+            (number, page) for number, page in enumerate(PAGES, 1) if page[0] == self._name_of_page
+        )
+        width = min(cells.width - 4, 72)
+        x = max((cells.width - width) // 2, 1)
+        y = max((cells.height - 14) // 3, 1)
+        cells.put(x, y, title, "strong")
+        cells.right(x + width, y, f"F{number}", "dim")
+        cells.put(x, y + 1, "─" * width, "line")
+        cells.put(x, y + 3, text, "text")
+        y += 5
+        cells.put(x, y, "This page is not built yet. It will have:", "warn")
+        for sentence in WILL[self._name_of_page]:
+            for index, line in enumerate(textwrap.wrap(sentence, width - 4)):
+                y += 1
+                cells.put(x + 2, y, f"{'·' if not index else ' '} {line}", "text")
+        cells.put(x, y + 2, MEANWHILE.get(self._name_of_page, "Until then: the dashboard (1) shows the dish."), "dim")
+
+
+class PlainPage(Page):
+    """An honest page: words, and nothing that only looks like a control."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(id=name)
+        self._page_name = name
+
+    def compose(self) -> ComposeResult:
+        """The words alone."""
+        yield PlainWords(self._page_name)

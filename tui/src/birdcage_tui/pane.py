@@ -1,0 +1,67 @@
+"""The base of everything that is drawn: a widget that repaints only the rows that changed."""
+
+from __future__ import annotations
+
+from rich.style import Style
+from textual.geometry import Region
+from textual.strip import Strip
+from textual.widget import Widget
+
+from birdcage_tui.canvas import Cells
+from birdcage_tui.themes import DEFAULT, LOOKS
+from birdcage_tui.view import View
+
+
+class Pane(Widget):
+    """Draws a `View` into cells. Textual sends identical cells again, so rows are compared before they are asked for."""
+
+    INK = "text"
+    """The ink of cells that nothing is written in."""
+
+    def __init__(self, *, id: str | None = None, classes: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id, classes=classes)
+        self._strips: list[Strip] = []
+        self.view: View | None = None
+
+    @property
+    def inks(self) -> dict[str, Style]:
+        """The styles of the theme in force."""
+        return LOOKS.get(self.app.theme, LOOKS[DEFAULT]).inks
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Draw into `cells`, which are as large as the widget's content."""
+        raise NotImplementedError
+
+    def show(self, view: View) -> None:
+        """Draw `view`, and repaint the rows in which it differs from what stands there."""
+        self.view = view
+        if not self.size or not self.is_attached:
+            return
+        cells = Cells(self.size.width, self.size.height, self.INK)
+        self.draw(cells, view)
+        strips = cells.strips(self.inks)
+        changed = [
+            Region(0, y, self.size.width, 1)
+            for y, strip in enumerate(strips)
+            if y >= len(self._strips) or strip != self._strips[y]
+        ]
+        self._strips = strips
+        if changed:
+            self.refresh(*changed)
+
+    def redraw(self) -> None:
+        """Draw the last view again: the size or the theme is another."""
+        self._strips = []
+        if self.view is not None:
+            self.show(self.view)
+        self.refresh()
+
+    def on_resize(self) -> None:
+        """Draw at the new size."""
+        self.redraw()
+
+    def render_line(self, y: int) -> Strip:
+        """Return row `y` as drawn."""
+        if y < len(self._strips):
+            return self._strips[y]
+        return Strip.blank(self.size.width, self.inks[self.INK])

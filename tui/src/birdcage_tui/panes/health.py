@@ -1,0 +1,65 @@
+"""Link and hardware health: one line a fact, unknown as a dash."""
+
+from __future__ import annotations
+
+from birdcage.station.state import Link
+from birdcage_tui.canvas import Cells
+from birdcage_tui.pane import Pane
+from birdcage_tui.view import View
+from birdcage_tui.words import LINK, SEARCH, age_text
+
+_OK, _NO, _UNKNOWN = ("●", "good"), ("▲", "warn"), ("·", "dim")
+
+
+class HealthPane(Pane):
+    """What the port, the dish and its firmware are like. One column, two when there is room."""
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.border_title = "Health"
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Write the facts in order of weight."""
+        facts = self.facts(view)
+        columns = 2 if cells.width >= 64 and len(facts) > cells.height else 1
+        if columns == 1 and len(facts) > cells.height:
+            facts = facts[: cells.height]
+        rows = -(-len(facts) // columns)
+        width = cells.width // columns
+        for index, ((glyph, ink), name, value) in enumerate(facts):
+            x, y = index // rows * width, index % rows
+            cells.put(x + 1, y, glyph, ink)
+            cells.put(x + 3, y, name, "dim")
+            cells.put(x + 13, y, value[: max(width - 14, 0)], "text")
+
+    @staticmethod
+    def facts(view: View) -> list[tuple[tuple[str, str], str, str]]:
+        """Return (glyph and ink, name, value) of every fact."""
+        state, link = view.state, view.state.link
+        up = link.state is Link.UP
+        heard = f", answered {age_text(view.now - link.last_reply)} ago" if link.last_reply is not None else ""
+        trip = "--" if link.round_trip_s is None else f"{link.round_trip_s * 1000:.0f} ms a reply"
+        noise = f", {link.stray_bytes} stray bytes" if link.stray_bytes else ""
+        nvs = state.readings.get("nvs.20")
+        limits = "--"
+        if state.el_min_deg is not None and state.el_max_deg is not None:
+            limits = f"{state.el_min_deg:.1f}° to {state.el_max_deg:.1f}° elevation"
+        offset = f"az {state.az_offset_deg:+.2f}°  el {state.el_offset_deg:+.2f}°"
+        beam = "beam unknown" if state.beam_deg is None else f"beam {state.beam_deg:.1f}°"
+        homed = {True: "yes", False: "NO", None: "--"}[state.homed]
+        search = SEARCH[state.search].removeprefix("TV search ")
+        return [
+            (_OK if up else _NO, "link", f"{LINK[link.state][1]}{heard}"),
+            (_OK if up else _UNKNOWN, "port", f"{state.port or '--'}  {trip}{noise}"),
+            (_UNKNOWN if state.homed is None else _OK if state.homed else _NO, "homed", homed),
+            (
+                {"off": _OK, "RUNNING": _NO}.get(search, _UNKNOWN),
+                "TV search",
+                search + (f" (NVS 20 {nvs.value})" if nvs is not None else ""),
+            ),
+            (_OK if state.el_min_deg is not None else _UNKNOWN, "limits", limits),
+            (_UNKNOWN, "firmware", state.firmware_version or "--"),
+            (_UNKNOWN, "feed", f"{state.feed_name or '--'}, {beam}"),
+            (_UNKNOWN, "offsets", offset),
+            (_UNKNOWN, "stow", "allowed by this feed" if state.stow_allowed else "locked by this feed"),
+        ]

@@ -1,0 +1,31 @@
+"""What it is doing, what stops it, what comes next, and which key makes it so."""
+
+from __future__ import annotations
+
+import textwrap
+
+from birdcage_tui.canvas import Cells
+from birdcage_tui.pane import Pane
+from birdcage_tui.view import View
+from birdcage_tui.words import next_steps
+
+
+class NextPane(Pane):
+    """Plain sentences, most important first."""
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.border_title = "What next"
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Wrap the sentences; in a tall pane a blank row parts them."""
+        width = max(cells.width - 2, 10)
+        steps = [(ink, textwrap.wrap(words, width)) for ink, words in next_steps(view)]
+        rows = sum(len(lines) for _, lines in steps)
+        air = 1 if cells.height >= rows + len(steps) - 1 else 0
+        y = 0
+        for ink, lines in steps:
+            for line in lines:
+                cells.put(1, y, line, ink)
+                y += 1
+            y += air

@@ -1,0 +1,92 @@
+"""The headline numbers: azimuth, elevation, what it is doing, what stops it, how much cable is left."""
+
+from __future__ import annotations
+
+from birdcage.protocol.model import Turn
+from birdcage_tui.canvas import Cells
+from birdcage_tui.digits import angle_text, put_big, width_of
+from birdcage_tui.pane import Pane
+from birdcage_tui.view import View
+from birdcage_tui.words import age_text, motion_text, stop_text
+
+
+class PointingPane(Pane):
+    """Big digits, the motion with its bar, STOP's power, the cable gauge."""
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.border_title = "Pointing"
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Fill from the top; a tall pane gets air between the groups."""
+        air = 1 if cells.height >= 10 else 0
+        y = self._digits(cells, air, view)
+        y += air
+        cells.put(1, y, motion_text(view)[: cells.width - 2], "accent-strong" if view.moving else "text")
+        self._bar(cells, y + 1, view)
+        cells.put(1, y + 2, stop_text(view)[: cells.width - 2], "text" if view.moving else "dim")
+        self._cable(cells, y + 3 + air, view)
+
+    @staticmethod
+    def _digits(cells: Cells, y: int, view: View) -> int:
+        position = view.state.position
+        ink = "dim" if view.stale else "big"
+        az = angle_text(position.az_deg if position else None, 3) + "°"
+        el = angle_text(position.el_deg if position else None, 2) + "°"
+        # Unknown azimuth is `--.--` too: an angle not known has no hundreds.
+        az = " --.--°" if position is None else az
+        gap = max(2, min(8, cells.width - 2 - width_of(az) - width_of(el)))
+        left = 1
+        start_el = put_big(cells, left, y, az, ink) + gap
+        put_big(cells, start_el, y, el, ink)
+        known = view.state.az_offset_deg == 0 and view.state.el_offset_deg == 0
+        cells.put(left, y + 3, "azimuth" + ("" if known else " true"), "dim")
+        cells.put(start_el, y + 3, "elevation", "dim")
+        age_s = view.position_age_s
+        if position is None:
+            note, note_ink = "not known", "warn"
+        elif view.stale and age_s is not None:
+            note, note_ink = f"{age_text(age_s)} old", "warn"
+        else:
+            note, note_ink = "", "dim"
+        cells.put(left + 13, y + 3, note, note_ink)
+        return y + 4
+
+    @staticmethod
+    def _bar(cells: Cells, y: int, view: View) -> None:
+        """Draw a thin line: what has passed of the motion's time, and what is left."""
+        width = max(cells.width - 2, 0)
+        progress = view.progress
+        if progress is None:
+            cells.put(1, y, "╌" * width, "line")
+            return
+        done = round(progress * width)
+        cells.put(1, y, "━" * done, "accent")
+        cells.put(1 + done, y, "─" * (width - done), "line")
+
+    @staticmethod
+    def _cable(cells: Cells, y: int, view: View) -> None:
+        """Draw where the cable stands between its two stops; hatched when its turn is not known."""
+        state = view.state
+        cable = state.dish.cable if state.dish is not None else None
+        if state.dish is not None and cable is None:
+            cells.put(1, y, "cable: this dish has no stop", "dim")
+            return
+        turn = state.position.cable_deg if state.position is not None else None
+        if cable is None or turn is None or state.turn is Turn.UNKNOWN:
+            words = " turn unknown"
+            cells.put(1, y, "cable ", "dim")
+            cells.put(7, y, "▕" + "▨" * max(cells.width - 10 - len(words), 0) + "▏", "line")
+            cells.put(cells.width - 1 - len(words), y, words, "warn")
+            return
+        left, right = turn - cable.min_deg, cable.max_deg - turn
+        x = cells.put(1, y, "cable ", "dim")
+        x = cells.put(x, y, f"CCW {left:3.0f}° ", "text")
+        tail = f" {right:3.0f}° CW"
+        width = cells.width - 1 - x - len(tail) - 2
+        if width < 3:
+            return
+        mark = min(width - 1, max(0, int(left / (left + right) * width)))
+        cells.put(x, y, "▕" + "─" * width + "▏", "dim")
+        cells.put(x + 1 + mark, y, "◉", "accent")
+        cells.put(x + width + 2, y, tail, "text")

@@ -1,0 +1,79 @@
+"""The signal strip: what the dish's tuner heard, newest at the right."""
+
+from __future__ import annotations
+
+from birdcage_tui.canvas import Braille, Cells
+from birdcage_tui.pane import Pane
+from birdcage_tui.view import STALE_S, Sample, View
+from birdcage_tui.words import age_text
+
+LEAST_SPAN = 100.0
+"""Counts between the bottom and the top of the strip at least: noise must look like noise."""
+COLUMN_S = 0.5
+"""Seconds that one column of cells stands for."""
+
+
+class SignalPane(Pane):
+    """Reading, peak and age in words; a braille curve below."""
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.border_title = "Signal"
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Draw words and curve, or what to do to hear something."""
+        if not view.signal:
+            self._empty(cells, view)
+            return
+        last = view.signal[-1]
+        axis = 6 if cells.width >= 34 and cells.height >= 4 else 0
+        width, height = max(cells.width - 2 - axis, 1), max(cells.height - 1, 1)
+        shown = [sample for sample in view.signal if view.now - sample.at <= width * COLUMN_S]
+        age_s = view.now - last.at
+        old = age_s > STALE_S
+        x = cells.put(1, 0, f"{last.value:5.0f}", "dim" if old else "strong")
+        x = cells.put(x, 0, " counts", "dim")
+        if shown:
+            best = max(shown, key=lambda sample: sample.value)
+            x = cells.put(x, 0, f"  peak {best.value:.0f}", "target")
+            if cells.width >= 46:
+                cells.put(x, 0, f", {age_text(view.now - best.at)} ago", "dim")
+            self._curve(cells, shown, view.now, width, height, axis)
+        cells.right(cells.width - 1, 0, f"{age_text(age_s)} old" if old else "tuner", "warn" if old else "dim")
+
+    @staticmethod
+    def _curve(cells: Cells, shown: list[Sample], now: float, width: int, height: int, axis: int) -> None:
+        low, high = min(s.value for s in shown), max(s.value for s in shown)
+        spare = max(LEAST_SPAN - (high - low), (high - low) * 0.1)
+        low, high = max(0.0, low - spare / 2), high + spare / 2
+        canvas = Braille(width, height)
+        dots = height * 4 - 1
+
+        def at(sample: Sample) -> tuple[float, float]:
+            return (
+                width * 2 - 1 - (now - sample.at) / COLUMN_S * 2,
+                dots * (1 - (sample.value - low) / (high - low)),
+            )
+
+        top = at(max(shown, key=lambda sample: sample.value))[1]
+        canvas.line(0, top, width * 2 - 1, top, "line", every=4)
+        for one, other in zip(shown, shown[1:], strict=False):
+            if other.at - one.at <= 5 * STALE_S:  # a longer silence is a gap, not a slope
+                canvas.line(*at(one), *at(other), "accent")
+        canvas.dot(*at(shown[-1]), "accent")
+        if axis:
+            cells.put(1, 1, f"{high:5.0f}", "dim")
+            cells.put(1, height, f"{low:5.0f}", "dim")
+        canvas.onto(cells, 1 + axis, 1)
+
+    @staticmethod
+    def _empty(cells: Cells, view: View) -> None:
+        dish = view.state.dish
+        if dish is not None and not dish.has_rssi:
+            words = (f"The {dish.name} has no tuner to read.", "Its signal comes from a receiver of yours.")
+        elif not view.link_up:
+            words = ("Nothing heard yet.", "The tuner is read once the dish answers.")
+        else:
+            words = ("Nothing heard yet.", "The tuner is read while the dish rests.")
+        for row, line in enumerate(words):
+            cells.put(1, row, line[: cells.width - 2], "dim")

@@ -1,0 +1,120 @@
+"""Row 1: link, dish, position, activity, holder, time, and the mouse's STOP. Row 2: what is wrong, or a calm line."""
+
+from __future__ import annotations
+
+import textwrap
+
+from textual import events
+from textual.message import Message
+
+from birdcage.station.state import Link
+from birdcage_tui.canvas import Cells
+from birdcage_tui.pane import Pane
+from birdcage_tui.view import View
+from birdcage_tui.words import ACTIVITY, LINK, age_text, bad_day, calm
+
+
+class StatusLine(Pane):
+    """Everything a person must know in one second. Fields keep their widths, so that nothing jumps."""
+
+    INK = "bar"
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Fill from the left by rank; what does not fit is left out, the time never."""
+        utc = f"{view.utc:%H:%M:%S}Z"
+        end = cells.width - len(utc) - 1
+        cells.put(end, 0, utc, "bar")
+        if view.state.demo:
+            end -= 6
+            cells.put(end, 0, " DEMO ", "target-row")
+        x = 1
+        for text, ink in self._fields(view, wide=cells.width >= 110):
+            if x + len(text) > end:
+                break
+            x = cells.put(x, 0, text, ink) + 2
+
+    @staticmethod
+    def _fields(view: View, *, wide: bool) -> list[tuple[str, str]]:
+        state, position = view.state, view.state.position
+        glyph, word = LINK[state.link.state]
+        heard = state.link.last_reply
+        age = age_text(view.now - heard) if heard is not None else "--"
+        name = state.dish.name if state.dish is not None else "dish ?"
+        if not wide:
+            name = name.rsplit(" ", 1)[-1][:8]
+        up = state.link.state is Link.UP
+        ink = "bar-dim" if view.stale else "bar"
+        az = f"{position.az_deg:6.2f}" if position else "---.--"
+        el = f"{position.el_deg:5.2f}" if position else "--.--"
+        activity = "HELD" if state.held is not None and not view.moving else ACTIVITY[state.activity]
+        if state.homed is False and not view.moving and state.held is None:
+            activity = "NOT HOMED"
+        fields = [
+            (f"{name} {glyph} {age:<4}" if up or not wide else f"{name} {glyph} {word} {age:<4}", "bar"),
+            (f"AZ {az}°", ink),
+            (f"EL {el}°", ink),
+            (f"{activity:<9}", "bar"),
+            (f"{(state.holder or 'nobody')[:16]:<9}", "bar-dim" if state.holder is None else "bar"),
+        ]
+        if state.az_offset_deg or state.el_offset_deg:
+            fields.append((f"offset {state.az_offset_deg:+.2f} {state.el_offset_deg:+.2f}", "bar"))
+        if state.feed_name:
+            fields.append((state.feed_name, "bar-dim"))
+        if wide and state.port:
+            fields.append((state.port, "bar-dim"))
+        if wide and state.firmware_version:
+            fields.append((f"firmware {state.firmware_version}", "bar-dim"))
+        return fields
+
+
+class StopButton(Pane):
+    """STOP for the mouse, in row 1 of every page. It acts on the press, not on the click."""
+
+    INK = "fault-row"
+
+    class Pressed(Message):
+        """A person pressed it."""
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Say what it is."""
+        cells.put(1, 0, "■ STOP", "fault-row")
+
+    def on_mouse_down(self, event: events.MouseDown) -> None:
+        """Stop at once."""
+        event.stop()
+        self.post_message(self.Pressed())
+
+
+class BadDayRow(Pane):
+    """Row 2: HELD, LINK LOST, SILENT, NOT HOMED, FAULT in words; else the calm line. Grows when words need room."""
+
+    LONGEST = 3
+
+    def lines(self, view: View, width: int) -> tuple[str, list[str]]:
+        """Return the ink and the wrapped rows, one at least."""
+        found = bad_day(view)
+        ink, words = ("dim", calm(view)) if found is None else found
+        rows = textwrap.wrap(words, max(width - 2, 10), max_lines=self.LONGEST if found else 1, placeholder=" …")
+        return ink, rows or [""]
+
+    def show(self, view: View) -> None:
+        """Take as many rows as the words need."""
+        _, rows = self.lines(view, self.size.width or 80)
+        if self.styles.height is None or self.styles.height.value != len(rows):
+            self.styles.height = len(rows)
+        super().show(view)
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Write the words, in colour over the whole width when something is wrong."""
+        ink, rows = self.lines(view, cells.width)
+        for y in range(cells.height):
+            cells.put(0, y, f" {rows[y] if y < len(rows) else ''}".ljust(cells.width), ink)
+
+    def on_mouse_down(self, event: events.MouseDown) -> None:
+        """Enter's mouse target: release, or acknowledge."""
+        event.stop()
+        if self.view is not None and (self.view.state.held or self.view.state.fault):
+            self.post_message(self.Pressed())
+
+    class Pressed(Message):
+        """A person pressed the row."""

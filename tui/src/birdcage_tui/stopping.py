@@ -1,0 +1,51 @@
+"""STOP before everything else. The keys are caught on the thread that reads them, so no frame is in front of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from textual.app import ScreenStackError
+from textual.driver import Driver
+from textual.events import Key
+from textual.message import Message
+from textual.widget import Widget
+from textual.widgets import Input, TextArea
+
+StopKey = Callable[[Key], bool]
+"""Stops if that key means STOP at this moment; returns whether it did. Called from any thread."""
+
+
+def is_stop_key(key: str, focused: Widget | None, *, may_move: bool) -> bool:
+    """Return whether `key` means STOP: Ctrl+C always, Space outside text fields, Esc while anything may move."""
+    if key == "ctrl+c":
+        return True
+    if key == "space":
+        return not isinstance(focused, Input | TextArea)
+    return key == "escape" and may_move
+
+
+def focused_widget(get: Callable[[], Widget | None]) -> Widget | None:
+    """Return what has the focus; None while there is no screen."""
+    try:
+        return get()
+    except ScreenStackError:
+        return None
+
+
+def stop_first(base: type[Driver]) -> type[Driver]:
+    """Return that driver with one thing added: keys go through the app's `stop_key` as soon as they were read.
+
+    Textual hands a key from its input thread to the event loop, where it waits for whatever frame is being painted.
+    `Station.stop` may be called from any thread, and so it is, here.
+    """
+
+    class StopFirst(base):  # type: ignore[misc, valid-type]
+        """Sees every key before the event loop does."""
+
+        def send_message(self, message: Message) -> None:
+            stop_key: StopKey | None = getattr(self._app, "stop_key", None)
+            if isinstance(message, Key) and stop_key is not None and stop_key(message):
+                self._app.stopped_keys.append(message)
+            super().send_message(message)
+
+    return StopFirst

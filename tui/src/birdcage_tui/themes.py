@@ -1,0 +1,129 @@
+"""Three looks: `dusk` (ground nearly black), `daylight` (for the sun) and `night` (red only, for dark-adapted eyes)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from rich.style import Style
+from textual.theme import Theme
+
+
+@dataclass(frozen=True)
+class Look:
+    """The colours of one theme, as `#rrggbb`. A state always has a glyph and a word besides its colour."""
+
+    name: str
+    ground: str
+    raised: str
+    """Ground of rows and keys that stand out a little."""
+    text: str
+    dim: str
+    line: str
+    """Frames, grids, hatching."""
+    focus: str
+    """The frame of the pane that has the focus."""
+    accent: str
+    """The dish, and what you command."""
+    target: str
+    """What you are pointing at."""
+    good: str
+    warn: str
+    fault: str
+    dark: bool = True
+
+    @cached_property
+    def inks(self) -> dict[str, Style]:
+        """Styles by name. Every one carries its ground: line-API widgets get none by themselves."""
+        plain = ("text", "dim", "line", "accent", "target", "good", "warn", "fault")
+        inks = {ink: Style(color=getattr(self, ink), bgcolor=self.ground) for ink in plain}
+        inks["strong"] = Style(color=self.text, bgcolor=self.ground, bold=True)
+        inks["big"] = Style(color=self.accent, bgcolor=self.ground, bold=True)
+        for ink in ("accent", "target", "good", "warn", "fault"):
+            inks[f"{ink}-strong"] = Style(color=getattr(self, ink), bgcolor=self.ground, bold=True)
+            inks[f"{ink}-row"] = Style(color=self.ground, bgcolor=getattr(self, ink), bold=True)
+        inks["key"] = Style(color=self.text, bgcolor=self.raised, bold=True)
+        inks["bar"] = Style(color=self.text, bgcolor=self.raised)
+        inks["bar-dim"] = Style(color=self.dim, bgcolor=self.raised)
+        return inks
+
+    def theme(self) -> Theme:
+        """Return it as Textual wants it."""
+        return Theme(
+            name=self.name,
+            primary=self.accent,
+            secondary=self.target,
+            accent=self.accent,
+            warning=self.warn,
+            error=self.fault,
+            success=self.good,
+            foreground=self.text,
+            background=self.ground,
+            surface=self.ground,
+            panel=self.raised,
+            boost=self.raised,
+            dark=self.dark,
+            text_alpha=1.0,
+            variables={
+                "line": self.line,
+                "focus": self.focus,
+                "dim": self.dim,
+                "block-cursor-foreground": self.ground,
+                "block-cursor-background": self.accent,
+                "input-cursor-background": self.text,
+                "input-cursor-foreground": self.ground,
+                "border": self.focus,
+                "border-blurred": self.line,
+            },
+        )
+
+
+LOOKS = {
+    look.name: look
+    for look in (
+        Look(
+            name="dusk",
+            ground="#0b0e12",
+            raised="#171d25",
+            text="#dde3ea",
+            dim="#8e99a6",
+            line="#3d4854",
+            focus="#7f95ad",
+            accent="#63c7f2",
+            target="#f3c64f",
+            good="#b5d6c3",
+            warn="#ff9e4a",
+            fault="#ff7a7a",
+        ),
+        Look(
+            name="daylight",
+            ground="#ffffff",
+            raised="#e9edf1",
+            text="#0c1116",
+            dim="#4a545f",
+            line="#a4aeb8",
+            focus="#3f5366",
+            accent="#004f8c",
+            target="#7a4b00",
+            good="#24503a",
+            warn="#9a3a00",
+            fault="#b00020",
+            dark=False,
+        ),
+        Look(
+            name="night",
+            ground="#000000",
+            raised="#1c0000",
+            text="#ff2a1a",
+            dim="#b81c10",
+            line="#6a0f08",
+            focus="#c82014",
+            accent="#ff3a2a",
+            target="#ff2a1a",
+            good="#ff2a1a",
+            warn="#ff2a1a",
+            fault="#ff4a3a",
+        ),
+    )
+}
+DEFAULT = "dusk"

@@ -1,0 +1,86 @@
+"""Everything that one frame shows: the station's state, the time, and what the app itself remembers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from datetime import datetime
+
+from birdcage.base.geometry import shortest_turn
+from birdcage.station.state import Activity, Link, StationState
+from birdcage_tui.settings import AppSettings
+
+STALE_S = 2.0
+"""A value older than this dims and shows its age."""
+
+
+@dataclass(frozen=True, slots=True)
+class Sample:
+    """One reading of the signal, at a monotonic time in seconds."""
+
+    at: float
+    value: float
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """One frame. Pure data: everything drawn follows from it."""
+
+    state: StationState
+    now: float
+    """Monotonic seconds."""
+    utc: datetime
+    settings: AppSettings
+    signal: Sequence[Sample] = ()
+    tour: str = ""
+    """What the demo tour says; empty when there is none."""
+    note: str = ""
+    """What the last command did, in one sentence."""
+
+    @property
+    def position_age_s(self) -> float | None:
+        """How old the last position is; None when there is none."""
+        position = self.state.position
+        return None if position is None else max(0.0, self.now - position.at)
+
+    @property
+    def stale(self) -> bool:
+        """Whether the position is too old to be believed."""
+        age_s = self.position_age_s
+        return age_s is None or age_s > STALE_S
+
+    @property
+    def link_up(self) -> bool:
+        """Whether the dish answers."""
+        return self.state.link.state is Link.UP
+
+    @property
+    def moving(self) -> bool:
+        """Whether the dish moves, as far as is known."""
+        return self.state.motion is not None or self.state.activity in MOVING
+
+    @property
+    def may_move(self) -> bool:
+        """Whether it moves, or may move by itself: then Esc stops first."""
+        return self.moving or bool(self.tour) or (self.state.holder is not None and self.state.held is None)
+
+    @property
+    def to_go_deg(self) -> float | None:
+        """How far the larger of the two axes has to go, from the last position read."""
+        motion, position = self.state.motion, self.state.position
+        if motion is None or position is None:
+            return None
+        turn = abs(shortest_turn(position.az_deg, motion.to_az_deg))
+        return max(turn, abs(motion.to_el_deg - position.el_deg))
+
+    @property
+    def progress(self) -> float | None:
+        """The part of the motion's time that has passed, 0 to 1; None when nothing moves."""
+        motion = self.state.motion
+        if motion is None:
+            return None
+        span = motion.eta - motion.started
+        return 1.0 if span <= 0 else min(1.0, max(0.0, (self.now - motion.started) / span))
+
+
+MOVING = frozenset({Activity.SLEWING, Activity.STOPPING, Activity.HOMING, Activity.MOVING_UNASKED})

@@ -1,0 +1,199 @@
+"""The station's state in plain words. Pure functions: the same view gives the same sentence."""
+
+from __future__ import annotations
+
+from birdcage.station.state import Activity, Link, Search
+from birdcage_tui.view import View
+
+ACTIVITY = {
+    Activity.UNKNOWN: "UNKNOWN",
+    Activity.IDLE: "IDLE",
+    Activity.SLEWING: "SLEWING",
+    Activity.STOPPING: "STOPPING",
+    Activity.HOMING: "HOMING",
+    Activity.INITIALIZING: "STARTING",
+    Activity.MOVING_UNASKED: "MOVES!",
+}
+SEARCH = {
+    Search.RUNNING: "TV search RUNNING",
+    Search.OFF: "TV search off",
+    Search.OFF_UNTIL_POWER_UP: "TV search off until power-up",
+    Search.UNKNOWN: "TV search unknown",
+}
+LINK = {
+    Link.CLOSED: ("○", "closed"),
+    Link.OPENING: ("◌", "opening"),
+    Link.UP: ("●", "up"),
+    Link.SILENT: ("◍", "silent"),
+    Link.LOST: ("○", "lost"),
+}
+
+
+def age_text(age_s: float) -> str:
+    """Return an age in four columns or so: `0.2s`, `12s`, `3m`, `2h`."""
+    if age_s < 9.95:
+        return f"{max(age_s, 0.0):.1f}s"
+    if age_s < 120:
+        return f"{age_s:.0f}s"
+    return f"{age_s / 60:.0f}m" if age_s < 7200 else f"{age_s / 3600:.0f}h"
+
+
+def span_text(span_s: float) -> str:
+    """Return a time that passes as `mm:ss`, or `h:mm:ss`."""
+    minutes, seconds = divmod(int(max(span_s, 0.0)), 60)
+    hours, minutes = divmod(minutes, 60)
+    return f"{hours}:{minutes:02}:{seconds:02}" if hours else f"{minutes:02}:{seconds:02}"
+
+
+def angle(value_deg: float | None, places: int = 2) -> str:
+    """Return `231.07`, or dashes as wide as `places` asks for."""
+    return ("-" * places + ".--") if value_deg is None else f"{value_deg:.2f}"
+
+
+def stop_text(view: View) -> str:
+    """Return what STOP can do to the present motion."""
+    motion = view.state.motion
+    if motion is None:
+        return "STOP holds it where it is"
+    if motion.stop_means == "none" or motion.stop_power_s is None:
+        return f"no STOP: ends in {max(0.0, motion.eta - view.now):.0f} s, or cut the power"
+    means = "by releasing the motors" if motion.stop_means == "release" else "by a new target"
+    return f"STOP in {motion.stop_power_s:.1f} s, {means}"
+
+
+def motion_text(view: View) -> str:
+    """Return what the dish is doing, in one short line."""
+    state = view.state
+    if state.motion is not None and state.activity is Activity.SLEWING:
+        to_go_deg, left_s = view.to_go_deg, state.motion.eta - view.now
+        going = "" if to_go_deg is None else f" {to_go_deg:.1f}° to go,"
+        return f"SLEWING{going} {left_s:.1f} s" if left_s > 0 else f"SLEWING{going} overdue {-left_s:.1f} s"
+    word = ACTIVITY[state.activity]
+    if state.activity is Activity.IDLE:
+        return "IDLE, at rest"
+    if state.activity is Activity.UNKNOWN:
+        return "UNKNOWN: nothing read yet" if not view.link_up else "UNKNOWN"
+    return f"{word} {state.activity_text}".rstrip()
+
+
+def _tags(view: View, *shown: str) -> str:
+    """Return the other things that are wrong, beside the one that the row tells."""
+    state = view.state
+    tags = [
+        ("HELD", state.held is not None),
+        ("FAULT", state.fault is not None),
+        ("NOT HOMED", state.homed is False),
+    ]
+    return "".join(f"  + {word}" for word, on in tags if on and word not in shown)
+
+
+def bad_day(view: View) -> tuple[str, str] | None:
+    """Return the ink and the words of the row under the status line when something is wrong, else None."""
+    state, link = view.state, view.state.link
+    if state.fault is not None:
+        fault = state.fault
+        words = f"✖ FAULT {fault.what} {fault.utc:%H:%M:%S}. {fault.meaning} {fault.remedy}"
+        return "fault-row", f"{words}  Enter acknowledge{_tags(view, 'FAULT', 'NOT HOMED')}"
+    if link.state is Link.LOST:
+        return "fault-row", f"○ LINK LOST {span_text(view.now - link.since)}  {_last_seen(view)}{link.detail}{_tags(view)}"
+    if link.state is Link.SILENT:
+        return "warn-row", f"◍ SILENT {span_text(view.now - link.since)}  {_last_seen(view)}{link.detail}{_tags(view)}"
+    if state.held is not None:
+        return "warn-row", _held(view) + _tags(view, "HELD")
+    if state.motion_refused_because:
+        return "warn-row", f"▲ NO MOTION  {state.motion_refused_because}"
+    if state.homed is False and state.activity is Activity.HOMING:
+        return "warn-row", "▲ NOT HOMED  Homing now: it runs into its stops. Keep clear; only the power switch stops it."
+    if state.homed is False:
+        return "warn-row", "▲ NOT HOMED  The dish does not know where it points and takes no go-to.  H home it"
+    return None
+
+
+def _last_seen(view: View) -> str:
+    position = view.state.position
+    if position is None:
+        return ""
+    moved = ", was moving" if view.moving else ""
+    return f"last seen AZ {position.az_deg:.2f} EL {position.el_deg:.2f}{moved}  "
+
+
+def _held(view: View) -> str:
+    held = view.state.held
+    assert held is not None, "asked only while held"
+    why = "" if held.reason == "stop" else f" ({held.reason})"
+    words = f"■ HELD by {held.by}{why} {held.utc:%H:%M:%S}"
+    if held.next_holder is not None:
+        aim = ""
+        if held.next_az_deg is not None and held.next_el_deg is not None:
+            aim = f" {held.next_az_deg:.1f}/{held.next_el_deg:.1f}"
+        words += f"  {held.next_holder}{aim} ignored"
+        words += f" x{held.ignored}" if held.ignored > 1 else ""
+    stopped = view.state.last_stop
+    if held.reason == "stop" and stopped is not None:
+        words += {True: "  STOP confirmed", False: "  STOP NOT CONFIRMED", None: "  STOP sent"}[stopped.confirmed]
+    return f"{words}  Enter release"
+
+
+def calm(view: View) -> str:
+    """Return the line under the status when nothing is wrong; it may be empty."""
+    if view.tour:
+        return view.tour
+    if view.state.link.state is Link.OPENING:
+        return f"Opening {view.state.port}. {view.state.link.detail}".rstrip()
+    return view.note or view.settings.notice
+
+
+def next_steps(view: View) -> list[tuple[str, str]]:
+    """Return what it is doing, what stops it, and what comes next, as (ink, sentence) in that order."""
+    state = view.state
+    link = state.link.state
+    if state.fault is not None:
+        return [
+            ("fault-strong", state.fault.what),
+            ("text", state.fault.meaning),
+            ("text", state.fault.remedy),
+            ("dim", "Enter acknowledges it. Nothing moves before."),
+        ]
+    if link in (Link.CLOSED, Link.OPENING):
+        return [
+            ("text", f"Opening {state.port or 'the port'} and listening for the dish."),
+            ("dim", "Nothing is sent that moves it. Its position shows as soon as it has told it."),
+        ]
+    if link in (Link.LOST, Link.SILENT):
+        back = "The port is looked for again by itself." if link is Link.LOST else "It is asked again by itself."
+        return [
+            ("warn-strong", "The adapter is gone." if link is Link.LOST else "The port is there, the dish is mute."),
+            ("text", state.link.detail or back),
+            ("dim", "Check the cable, then the dish's 12 V. " + back),
+            ("dim", "It stays held after that until you release it." if state.held else "Nothing moves meanwhile."),
+        ]
+    steps = [_doing(view)]
+    if view.moving:
+        steps.append(("text", f"Space: {stop_text(view)}."))
+    if state.held is not None:
+        steps.append(("text", "Nobody moves it before you release it: Enter."))
+    elif state.homed is False and state.activity is not Activity.HOMING:
+        steps.append(("text", "Next: H homes it. It turns through its whole range and knocks at its stops."))
+    elif view.tour:
+        steps.append(("text", view.tour))
+    elif not view.moving:
+        steps.append(("text", "Next: g goes to a direction, arrows step 1°."))
+    steps.append(("dim", "? all keys   : commands   8 setup"))
+    return steps
+
+
+def _doing(view: View) -> tuple[str, str]:
+    state = view.state
+    if state.held is not None and not view.moving:
+        return "warn-strong", f"Held by {state.held.by}."
+    if state.activity is Activity.SLEWING and state.motion is not None:
+        aim = f"{state.motion.to_az_deg:.2f}° / {state.motion.to_el_deg:.2f}°"
+        return "accent-strong", f"{(state.holder or 'Somebody').capitalize()} moves it to {aim}."
+    if state.activity is Activity.MOVING_UNASKED:
+        return "fault-strong", "It moves though nobody asked: TV search, wind, or a hand."
+    if state.activity is Activity.HOMING:
+        return "warn-strong", f"Homing. {state.activity_text}".rstrip()
+    if state.homed is False:
+        return "warn-strong", "The dish is not homed."
+    holder = f"{state.holder} has control." if state.holder else "Nobody has control."
+    return "strong", f"At rest. {holder}"
