@@ -112,3 +112,13 @@ def test_two_watchers_the_keener_one_counts(bench):
     start = bench.clock.monotonic()
     bench.step(10)
     assert 8 <= sum(at > start and line == "a" for at, line in bench.received()) <= 12
+
+
+def test_the_position_is_polled_from_the_first_second_on():
+    """Right after opening no `q` may go out for twice the longest delay: the excursions wait, the position does not."""
+    bench = Bench()
+    bench.watch("position", "rssi", "health")
+    bench.step(4)
+    read = [event.at for event in bench.events if type(event).__name__ == "PositionRead"]
+    assert len(read) >= 4
+    assert max(later - earlier for earlier, later in pairwise(read)) < 1.2

@@ -62,9 +62,14 @@ class Look:
         self._board.read("rssi", float(reading.average), "counts")
 
     @property
+    def may_leave(self) -> bool:
+        """Whether the console can leave its menu at once: else it would first have to wait for a quiet line."""
+        return self._antenna.protocol.console.in_step
+
+    @property
     def wants_survey(self) -> bool:
-        """Whether identity and limits are to be read, and the console can leave its menu without a long wait."""
-        return self._settings.survey and not self._surveyed and self._antenna.protocol.console.in_step
+        """Whether identity and limits are to be read, and can be at once."""
+        return self._settings.survey and not self._surveyed and self.may_leave
 
     def survey(self) -> None:
         """Read identity and limits, and come back to the motor menu."""

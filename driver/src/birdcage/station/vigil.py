@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.errors import Stopped
 from birdcage.station.board import Board
@@ -35,16 +37,22 @@ class Vigil:
         if moving or self._board.state.activity not in (Activity.IDLE, Activity.UNKNOWN, Activity.MOVING_UNASKED):
             return None
         if self._look.wants_survey:
-            return self._board.clock.monotonic()
+            return -math.inf
         signal = self._signal_due()
         if self._watches.excursion is not None:
             return signal  # in the tuner's menu until the reads are done: the position waits
-        times = (self._look_again_at, self._watches.position_due(), signal)
+        times = (self._look_again_at, self._position_due(), signal)
         return min((time for time in times if time is not None), default=None)
+
+    def _position_due(self) -> float | None:
+        # Whoever waits to leave this menu needs an answer from it first.
+        return self._watches.position_due(for_any=not self._look.may_leave)
 
     def _signal_due(self) -> float | None:
         dish = self._board.state.dish
         if dish is None or not dish.has_rssi or self._board.state.activity is not Activity.IDLE:
+            return None
+        if self._watches.excursion is None and not self._look.may_leave:
             return None
         return self._watches.rssi_due()
 
@@ -54,7 +62,7 @@ class Vigil:
             self._look.survey()
             return
         now = self._board.clock.monotonic()
-        signal, position = self._signal_due(), self._watches.position_due()
+        signal, position = self._signal_due(), self._position_due()
         if self._watches.excursion is not None:
             self._read_signal(now)
         elif (position is not None and position <= now) or self._is_due(self._look_again_at, now):

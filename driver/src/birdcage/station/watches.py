@@ -53,9 +53,11 @@ class Watches:
         """Return whether anybody watches the feature."""
         return any(feature in watch.features for watch in self._watchers.values())
 
-    def position_due(self) -> float | None:
-        """Return when to read the position next, while at rest; None when nobody looks."""
+    def position_due(self, *, for_any: bool) -> float | None:
+        """Return when to read the position next, while at rest; None when nobody looks at it, or `for_any` feature."""
         period_s = self.period_s("position", POSITION_PERIOD_S)
+        if period_s is None and for_any and self._watchers:
+            period_s = POSITION_PERIOD_S
         return None if period_s is None else self._position_at + period_s
 
     def position_was_read(self, at: float) -> None:
