@@ -70,8 +70,8 @@ def drive_scripted(steps, to_dish, to_host) -> None:
     drive(dish, clock, steps, lanes, alive)
 
 
-QUICK = settings(max_examples=300, derandomize=True, deadline=None, database=None)
-LONG = settings(max_examples=20_000, deadline=None, database=None, suppress_health_check=list(HealthCheck))
+QUICK = settings(max_examples=1000, derandomize=True, deadline=None, database=None)
+LONG = settings(max_examples=5_000, deadline=None, database=None, suppress_health_check=list(HealthCheck))
 drawn = given(bench.STEPS, bench.FAULTS, bench.FAULTS)
 
 
