@@ -87,13 +87,13 @@ def test_the_stock_feed_is_built_in_and_may_stow(read):
 
 
 def test_an_unknown_key_is_refused_with_the_nearest(read):
-    settings = read("[app]\ntheme = 'night'\n\n[motion]\nmin_elevaton_deg = 30\nauto_resume = true\n")
+    settings = read("[app]\ntheme = 'night'\n\n[motion]\nmin_elevaton_deg = 30\nstop_releases_motors = true\n")
     problem = the_problem(settings)
     assert problem.line == 5
     assert problem.key == "motion.min_elevaton_deg"
     assert problem.sentence == "motion.min_elevaton_deg is no setting; did you mean min_elevation_deg?"
     assert problem.text.startswith(f"{problem.file}:5: ")
-    assert settings.motion.auto_resume is True
+    assert settings.motion.stop_releases_motors is True
     assert settings.app.theme == "night"
     assert "nothing moves" in settings.motion_problem
     assert ":5:" in settings.motion_problem
@@ -116,7 +116,7 @@ def test_an_unknown_key_elsewhere_does_not_refuse_motion(read):
         ("[motion]\nmin_elevation_deg = nan\n", 2, "motion.min_elevation_deg is nan, not a finite number.", True),
         ("[motion]\nmin_elevation_deg = inf\n", 2, "motion.min_elevation_deg is inf, not a finite number.", True),
         ("[motion]\nmin_elevation_deg = 200\n", 2, "motion.min_elevation_deg is 200, more than 180 deg.", True),
-        ("[motion]\nauto_resume = 1\n", 2, "motion.auto_resume is 1, not true or false.", True),
+        ("[motion]\nstop_releases_motors = 1\n", 2, "motion.stop_releases_motors is 1, not true or false.", True),
         ("[motion]\nmin_elevation_deg = true\n", 2, "motion.min_elevation_deg is true, not a number.", True),
         ("[dish]\nbaud = 9600.5\n", 2, "dish.baud is 9600.5, not a whole number.", False),
         ("[dish]\nport = ''\n", 2, "dish.port is empty; leave the line out to leave it unset.", False),
@@ -248,7 +248,7 @@ def test_the_schema_documents_every_key():
     by_path = {row.path: row for row in table}
     floor = by_path["motion.min_elevation_deg"]
     assert (floor.unit, floor.optional, floor.limits_motion, floor.kind) == ("deg", True, True, "number")
-    assert by_path["feed.NAME.speed_limit_deg_s"].unit == "deg/s"
+    assert by_path["feed.NAME.beam_deg"].unit == "deg"
     assert by_path["app.theme"].choices == ("daylight", "dusk", "night")
     variables = [row.env for row in table if row.env]
     assert len(set(variables)) == len(variables)

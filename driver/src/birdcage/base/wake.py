@@ -15,7 +15,8 @@ class Wake:
     def __init__(self) -> None:
         self._receiver, self._sender = socket.socketpair()
         self._receiver.setblocking(False)
-        self._lock = threading.Lock()
+        # Reentrant: a signal handler may set it on top of the `set` that it interrupted.
+        self._lock = threading.RLock()
         self._set = False
 
     def fileno(self) -> int:

@@ -56,7 +56,10 @@ def open_session(
             open_link=open_port,
             find_port=_finder(settings.link.usb_identity, ports),
             delay_s=settings.link.delay_s,
-            alignment=Alignment(settings.alignment.az_offset_deg, settings.alignment.el_offset_deg),
+            alignment=Alignment(
+                settings.alignment.az_offset_deg + feed.az_offset_deg,
+                settings.alignment.el_offset_deg + feed.el_offset_deg,
+            ),
             min_elevation_deg=motion.min_elevation_deg,
             max_elevation_deg=motion.max_elevation_deg,
             cable_min_deg=motion.cable_min_deg,

@@ -38,11 +38,7 @@ class FeedProfile(Section):
         0.0, "How far the beam looks clockwise of the dish's axis.", minimum=-45.0, maximum=45.0
     )
     el_offset_deg: float = setting(0.0, "How far the beam looks above the dish's axis.", minimum=-45.0, maximum=45.0)
-    signal_source: str = setting("dish", "Where the signal strength comes from; dish is its own tuner.")
     stow_allowed: bool = setting(False, "Whether the dish may fold flat with this feed: false if it would be crushed.")
-    speed_limit_deg_s: float | None = setting(
-        None, "The fastest that this feed may be moved.", minimum=0.01, maximum=360.0
-    )
 
     def complaints(self) -> Iterator[Complaint]:
         """Yield a band turned upside down."""

@@ -75,10 +75,6 @@ class MotionSettings(Section):
     stop_releases_motors: bool = setting(
         False, "Let STOP release the motors where nothing else stops the dish; its position is unknown afterwards."
     )
-    auto_resume: bool = setting(False, "Go on by itself after a short gap in the link, if nothing else has changed.")
-    resume_gap_s: float = setting(
-        10.0, "The longest gap after which it may go on by itself.", minimum=0.0, maximum=600.0
-    )
 
     def complaints(self) -> Iterator[Complaint]:
         """Yield limits that leave nothing between them."""

@@ -1,0 +1,128 @@
+"""From the key's bytes at the app's terminal to the first STOP byte at the dish's pty, and how soon the dish rests.
+
+The simulator runs in another process; the bench stands between its pty and the app's and notes when each byte passes.
+Peer: the same keys at a minimal Textual app that writes one byte to a pty in its key handler, in the same run.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import pty
+import select
+import statistics
+import subprocess
+import sys
+import threading
+import time
+import tty
+from pathlib import Path
+
+from terminal import Terminal, percentile
+
+BIN = Path(sys.executable).parent
+PRESSES = 20
+KEYS = {"Space": b" ", "Ctrl+C": b"\x03", "Esc": b"\x1b"}
+
+
+class Relay(threading.Thread):
+    """Passes bytes between the app's serial port and the simulator's, and notes what the app sends, and when."""
+
+    def __init__(self, dish: str) -> None:
+        super().__init__(daemon=True)
+        self.master, slave = pty.openpty()
+        tty.setraw(slave)
+        self.port = os.ttyname(slave)
+        self._slave = slave
+        self._dish = os.open(dish, os.O_RDWR | os.O_NOCTTY)
+        tty.setraw(self._dish)
+        self.sent: list[tuple[float, bytes]] = []
+
+    def run(self) -> None:
+        while True:
+            for fd in select.select([self.master, self._dish], [], [])[0]:
+                data = os.read(fd, 4096)
+                if fd == self.master:
+                    self.sent.append((time.monotonic(), data))
+                    os.write(self._dish, data)
+                else:
+                    os.write(self.master, data)
+
+    def first_stop(self, after: float, timeout_s: float = 2.0) -> float:
+        """Return when the first move line after `after` passed: while the dish slews, only STOP sends one."""
+        end = time.monotonic() + timeout_s
+        while time.monotonic() < end:
+            for at, data in list(self.sent):
+                if at >= after and data.startswith(b"a 0 "):
+                    return at
+            time.sleep(0.001)
+        sys.exit("no STOP byte within 2 s")
+
+
+def app_rows(port: str, relay: Relay) -> dict[str, list[float]]:
+    """Press each key in mid-slew, and time it."""
+    app = Terminal([str(BIN / "birdcage-tui"), "--port", port, "--firmware", "g2"])
+    app.wait_for(lambda output: b"IDLE" in output)
+    app.watch(1.0)
+    reader = threading.Thread(target=app.watch, args=(3600.0,), daemon=True)
+    reader.start()
+    rows: dict[str, list[float]] = {name: [] for name in KEYS}
+    east = True
+    for _press in range(PRESSES):
+        for name, key in KEYS.items():
+            east = not east
+            app.press(b"g")
+            time.sleep(0.15)
+            app.press(b"100 30\r" if east else b"250 60\r")
+            time.sleep(0.6)
+            pressed = app.press(key)
+            rows[name].append(relay.first_stop(pressed) - pressed)
+            time.sleep(1.0)
+            app.press(b"\r")
+            time.sleep(0.3)
+    app.kill()
+    return rows
+
+
+def floor_row() -> list[float]:
+    """Time a minimal app that answers a key with one byte on a pty."""
+    master, slave = pty.openpty()
+    tty.setraw(slave)
+    floor = Terminal([sys.executable, str(Path(__file__).with_name("minimal_key.py")), os.ttyname(slave)])
+    floor.wait_for(lambda output: b"ready" in output)
+    floor.watch(0.5)
+    times = []
+    for _press in range(PRESSES):
+        pressed = floor.press(b" ")
+        select.select([master], [], [], 2.0)
+        times.append(time.monotonic() - pressed)
+        os.read(master, 16)
+        floor.watch(0.05)
+    floor.kill()
+    return times
+
+
+def main() -> None:
+    command = [str(BIN / "birdcage"), "sim", "--firmware", "g2", "--json", "-o", "az_speed=20"]
+    simulator = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+    assert simulator.stdout is not None
+    try:
+        relay = Relay(json.loads(simulator.stdout.readline())["port"])
+        relay.start()
+        rows = {"minimal Textual app": floor_row(), **app_rows(relay.port, relay)}
+    finally:
+        simulator.terminate()
+        simulator.wait(5)
+    floor = percentile(rows["minimal Textual app"], 0.95)
+    print(f"{'key to first byte on the wire':32}{'median':>10}{'p95':>10}{'ratio of p95':>14}")
+    report = {}
+    for name, values in rows.items():
+        median, p95 = statistics.median(values), percentile(values, 0.95)
+        print(f"{name:32}{median * 1e3:7.1f} ms{p95 * 1e3:7.1f} ms{p95 / floor:14.2f}")
+        report[name] = {"median_s": round(median, 5), "p95_s": round(p95, 5), "ratio": round(p95 / floor, 2)}
+    budget = {"Space": 0.010, "Ctrl+C": 0.010, "Esc": 0.120}
+    print(json.dumps({"bench": "stop_latency", "presses": PRESSES, "budget_p95_s": budget, **report}))
+
+
+if __name__ == "__main__":
+    main()
