@@ -10,7 +10,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "tui"))
 
-import stand_in  # noqa: E402
+import stand_in
 
 FONTS = ("DejaVu Sans Mono", "/usr/share/fonts/truetype/dejavu")
 

@@ -49,8 +49,6 @@ class BirdcageApp(Deeds, App[None]):
     CSS_PATH = Path(__file__).with_name("app.tcss")
     AUTO_FOCUS = None
     COMMANDS = {CommandProvider}  # noqa: RUF012
-    HORIZONTAL_BREAKPOINTS = [(0, "-tiny"), (80, "-normal"), (100, "-wide")]  # noqa: RUF012
-    VERTICAL_BREAKPOINTS = [(0, "-short"), (24, "-full"), (44, "-tall")]  # noqa: RUF012
     BINDINGS = [  # noqa: RUF012
         Binding(",".join(c.keys), f"command({c.name!r})", c.title, show=False, id=c.name, tooltip=c.help, priority=c.priority)
         for c in commands.COMMANDS
@@ -179,12 +177,14 @@ class BirdcageApp(Deeds, App[None]):
         self._changed()
 
     def on_resize(self) -> None:
-        """The classes that choose the layout follow the width; a low terminal is too small as well."""
-        self.call_after_refresh(self._fit)
-
-    def _fit(self) -> None:
-        self.screen_stack[0].set_class(self.size.width < 80 or self.size.height < 24, "-tiny")
-        self.paint()
+        """Choose the layout: one size may need both its width and its height."""
+        width, height = self.size
+        screen = self.screen_stack[0]
+        screen.set_class(width < 80 or height < 24, "-tiny")
+        screen.set_class(width >= 100 and height >= 30, "-wide")
+        screen.set_class(width >= 150, "-grand")
+        screen.set_class(height >= 44, "-tall")
+        self.call_after_refresh(self.paint)
 
     def _recolour(self, _: object) -> None:
         for pane in self.screen_stack[0].query(Pane):

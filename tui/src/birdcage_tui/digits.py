@@ -1,6 +1,9 @@
-"""Big digits, three rows tall. Unknown is `--.--`; the width never changes with the value."""
+"""Big digits, three rows tall, or five where there is room. Unknown is `--.--`; the width never changes with the value."""
 
 from __future__ import annotations
+
+from functools import cache
+from itertools import pairwise
 
 from birdcage_tui.canvas import Cells
 
@@ -20,7 +23,8 @@ _GLYPHS = {
     ".": (" ", " ", "•"),
     "°": ("°", " ", " "),
 }
-HEIGHT = 3
+_RIGHT, _LEFT = "╭╰─├╶┌└┴┬", "╮╯─┤╴┐┘┴┬"
+_DOWN, _UP = "╭╮│├┤╷┌┐", "╰╯│├┤╵└┘┴"
 
 
 def angle_text(angle_deg: float | None, places: int) -> str:
@@ -29,16 +33,36 @@ def angle_text(angle_deg: float | None, places: int) -> str:
     return ("-" * places + ".--" if angle_deg is None else f"{angle_deg:.2f}").rjust(width)
 
 
-def width_of(text: str) -> int:
+def width_of(text: str, *, large: bool = False) -> int:
     """Return how many columns `text` takes in big digits."""
-    return sum(len(_GLYPHS[char][0]) for char in text)
+    return sum(len(_glyph(char, large=large)[0]) for char in text)
 
 
-def put_big(cells: Cells, x: int, y: int, text: str, ink: str, unit_ink: str = "dim") -> int:
+def _glyph(char: str, *, large: bool) -> tuple[str, ...]:
+    return _stretched(char) if large else _GLYPHS[char]
+
+
+@cache
+def _stretched(char: str) -> tuple[str, ...]:
+    """Return the glyph five rows tall and, unless it is one column wide, five wide: its lines drawn out."""
+    rows = []
+    for row in _GLYPHS[char]:
+        wide = row[0]
+        for left, right in pairwise(row):
+            wide += ("─" if left in _RIGHT and right in _LEFT else " ") + right
+        rows.append(wide)
+    tall = [rows[0]]
+    for upper, lower in pairwise(rows):
+        tall.append("".join("│" if a in _DOWN and b in _UP else " " for a, b in zip(upper, lower, strict=True)))
+        tall.append(lower)
+    return tuple(tall)
+
+
+def put_big(cells: Cells, x: int, y: int, text: str, ink: str, *, large: bool = False) -> int:
     """Draw `text` (digits, point, minus, degree sign). Return the column after it."""
     for char in text:
-        glyph = _GLYPHS[char]
+        glyph = _glyph(char, large=large)
         for row, piece in enumerate(glyph):
-            cells.put(x, y + row, piece, unit_ink if char == "°" else ink)
+            cells.put(x, y + row, piece, "dim" if char == "°" else ink)
         x += len(glyph[0])
     return x

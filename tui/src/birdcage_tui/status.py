@@ -24,6 +24,7 @@ class StatusLine(Pane):
         utc = f"{view.utc:%H:%M:%S}Z"
         end = cells.width - len(utc) - 1
         cells.put(end, 0, utc, "bar")
+        end -= 1
         if view.state.demo:
             end -= 6
             cells.put(end, 0, " DEMO ", "target-row")
@@ -39,7 +40,7 @@ class StatusLine(Pane):
         glyph, word = LINK[state.link.state]
         heard = state.link.last_reply
         age = age_text(view.now - heard) if heard is not None else "--"
-        name = state.dish.name if state.dish is not None else "dish ?"
+        name = state.dish.name if state.dish is not None else "dish"
         if not wide:
             name = name.rsplit(" ", 1)[-1][:8]
         up = state.link.state is Link.UP

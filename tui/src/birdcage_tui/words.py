@@ -53,6 +53,8 @@ def angle(value_deg: float | None, places: int = 2) -> str:
 def stop_text(view: View) -> str:
     """Return what STOP can do to the present motion."""
     motion = view.state.motion
+    if not view.link_up:
+        return "STOP cannot reach it: 12 V switch"
     if motion is None:
         return "STOP holds it where it is"
     if motion.stop_means == "none" or motion.stop_power_s is None:
@@ -64,6 +66,8 @@ def stop_text(view: View) -> str:
 def motion_text(view: View) -> str:
     """Return what the dish is doing, in one short line."""
     state = view.state
+    if not view.link_up:
+        return "MOVING when last heard" if view.moving else "UNKNOWN: the dish does not answer"
     if state.motion is not None and state.activity is Activity.SLEWING:
         to_go_deg, left_s = view.to_go_deg, state.motion.eta - view.now
         going = "" if to_go_deg is None else f" {to_go_deg:.1f}° to go,"
@@ -72,7 +76,7 @@ def motion_text(view: View) -> str:
     if state.activity is Activity.IDLE:
         return "IDLE, at rest"
     if state.activity is Activity.UNKNOWN:
-        return "UNKNOWN: nothing read yet" if not view.link_up else "UNKNOWN"
+        return "UNKNOWN: nothing read yet"
     return f"{word} {state.activity_text}".rstrip()
 
 
@@ -103,9 +107,9 @@ def bad_day(view: View) -> tuple[str, str] | None:
     if state.motion_refused_because:
         return "warn-row", f"▲ NO MOTION  {state.motion_refused_because}"
     if state.homed is False and state.activity is Activity.HOMING:
-        return "warn-row", "▲ NOT HOMED  Homing now: it runs into its stops. Keep clear; only the power switch stops it."
+        return "warn-row", "▲ NOT HOMED  Homing: it runs into its stops. Only the power switch stops it."
     if state.homed is False:
-        return "warn-row", "▲ NOT HOMED  The dish does not know where it points and takes no go-to.  H home it"
+        return "warn-row", "▲ NOT HOMED  The dish does not know where it points.  H home it"
     return None
 
 
@@ -130,7 +134,7 @@ def _held(view: View) -> str:
         words += f" x{held.ignored}" if held.ignored > 1 else ""
     stopped = view.state.last_stop
     if held.reason == "stop" and stopped is not None:
-        words += {True: "  STOP confirmed", False: "  STOP NOT CONFIRMED", None: "  STOP sent"}[stopped.confirmed]
+        words += {True: "", False: "  STOP NOT CONFIRMED", None: "  STOP sent"}[stopped.confirmed]
     return f"{words}  Enter release"
 
 
@@ -140,7 +144,20 @@ def calm(view: View) -> str:
         return view.tour
     if view.state.link.state is Link.OPENING:
         return f"Opening {view.state.port}. {view.state.link.detail}".rstrip()
-    return view.note or view.settings.notice
+    return view.note or view.settings.notice or _standing(view)
+
+
+def _standing(view: View) -> str:
+    """Return what holds all the time and is easily forgotten: feed, offsets, place."""
+    state, place = view.state, view.settings.place
+    parts = [state.feed_name] if state.feed_name else []
+    if state.beam_deg is not None:
+        parts.append(f"beam {state.beam_deg:.1f}°")
+    if state.az_offset_deg or state.el_offset_deg:
+        parts.append(f"offset az {state.az_offset_deg:+.2f}° el {state.el_offset_deg:+.2f}°")
+    if place is not None and place.name:
+        parts.append(place.name)
+    return "  ".join(parts)
 
 
 def next_steps(view: View) -> list[tuple[str, str]]:
@@ -178,17 +195,19 @@ def next_steps(view: View) -> list[tuple[str, str]]:
         steps.append(("text", view.tour))
     elif not view.moving:
         steps.append(("text", "Next: g goes to a direction, arrows step 1°."))
-    steps.append(("dim", "? all keys   : commands   8 setup"))
+    steps.append(("dim", "? all keys   : commands   1 to 0 pages"))
     return steps
 
 
 def _doing(view: View) -> tuple[str, str]:
     state = view.state
     if state.held is not None and not view.moving:
-        return "warn-strong", f"Held by {state.held.by}."
+        report = state.last_stop
+        return "warn-strong", f"Held by {state.held.by}. {report.sentence if report is not None else ''}".rstrip()
     if state.activity is Activity.SLEWING and state.motion is not None:
         aim = f"{state.motion.to_az_deg:.2f}° / {state.motion.to_el_deg:.2f}°"
-        return "accent-strong", f"{(state.holder or 'Somebody').capitalize()} moves it to {aim}."
+        who = state.holder or "somebody"
+        return "accent-strong", f"{who.capitalize()} {'move' if who == 'you' else 'moves'} it to {aim}."
     if state.activity is Activity.MOVING_UNASKED:
         return "fault-strong", "It moves though nobody asked: TV search, wind, or a hand."
     if state.activity is Activity.HOMING:

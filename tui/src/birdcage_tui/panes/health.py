@@ -37,7 +37,7 @@ class HealthPane(Pane):
         """Return (glyph and ink, name, value) of every fact."""
         state, link = view.state, view.state.link
         up = link.state is Link.UP
-        heard = f", answered {age_text(view.now - link.last_reply)} ago" if link.last_reply is not None else ""
+        heard = f"  heard {age_text(view.now - link.last_reply)} ago" if link.last_reply is not None else ""
         trip = "--" if link.round_trip_s is None else f"{link.round_trip_s * 1000:.0f} ms a reply"
         noise = f", {link.stray_bytes} stray bytes" if link.stray_bytes else ""
         nvs = state.readings.get("nvs.20")
@@ -49,8 +49,8 @@ class HealthPane(Pane):
         homed = {True: "yes", False: "NO", None: "--"}[state.homed]
         search = SEARCH[state.search].removeprefix("TV search ")
         return [
-            (_OK if up else _NO, "link", f"{LINK[link.state][1]}{heard}"),
-            (_OK if up else _UNKNOWN, "port", f"{state.port or '--'}  {trip}{noise}"),
+            (_OK if up else _NO, "link", f"{LINK[link.state][1]}, {trip}{noise}"),
+            (_OK if up else _UNKNOWN, "port", f"{state.port or '--'}{heard}"),
             (_UNKNOWN if state.homed is None else _OK if state.homed else _NO, "homed", homed),
             (
                 {"off": _OK, "RUNNING": _NO}.get(search, _UNKNOWN),
@@ -59,7 +59,6 @@ class HealthPane(Pane):
             ),
             (_OK if state.el_min_deg is not None else _UNKNOWN, "limits", limits),
             (_UNKNOWN, "firmware", state.firmware_version or "--"),
-            (_UNKNOWN, "feed", f"{state.feed_name or '--'}, {beam}"),
+            (_UNKNOWN, "feed", f"{state.feed_name or '--'}, {beam}, {'stow allowed' if state.stow_allowed else 'stow locked'}"),
             (_UNKNOWN, "offsets", offset),
-            (_UNKNOWN, "stow", "allowed by this feed" if state.stow_allowed else "locked by this feed"),
         ]

@@ -25,6 +25,8 @@ class NextPane(Pane):
         air = 1 if cells.height >= rows + len(steps) - 1 else 0
         y = 0
         for ink, lines in steps:
+            if y and y + len(lines) > cells.height:
+                break  # half a sentence is worse than none
             for line in lines:
                 cells.put(1, y, line, ink)
                 y += 1

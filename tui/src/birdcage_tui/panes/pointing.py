@@ -20,28 +20,26 @@ class PointingPane(Pane):
     def draw(self, cells: Cells, view: View) -> None:
         """Fill from the top; a tall pane gets air between the groups."""
         air = 1 if cells.height >= 10 else 0
-        y = self._digits(cells, air, view)
-        y += air
+        large = cells.width >= 55 and cells.height >= 12
+        y = self._digits(cells, view, large=large) + air
         cells.put(1, y, motion_text(view)[: cells.width - 2], "accent-strong" if view.moving else "text")
         self._bar(cells, y + 1, view)
         cells.put(1, y + 2, stop_text(view)[: cells.width - 2], "text" if view.moving else "dim")
         self._cable(cells, y + 3 + air, view)
 
     @staticmethod
-    def _digits(cells: Cells, y: int, view: View) -> int:
+    def _digits(cells: Cells, view: View, *, large: bool) -> int:
         position = view.state.position
         ink = "dim" if view.stale else "big"
         az = angle_text(position.az_deg if position else None, 3) + "°"
         el = angle_text(position.el_deg if position else None, 2) + "°"
         # Unknown azimuth is `--.--` too: an angle not known has no hundreds.
         az = " --.--°" if position is None else az
-        gap = max(2, min(8, cells.width - 2 - width_of(az) - width_of(el)))
+        gap = max(2, min(8, cells.width - 2 - width_of(az, large=large) - width_of(el, large=large)))
         left = 1
-        start_el = put_big(cells, left, y, az, ink) + gap
-        put_big(cells, start_el, y, el, ink)
-        known = view.state.az_offset_deg == 0 and view.state.el_offset_deg == 0
-        cells.put(left, y + 3, "azimuth" + ("" if known else " true"), "dim")
-        cells.put(start_el, y + 3, "elevation", "dim")
+        start_el = put_big(cells, left, 0, az, ink, large=large) + gap
+        put_big(cells, start_el, 0, el, ink, large=large)
+        y = 5 if large else 3
         age_s = view.position_age_s
         if position is None:
             note, note_ink = "not known", "warn"
@@ -49,8 +47,11 @@ class PointingPane(Pane):
             note, note_ink = f"{age_text(age_s)} old", "warn"
         else:
             note, note_ink = "", "dim"
-        cells.put(left + 13, y + 3, note, note_ink)
-        return y + 4
+        known = view.state.az_offset_deg == 0 and view.state.el_offset_deg == 0
+        cells.put(left, y, "azimuth" if known or note else "azimuth true", "dim")
+        cells.put(start_el, y, "elevation", "dim")
+        cells.put(left + 9, y, note, note_ink)
+        return y + 1
 
     @staticmethod
     def _bar(cells: Cells, y: int, view: View) -> None:

@@ -55,7 +55,7 @@ class Polar:
         reach = math.ceil(outer)
         for dy in range(-reach, reach + 1):
             for dx in range(-reach, reach + 1):
-                if (dx + dy) % 6 or (dx & 1 and dy & 1 and (dx + dy) % 12):
+                if (dx + dy) % 6 or dx % 2:
                     continue
                 if not inner <= math.hypot(dx, dy) <= outer:
                     continue

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import textwrap
+
 from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import STALE_S, Sample, View
@@ -38,6 +40,7 @@ class SignalPane(Pane):
             x = cells.put(x, 0, f"  peak {best.value:.0f}", "target")
             if cells.width >= 46:
                 cells.put(x, 0, f", {age_text(view.now - best.at)} ago", "dim")
+            self.border_subtitle = f"last {width * COLUMN_S:.0f} s"
             self._curve(cells, shown, view.now, width, height, axis)
         cells.right(cells.width - 1, 0, f"{age_text(age_s)} old" if old else "tuner", "warn" if old else "dim")
 
@@ -75,5 +78,5 @@ class SignalPane(Pane):
             words = ("Nothing heard yet.", "The tuner is read once the dish answers.")
         else:
             words = ("Nothing heard yet.", "The tuner is read while the dish rests.")
-        for row, line in enumerate(words):
-            cells.put(1, row, line[: cells.width - 2], "dim")
+        for row, line in enumerate(textwrap.wrap(" ".join(words), max(cells.width - 2, 10))):
+            cells.put(1, row, line, "dim")

@@ -131,7 +131,7 @@ class SkyPane(Pane):
         if position is not None:
             cells.put(*polar.cell(position.az_deg, position.el_deg), "◉", "dim" if view.stale else "accent-strong")
         elif cells.width >= 30:
-            words = "where it points is not known"
+            words = " where it points is not known "
             cells.put(polar.width // 2 - len(words) // 2, polar.height // 2, words, "dim")
 
     @staticmethod
