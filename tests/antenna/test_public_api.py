@@ -194,3 +194,12 @@ def test_initialize_waits_for_a_boot_and_tells():
     rig.protocol.initialize(lines.append)
     assert any("no prompt yet" in line for line in lines)
     assert rig.protocol.console.menu == "mot"
+
+
+def test_a_stop_that_the_dish_refuses_is_not_reported_as_done():
+    rig = Rig("g2?seed=1&second_move=refuse")
+    rig.antenna.initialize()
+    rig.antenna.point(300.0, 45.0)
+    rig.wait(0.3)
+    with pytest.raises(CommandRefused):
+        rig.antenna.stop()

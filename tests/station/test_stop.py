@@ -123,8 +123,9 @@ def test_stop_in_a_homing_says_that_nothing_stops_it():
     assert bench.state.held is not None
 
 
-def test_a_queueing_dish_is_reported_not_claimed_stopped():
-    bench = Bench("g2?seed=1&second_move=queue").connect()
+@pytest.mark.parametrize("second_move", ["queue", "refuse"])
+def test_a_dish_that_takes_no_new_target_is_reported_not_claimed_stopped(second_move):
+    bench = Bench(f"g2?seed=1&second_move={second_move}&az_speed=20").connect()
     in_mid_slew(bench, 0.5)
     bench.station.stop("you")
     bench.step(20)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from birdcage.antenna.alignment import Alignment
 from birdcage.antenna.motion import STOP_LATENCY_S, DishMotion, start_motion
 from birdcage.base.clock import Clock
-from birdcage.base.errors import MotionRefused, NoReply, WrongThread
+from birdcage.base.errors import MotionRefused, WrongThread
 from birdcage.base.geometry import shortest_turn, wrap_360
 from birdcage.kinematics import rest_point
 from birdcage.leapfrog import apply_leapfrog
@@ -199,7 +199,7 @@ class BirdcageAntenna:
     def stop(self) -> None:
         """Reset the move counter and bring the dish to rest: a new target just ahead of where it is.
 
-        NoReply when the dish does not confirm within 2 s.
+        NoReply when the dish does not answer within 2 s, CommandRefused when it does not take the new target.
         """
         self._check_thread()
         self._moves = 0
@@ -209,6 +209,8 @@ class BirdcageAntenna:
         if not lines:
             return
         self._protocol.interject(lines)
-        if not self._protocol.console.settle(2.0):
-            raise NoReply("STOP was sent; the dish did not confirm it.")
+        console = self._protocol.console
+        for refusal in map(console.refusal, console.settle(2.0)):
+            if refusal is not None:
+                raise refusal
         self.motion = None

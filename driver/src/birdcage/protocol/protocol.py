@@ -83,14 +83,17 @@ class FirmwareProtocol(ABC):
         self._link = link
         self._console = Console(link, clock, self.dialect, delay_s=delay_s, wake=wake, on_wake=on_wake, on_line=on_line)
 
-    def disconnect(self) -> None:
-        """Go back to the root menu where that is safe, and close the port. Never raises for a port that is gone."""
+    def disconnect(self, *, within_s: float = 2.0) -> None:
+        """Go back to the root menu where that is safe within a time, and close the port.
+
+        Never raises for a port that is gone.
+        """
         link, console = self._link, self._console
         self._link = self._console = None
         if link is None or console is None:
             return
         try:
-            console.leave_all()
+            console.leave_all(within_s)
         except BirdcageError:
             # A dish that no longer answers stays in its menu; the port is closed all the same.
             return

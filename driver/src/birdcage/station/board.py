@@ -38,16 +38,20 @@ class Board:
         with self._lock:
             self._listeners += (listener,)
 
-        def unsubscribe() -> None:
-            with self._lock:
-                self._listeners = tuple(other for other in self._listeners if other is not listener)
+        return lambda: self._drop(listener)
 
-        return unsubscribe
+    def _drop(self, listener: Listener) -> None:
+        with self._lock:
+            self._listeners = tuple(other for other in self._listeners if other is not listener)
 
     def tell(self, event: Event) -> None:
-        """Tell all listeners."""
+        """Tell all listeners. What one raises is raised; it is not told anything more."""
         for listener in self._listeners:
-            listener(event)
+            try:
+                listener(event)
+            except BaseException:
+                self._drop(listener)
+                raise
 
     def read(self, feature: str, value: float | str | bool, unit: str = "") -> None:
         """Note a value that the dish has just told."""

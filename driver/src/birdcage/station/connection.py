@@ -18,6 +18,8 @@ from birdcage.station.state import Activity, Link
 FIRST_RETRY_S = 0.5
 LONGEST_RETRY_S = 5.0
 SILENT_RETRY_S = 1.0
+CLOSE_S = 0.05
+"""How long leaving may try to bring the console back to its root menu."""
 
 
 class Connection:
@@ -85,7 +87,7 @@ class Connection:
 
     def lost(self, error: LinkError) -> None:
         """The port is gone: forget what may have changed, and look for it again."""
-        self._protocol.disconnect()
+        self._protocol.disconnect(within_s=0.0)
         self._forget("unread")
         self._retry_s = FIRST_RETRY_S
         self._retry_later(Link.LOST, str(error))
@@ -131,5 +133,5 @@ class Connection:
     def close(self) -> None:
         """Give the port back."""
         self.due = None
-        self._protocol.disconnect()
+        self._protocol.disconnect(within_s=CLOSE_S)
         self._set(Link.CLOSED, "closed")

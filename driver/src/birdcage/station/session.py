@@ -45,9 +45,9 @@ class Session:
             self.station.begin()
             self.station.step(math.inf)
         except BaseException as crash:
+            # Kept for the face to tell: a traceback from this thread would land in the middle of its screen.
             self.crash = crash
             self.station.stop("a fault of birdcage")
-            raise
         finally:
             self.station.shut()
 
