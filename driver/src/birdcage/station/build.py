@@ -95,11 +95,9 @@ def _finder(identity: str | None, ports: PortLister) -> Callable[[str], str | No
     def find(port: str) -> str | None:
         nonlocal seen
         here = identify(port, ports)
-        if here is not None:
-            seen = seen or here
-            return port
-        if seen is not None:
-            return find_again(seen, ports)
-        return port
+        if seen is None:
+            seen = here
+        # Another adapter may have taken the path since: it is not this dish's.
+        return port if here == seen else find_again(seen or "", ports)
 
     return find

@@ -1,0 +1,54 @@
+"""The port after a replug: where it was, or wherever the adapter with the same USB identity is now."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from birdcage.base.clock import VirtualClock
+from birdcage.base.config import Settings
+from birdcage.base.paths import Paths
+from birdcage.link.ports import PortInfo
+from birdcage.station.build import open_session
+
+
+@dataclass
+class Shelf:
+    ports: tuple[PortInfo, ...] = ()
+
+    def __call__(self):
+        return list(self.ports)
+
+
+def adapter(device, serial):
+    return PortInfo(device, None, "FTDI", "0403:6001", serial, "1-1")
+
+
+def finder(tmp_path, shelf):
+    session = open_session(
+        port="/dev/ttyUSB0", firmware="g2", baud=None, settings=Settings(), paths=Paths.in_folder(tmp_path),
+        clock=VirtualClock(), ports=shelf,
+    )  # fmt: skip
+    return session.station.settings.find_port
+
+
+def test_the_same_adapter_on_another_path(tmp_path):
+    shelf = Shelf((adapter("/dev/ttyUSB0", "A1"), adapter("/dev/ttyUSB1", "B2")))
+    find = finder(tmp_path, shelf)
+    assert find("/dev/ttyUSB0") == "/dev/ttyUSB0"
+    shelf.ports = (adapter("/dev/ttyUSB1", "B2"),)
+    assert find("/dev/ttyUSB0") is None
+    shelf.ports = (adapter("/dev/ttyUSB1", "B2"), adapter("/dev/ttyUSB2", "A1"))
+    assert find("/dev/ttyUSB0") == "/dev/ttyUSB2"
+
+
+def test_another_adapter_that_took_the_path_is_left_alone(tmp_path):
+    shelf = Shelf((adapter("/dev/ttyUSB0", "A1"),))
+    find = finder(tmp_path, shelf)
+    assert find("/dev/ttyUSB0") == "/dev/ttyUSB0"
+    shelf.ports = (adapter("/dev/ttyUSB0", "B2"),)
+    assert find("/dev/ttyUSB0") is None
+
+
+def test_a_port_without_identity_is_tried_where_it_was(tmp_path):
+    find = finder(tmp_path, Shelf())
+    assert find("/dev/ttyUSB0") == "/dev/ttyUSB0"
