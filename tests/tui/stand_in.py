@@ -115,9 +115,9 @@ def held(clock):
 
 
 def lost(clock):
-    state, now = at_rest(clock), clock.monotonic()
+    state, now = slewing(clock), clock.monotonic()
     return replace(
-        slewing(clock),
+        state,
         link=LinkState(Link.LOST, now - 7, now - 7.3, 0.012, "trying ttyUSB0, by-id FTDI_FT232R"),
         position=replace(state.position, at=now - 7.3),
         port="/dev/ttyUSB0",

@@ -88,8 +88,8 @@ class BirdcageApp(Deeds, App[None]):
             yield StopButton()
         yield BadDayRow()
         yield Static("The terminal is smaller than 80x24: make it larger to see the pages. Space stops.", id="too-small")
-        with ContentSwitcher(initial="dashboard", id="pages"):
-            yield DashboardPage(id="dashboard")
+        with ContentSwitcher(initial="page-dashboard", id="pages"):
+            yield DashboardPage(id="page-dashboard")
         yield GotoLine()
         yield KeyBar()
 
@@ -198,11 +198,12 @@ class BirdcageApp(Deeds, App[None]):
 
     async def _show_page(self, name: str) -> None:
         pages = self.screen_stack[0].query_one("#pages", ContentSwitcher)
-        if not pages.query(f"#{name}"):
+        page_id = f"page-{name}"
+        if not pages.query(f"#{page_id}"):
             page = PlainPage(name)
             page.display = False
             await pages.mount(page)
-        pages.current = name
+        pages.current = page_id
         self._watch()
         self.call_after_refresh(self.paint)
 

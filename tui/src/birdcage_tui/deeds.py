@@ -8,13 +8,10 @@ from collections.abc import Callable
 from concurrent.futures import Future
 from typing import TYPE_CHECKING
 
-from textual import on
-
 from birdcage.station.requests import AcknowledgeFault, Goto, Home, Jog, Release, Request
 from birdcage_tui.commands import BY_NAME
 from birdcage_tui.dialogs import GotoLine, HelpScreen, QuestionScreen
 from birdcage_tui.footer import KeyBar
-from birdcage_tui.status import BadDayRow, StopButton
 from birdcage_tui.themes import LOOKS
 
 if TYPE_CHECKING:
@@ -51,7 +48,7 @@ class Deeds:
         deeds: dict[str, Callable[[], object]] = {
             "stop": self.stop_now,
             "release": self.release,
-            "goto": self.query_one(GotoLine).open,
+            "goto": lambda: self.query_one(GotoLine).open(),
             "home": self.ask_home,
             "help": lambda: self.push_screen(HelpScreen(self.view())),
             "palette": self.action_command_palette,
@@ -132,19 +129,19 @@ class Deeds:
             self.station.stop("signal")
         self.exit(return_code=128 + number)
 
-    @on(StopButton.Pressed)
-    def _stop_pressed(self: BirdcageApp) -> None:
+    def on_stop_button_pressed(self: BirdcageApp) -> None:
+        """The mouse stops."""
         self.stop_now()
 
-    @on(BadDayRow.Pressed)
-    def _row_pressed(self: BirdcageApp) -> None:
+    def on_bad_day_row_pressed(self: BirdcageApp) -> None:
+        """The mouse releases or acknowledges."""
         self.release()
 
-    @on(KeyBar.Chosen)
-    def _key_chosen(self: BirdcageApp, event: KeyBar.Chosen) -> None:
+    def on_key_bar_chosen(self: BirdcageApp, event: KeyBar.Chosen) -> None:
+        """The mouse does what a key does."""
         self.end_tour()
         self.action_command(event.name)
 
-    @on(GotoLine.Sent)
-    def _goto_sent(self: BirdcageApp, event: GotoLine.Sent) -> None:
+    def on_goto_line_sent(self: BirdcageApp, event: GotoLine.Sent) -> None:
+        """Go where the person typed."""
         self.ask(Goto(event.az_deg, event.el_deg, YOU))

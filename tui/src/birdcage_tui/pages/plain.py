@@ -93,7 +93,7 @@ class PlainPage(Page):
     """An honest page: words, and nothing that only looks like a control."""
 
     def __init__(self, name: str) -> None:
-        super().__init__(id=name)
+        super().__init__(id=f"page-{name}")
         self._page_name = name
 
     def compose(self) -> ComposeResult:

@@ -40,7 +40,9 @@ class SignalPane(Pane):
             x = cells.put(x, 0, f"  peak {best.value:.0f}", "target")
             if cells.width >= 46:
                 cells.put(x, 0, f", {age_text(view.now - best.at)} ago", "dim")
-            self.border_subtitle = f"last {width * COLUMN_S:.0f} s"
+            span = f"last {width * COLUMN_S:.0f} s"
+            if self.border_subtitle != span:  # setting it repaints the pane, equal or not
+                self.border_subtitle = span
             self._curve(cells, shown, view.now, width, height, axis)
         cells.right(cells.width - 1, 0, f"{age_text(age_s)} old" if old else "tuner", "warn" if old else "dim")
 

@@ -1,0 +1,179 @@
+"""Everything a person needs lies inside the screen, at every size; and says what it should."""
+
+import asyncio
+
+import pytest
+import stand_in
+from birdcage_tui.commands import PAGES
+from birdcage_tui.footer import KeyBar
+from birdcage_tui.pane import Pane
+from birdcage_tui.panes.health import HealthPane
+from birdcage_tui.panes.next import NextPane
+from birdcage_tui.panes.pointing import PointingPane
+from birdcage_tui.panes.signal import SignalPane
+from birdcage_tui.panes.sky import SkyPane
+from birdcage_tui.status import BadDayRow, StatusLine, StopButton
+
+SIZES = [(80, 24), (120, 36), (160, 48), (200, 60)]
+ALWAYS = [StatusLine, StopButton, BadDayRow, KeyBar]
+
+
+def run(test, name="idle", size=(80, 24), **options):
+    async def body():
+        app = stand_in.app_in(name, **options)
+        async with app.run_test(size=size) as pilot:
+            await pilot.pause()
+            await pilot.pause()
+            app.paint()
+            await pilot.pause()
+            return await test(app, pilot)
+
+    return asyncio.run(body())
+
+
+async def read(app, pilot):
+    return stand_in.text_of(app)
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+@pytest.mark.parametrize("name", stand_in.STATES)
+def test_what_a_person_needs_is_inside_the_screen(name, size):
+    wanted = [*ALWAYS, SkyPane, PointingPane, SignalPane, NextPane]
+    if size[0] >= 100:
+        wanted.append(HealthPane)
+
+    async def regions(app, pilot):
+        found = {kind.__name__: app.query_one(kind).region for kind in wanted}
+        insides = {kind.__name__: app.query_one(kind).content_size for kind in wanted}
+        return found, insides, app.screen.region
+
+    found, insides, screen = run(regions, name, size)
+    for what, region in found.items():
+        assert region.area > 0, what
+        assert screen.contains_region(region), f"{what} {region} is not inside {screen}"
+        assert insides[what].area > 0, what
+    panes = list(found.items())
+    for index, (what, region) in enumerate(panes):
+        for other, second in panes[index + 1 :]:
+            assert not region.overlaps(second), f"{what} lies over {other}"
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_first_questions_are_answered_at_every_size(size):
+    text = run(read, "slewing", size)
+    for words in ("AZ 201.30°", "EL 32.90°", "SLEWING", "you", "DEMO", "12:00:00Z", "■ STOP", "Space STOP"):
+        assert words in text
+    assert "40.6° to go, 0.6 s" in text
+    assert "STOP in 0.3 s" in text
+    assert "CCW 303°" in text
+    assert "counts" in text
+    assert "You move it to" in text
+
+
+@pytest.mark.parametrize("size", SIZES[1:], ids=str)
+def test_health_is_whole_when_there_is_room(size):
+    text = run(read, "idle", size)
+    for words in ("12 ms a reply", "02.02.48", "NVS 20 TRUE", "18.0° to 65.0°", "az +0.00°", "stow locked", "Ku LNB"):
+        assert words in text
+
+
+def test_the_geostationary_arc_names_its_slots_and_only_with_a_place():
+    assert "119°W" in run(read, "idle")
+    assert "119°W EchoStar" in run(read, "idle", (160, 48))
+    assert "119°W" not in run(read, "opening", (160, 48))
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("held", ("■ HELD by you", "Gpredict 231.4/44.0 ignored x3", "Enter release")),
+        ("lost", ("○ LINK LOST 00:07", "last seen AZ 201.30 EL 32.90, was moving", "by-id")),
+        ("silent", ("◍ SILENT 00:04", "power off", "AZ ---.--°", "EL --.--°")),
+        ("not-homed", ("▲ NOT HOMED", "H home it", "AZ ---.--°", "NOT HOMED  nobody")),
+        ("fault", ("✖ FAULT Azimuth stalled at 203.1°.", "its steps", "Clear its swing", "Enter", "acknowledge")),
+        ("opening", ("Opening /dev/ttyUSB0.", "AZ ---.--°")),
+    ],
+)
+@pytest.mark.parametrize("size", SIZES[:2], ids=str)
+def test_a_bad_day_is_told_in_words(name, words, size):
+    text = run(read, name, size)
+    for word in words:
+        assert word in text, text
+
+
+def test_what_is_unknown_is_dashes_and_never_a_number():
+    text = run(read, "not-homed", (120, 36))
+    assert "╶─╴╶─╴ ╶─╴╶─╴" in text
+    assert "azimuth  not known" in text
+    assert "turn unknown" in text
+    assert "189" not in text
+    assert "STOP holds" in text
+
+
+def test_a_stale_position_dims_and_shows_its_age():
+    async def age(app, pilot):
+        fresh = stand_in.text_of(app)
+        pane = app.query_one(PointingPane)
+        ink = pane._strips[0]._segments[1].style
+        app.session.clock.advance(5.0)
+        app.paint()
+        await pilot.pause()
+        return fresh, ink, stand_in.text_of(app), pane._strips[0]._segments[1].style, pane.inks
+
+    fresh, ink, text, stale_ink, inks = run(age)
+    assert "s old" not in fresh
+    assert "5.2s old" in text
+    assert ink == inks["big"]
+    assert stale_ink == inks["dim"]
+
+
+def test_a_real_dish_is_not_called_a_demo():
+    assert "DEMO" not in run(read, "lost", (160, 48))
+
+
+def test_below_80x24_it_says_so_and_keeps_status_and_stop():
+    async def small(app, pilot):
+        await pilot.press("space")
+        return stand_in.text_of(app), app.station.stops
+
+    text, stops = run(small, "slewing", (60, 20))
+    assert "smaller than 80x24" in text
+    assert "AZ 201.30°" in text
+    assert "■ STOP" in text
+    assert stops == ["you"]
+
+
+@pytest.mark.parametrize("name", [name for name, _, _ in PAGES if name != "dashboard"])
+def test_pages_to_come_are_honest(name):
+    async def visit(app, pilot):
+        app.show_page(name)
+        await pilot.pause()
+        await pilot.pause()
+        app.paint()
+        await pilot.pause()
+        focusable = [widget for widget in app.screen.query("#pages *") if widget.focusable]
+        return stand_in.text_of(app), focusable
+
+    text, focusable = run(visit)
+    title = next(title for page, title, _ in PAGES if page == name)
+    assert title in text
+    assert "not built yet" in text
+    assert "Until then" in text
+    assert not focusable
+
+
+def test_only_rows_that_changed_are_asked_for():
+    async def count(app, pilot):
+        asked = []
+        for pane in app.query(Pane):
+            pane.refresh = lambda *regions, pane=pane, **_: asked.append((type(pane).__name__, len(regions)))
+        app.paint()
+        unchanged = list(asked)
+        app.session.clock.advance(1.0)
+        app.paint()
+        return unchanged, asked
+
+    unchanged, asked = run(count)
+    assert unchanged == []
+    assert ("StatusLine", 1) in asked
+    assert not [name for name, _ in asked if name in ("SkyPane", "KeyBar", "StopButton")]

@@ -1,0 +1,261 @@
+"""Pages, tour, watching, palette and help."""
+
+import asyncio
+from dataclasses import replace
+
+import pytest
+import stand_in
+from birdcage.station.events import PositionRead, ReadingRead
+from birdcage.station.requests import Goto, Home, Jog, Unwatch, Watch
+from birdcage.station.state import HeldState
+from birdcage_tui.commands import COMMANDS, PAGES
+from birdcage_tui.messages import StationEvent
+from textual.widgets import ContentSwitcher
+
+
+def run(test, name="idle", size=(80, 24), **options):
+    async def body():
+        app = stand_in.app_in(name, **options)
+        async with app.run_test(size=size) as pilot:
+            await pilot.pause()
+            return await test(app, pilot)
+
+    return asyncio.run(body())
+
+
+@pytest.mark.parametrize(("number", "name"), list(enumerate([name for name, _, _ in PAGES], 1)))
+def test_digits_and_function_keys_show_pages(number, name):
+    async def visit(app, pilot):
+        for key in (f"f{number}", "f1" if number > 1 else "f2", str(number % 10)):
+            await pilot.press(key)
+            await pilot.pause()
+            await pilot.pause()
+        return app.query_one("#pages", ContentSwitcher).current, app.focused
+
+    assert run(visit) == (f"page-{name}", None)
+
+
+def test_the_session_starts_once_and_after_the_first_frame():
+    async def count(app, pilot):
+        return app.session.started
+
+    app = stand_in.app_in("idle")
+    assert app.session.started == 0
+    assert run(count) == 1
+
+
+def test_the_dashboard_is_watched_only_while_it_is_seen():
+    async def visit(app, pilot):
+        for key in ("2", "1"):
+            await pilot.press(key)
+            await pilot.pause()
+            await pilot.pause()
+        return [r for r in app.station.asked if isinstance(r, Watch | Unwatch)]
+
+    first, second, third = run(visit)
+    assert first.watcher == "page-dashboard"
+    assert first.features == {"position", "rssi", "health"}
+    assert isinstance(second, Unwatch)
+    assert third == first
+
+
+def test_events_from_the_station_are_drawn():
+    async def hear(app, pilot):
+        clock = app.session.clock
+        state = app.station.state
+        app.station.state = replace(state, position=replace(state.position, az_deg=12.34))
+        position = app.station.state.position
+        for listener in app.station.listeners:
+            listener(PositionRead(clock.monotonic(), clock.utc(), position))
+            listener(ReadingRead(clock.monotonic(), clock.utc(), "rssi", 777.0, "counts"))
+        await pilot.pause(0.2)
+        return stand_in.text_of(app)
+
+    text = run(hear)
+    assert "AZ  12.34°" in text
+    assert "777 counts" in text
+
+
+def test_only_telemetry_may_be_replaced_in_the_queue():
+    clock = stand_in.VirtualClock()
+    position = stand_in.at_rest(clock).position
+    one = StationEvent(PositionRead(1.0, clock.utc(), position))
+    other = StationEvent(PositionRead(2.0, clock.utc(), position))
+    reading = StationEvent(ReadingRead(2.0, clock.utc(), "rssi", 1.0, "counts"))
+    assert other.can_replace(one)
+    assert not reading.can_replace(one)
+    assert not reading.can_replace(reading)
+
+
+def touring(app, seconds):
+    app.session.clock.advance(seconds)
+    state = app.station.state
+    app.station.state = replace(state, position=replace(state.position, at=app.session.clock.monotonic()))
+    app._tick()
+
+
+def test_the_tour_moves_the_dish_after_saying_so():
+    async def tour(app, pilot):
+        app._tick()
+        app.paint()
+        await pilot.pause()
+        text = stand_in.text_of(app)
+        assert app.station.asked_for(Goto) == []
+        touring(app, 3.1)
+        return text, app.station.asked_for(Goto)
+
+    text, goto = run(tour, tour=True)
+    assert "Demo tour: " in text
+    assert " in 3 s. Any key ends it." in text
+    assert len(goto) == 1
+    assert goto[0].holder == "demo tour"
+    assert 18.0 < goto[0].el_deg < 65.0
+
+
+@pytest.mark.parametrize("key", ["x", "space", "2", "escape", "f3"])
+def test_the_first_key_ends_the_tour_for_ever(key):
+    async def tour(app, pilot):
+        touring(app, 0.0)
+        touring(app, 3.1)
+        await pilot.press(key)
+        asked = len(app.station.asked_for(Goto))
+        for _ in range(10):
+            touring(app, 5.0)
+        app.paint()
+        await pilot.pause()
+        assert len(app.station.asked_for(Goto)) == asked == 1
+        assert "Demo tour" not in stand_in.text_of(app)
+        assert app.station.stops == (["you"] if key in ("space", "escape") else [])
+
+    run(tour, tour=True)
+
+
+@pytest.mark.parametrize("name", ["held", "lost", "not-homed", "silent"])
+def test_the_tour_does_not_begin_on_a_bad_day(name):
+    async def tour(app, pilot):
+        for _ in range(10):
+            app.session.clock.advance(5.0)
+            app._tick()
+        return app.station.asked_for(Goto)
+
+    assert run(tour, name, tour=True) == []
+
+
+def test_the_tour_hops_little_by_little_and_stays_in_reach():
+    async def tour(app, pilot):
+        for _ in range(120):
+            touring(app, 3.5)
+        return app.station.asked_for(Goto)
+
+    goto = run(tour, tour=True)
+    assert len(goto) > 60
+    steps = [abs(b.az_deg - a.az_deg) for a, b in zip(goto, goto[1:], strict=False)]
+    assert max(steps) < 6.0
+    assert all(18.0 < g.el_deg < 65.0 for g in goto)
+
+
+def test_a_hold_ends_the_tour():
+    async def tour(app, pilot):
+        touring(app, 0.0)
+        state, clock = app.station.state, app.session.clock
+        app.station.state = replace(state, held=HeldState("birdcage stop", 0.0, clock.utc(), "stop"))
+        touring(app, 4.0)
+        app.station.state = replace(app.station.state, held=None)
+        touring(app, 4.0)
+        touring(app, 4.0)
+        return app.station.asked_for(Goto)
+
+    assert run(tour, tour=True) == []
+
+
+def test_help_and_palette_come_from_the_table():
+    async def read(app, pilot):
+        await pilot.press("question_mark")
+        await pilot.pause()
+        text = app.screen.query_one("VerticalScroll Static").render().plain
+        await pilot.press("escape", "colon")
+        await pilot.pause(0.5)
+        options = app.screen.query_one("CommandList")
+        return text, options.option_count
+
+    text, count = run(read, size=(160, 60))
+    for command in COMMANDS:
+        assert command.title in text
+        assert command.help in text
+    assert "Ctrl+C" in text
+    assert count == len(COMMANDS)
+
+
+def test_what_cannot_be_done_says_why():
+    async def read(app, pilot):
+        await pilot.press("question_mark")
+        await pilot.pause()
+        return app.screen.query_one("VerticalScroll Static").render().plain
+
+    assert "Not now: STOP is latched" in run(read, "held")
+
+
+def test_every_footer_key_is_a_mouse_target():
+    async def click(app, pilot):
+        app.paint()
+        bar = app.query_one("KeyBar")
+        columns = next(columns for columns, name in bar.spans if name == "help")
+        await pilot.click("KeyBar", offset=(columns.start + 1, 0))
+        await pilot.pause()
+        return len(app.screen_stack)
+
+    assert run(click) == 2
+
+
+def test_arrows_step_one_degree_from_the_target():
+    async def step(app, pilot):
+        await pilot.press("left", "up")
+        return app.station.asked_for(Jog)
+
+    assert run(step) == [Jog(-1.0, 0.0, "you"), Jog(0.0, 1.0, "you")]
+
+
+@pytest.mark.parametrize(("key", "asked"), [("y", [Home("you")]), ("enter", []), ("escape", [])])
+def test_homing_is_asked_for_once_in_words(key, asked):
+    async def home(app, pilot):
+        await pilot.press("H")
+        await pilot.pause()
+        text = stand_in.text_of(app)
+        assert "knocks at its stops" in text
+        assert "12 V switch" in text
+        await pilot.press(key)
+        await pilot.pause()
+        return app.station.asked_for(Home)
+
+    assert run(home, "not-homed") == asked
+
+
+def test_a_failed_request_is_told_in_its_own_words():
+    async def fail(app, pilot):
+        futures = []
+        submit = app.station.submit
+
+        def failing(request):
+            future = submit(request)
+            if isinstance(request, Jog):
+                futures.append(future)
+            return future
+
+        app.station.submit = failing
+        await pilot.press("left")
+        futures[0].set_exception(ValueError("Elevation 17.0 is 1.0 below the floor."))
+        await pilot.pause(0.2)
+        return stand_in.text_of(app)
+
+    assert "1.0 below the floor" in run(fail)
+
+
+def test_frames_run_only_while_something_moves():
+    async def frames(app, pilot):
+        app.paint()
+        at_rest = app._frames._active.is_set()
+        app.station.state = stand_in.slewing(app.session.clock)
+        app.paint()
+        return at_rest, app._frames._active.is_set()
+
+    assert run(frames) == (False, True)

@@ -1,0 +1,218 @@
+"""STOP: every key that means it, from everywhere, before anything else."""
+
+import asyncio
+from types import SimpleNamespace
+
+import pytest
+import stand_in
+from birdcage.station.requests import AcknowledgeFault, Goto, Release
+from birdcage_tui.commands import PAGES
+from birdcage_tui.status import BadDayRow, StopButton
+from birdcage_tui.stopping import stop_first
+from textual.driver import Driver
+from textual.events import Key
+from textual.widgets import Input
+
+PAGE_NAMES = [name for name, _, _ in PAGES]
+
+
+def run(test, name="idle", **options):
+    async def body():
+        app = stand_in.app_in(name, **options)
+        async with app.run_test(size=(80, 24)) as pilot:
+            await pilot.pause()
+            return await test(app, pilot)
+
+    return asyncio.run(body())
+
+
+@pytest.mark.parametrize("page", PAGE_NAMES)
+@pytest.mark.parametrize("key", ["space", "ctrl+c"])
+def test_stop_from_every_focusable_widget_of_every_page(page, key):
+    async def everywhere(app, pilot):
+        app.show_page(page)
+        await pilot.pause()
+        await pilot.pause()
+        focusable = [None, *(widget for widget in app.screen.query("*") if widget.focusable)]
+        for number, widget in enumerate(focusable, 1):
+            app.set_focus(widget)
+            await pilot.press(key)
+            assert len(app.station.stops) == number, widget
+        assert app.focused is None or not isinstance(app.focused, Input)
+
+    run(everywhere, "slewing")
+
+
+def test_space_types_in_a_text_field_and_ctrl_c_stops_there():
+    async def typing(app, pilot):
+        await pilot.press("g")
+        field = app.query_one(Input)
+        assert app.focused is field
+        await pilot.press("1", "space", "2")
+        assert field.value == "1 2"
+        assert app.station.stops == []
+        await pilot.press("ctrl+c")
+        assert app.station.stops == ["you"]
+
+    run(typing)
+
+
+@pytest.mark.parametrize("key", ["question_mark", "H", "colon"])
+def test_ctrl_c_stops_in_dialogs(key):
+    async def dialog(app, pilot):
+        await pilot.press(key)
+        await pilot.pause()
+        assert len(app.screen_stack) == 2
+        await pilot.press("ctrl+c")
+        assert app.station.stops == ["you"]
+
+    run(dialog)
+
+
+@pytest.mark.parametrize("key", ["question_mark", "H"])
+def test_space_stops_in_dialogs_without_a_text_field(key):
+    async def dialog(app, pilot):
+        await pilot.press(key)
+        await pilot.pause()
+        await pilot.press("space")
+        assert app.station.stops == ["you"]
+
+    run(dialog)
+
+
+def test_esc_stops_first_while_moving_and_closes_a_layer_only_at_rest():
+    async def moving(app, pilot):
+        await pilot.press("question_mark")
+        await pilot.pause()
+        await pilot.press("escape")
+        await pilot.pause()
+        assert app.station.stops == ["you"]
+        assert len(app.screen_stack) == 2, "the layer stays: the key was spent on STOP"
+        app.station.state = stand_in.at_rest(app.session.clock)
+        await pilot.press("escape")
+        await pilot.pause()
+        assert app.station.stops == ["you"]
+        assert len(app.screen_stack) == 1
+
+    run(moving, "slewing")
+
+
+def test_the_mouse_stops_on_the_press():
+    async def press(app, pilot):
+        await pilot.mouse_down(StopButton)
+        await pilot.pause()
+        assert app.station.stops == ["you"]
+
+    run(press)
+
+
+def test_stop_comes_before_any_painting():
+    async def order(app, pilot):
+        seen = []
+        app.station.stop = lambda by: seen.append("stop")
+        paint = app.paint
+        app.paint = lambda: (seen.append("paint"), paint())
+        await pilot.press("space")
+        await pilot.pause(0.2)
+        assert seen[0] == "stop"
+
+    run(order, "slewing")
+
+
+def test_the_reading_thread_stops_before_the_event_loop_hears_of_it():
+    sent = []
+
+    class Wire(Driver):
+        def __init__(self, app):
+            self._app = app
+
+        def send_message(self, message):
+            sent.append((message.key, list(app.stops)))
+
+        def start_application_mode(self): ...
+        def disable_input(self): ...
+        def stop_application_mode(self): ...
+        def write(self, data): ...
+
+    app = SimpleNamespace(stops=[], stopped_keys=[])
+    app.stop_key = lambda event: event.key == "space" and (app.stops.append("you") or True)
+    driver = stop_first(Wire)(app)
+    driver.send_message(Key("space", " "))
+    driver.send_message(Key("a", "a"))
+    assert sent == [("space", ["you"]), ("a", ["you"])]
+    assert [event.key for event in app.stopped_keys] == ["space"]
+
+
+def test_a_key_that_the_reading_thread_spent_is_not_spent_twice():
+    async def twice(app, pilot):
+        event = Key("space", " ")
+        app.stopped_keys.append(event)
+        await app.on_event(event)
+        assert app.station.stops == []
+
+    run(twice)
+
+
+def test_enter_releases_held_and_acknowledges_a_fault_first():
+    async def enter(app, pilot):
+        await pilot.press("enter")
+        return app.station.asked
+
+    assert Release("you") in run(enter, "held")
+    assert AcknowledgeFault("you") in run(enter, "fault")
+    assert not [r for r in run(enter, "idle") if isinstance(r, Release | AcknowledgeFault)]
+
+
+def test_the_row_is_a_mouse_target_of_enter():
+    async def press(app, pilot):
+        app.paint()
+        await pilot.pause()
+        await pilot.mouse_down(BadDayRow)
+        await pilot.pause()
+        return app.station.asked
+
+    assert Release("you") in run(press, "held")
+
+
+@pytest.mark.parametrize("name", ["held", "lost", "silent", "not-homed", "fault", "opening"])
+def test_no_go_to_and_no_step_when_the_dish_cannot_take_one(name):
+    async def go(app, pilot):
+        await pilot.press("g", "left", "up")
+        return app.station.asked, app.focused
+
+    asked, focused = run(go, name)
+    assert not [r for r in asked if type(r).__name__ in ("Goto", "Jog")]
+    assert focused is None
+
+
+def test_go_to_sends_what_was_typed_and_gives_the_focus_back():
+    async def go(app, pilot):
+        await pilot.press("g", *"231.4 44", "enter")
+        await pilot.pause()
+        assert app.focused is None
+        return app.station.asked_for(Goto)
+
+    assert run(go) == [Goto(231.4, 44.0, "you")]
+
+
+@pytest.mark.parametrize("typed", ["231", "north up", "1 2 3", "nan 5"])
+def test_go_to_refuses_what_is_no_direction(typed):
+    async def go(app, pilot):
+        await pilot.press("g")
+        app.query_one(Input).value = typed
+        await pilot.press("enter")
+        return app.station.asked_for(Goto), app.focused
+
+    asked, focused = run(go)
+    assert asked == []
+    assert isinstance(focused, Input)
+
+
+@pytest.mark.parametrize(("name", "stops"), [("slewing", ["you"]), ("idle", [])])
+def test_quit_stops_first_if_anything_moves(name, stops):
+    async def quit_it(app, pilot):
+        await pilot.press("ctrl+q")
+        await pilot.pause()
+        return app.station.stops
+
+    assert run(quit_it, name) == stops
