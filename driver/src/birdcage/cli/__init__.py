@@ -5,6 +5,9 @@ from __future__ import annotations
 
 def main() -> None:
     """Run `birdcage` with the arguments of this process; ends it with one of `birdcage.cli.exits`."""
-    from birdcage.cli.app import cli
+    try:
+        from birdcage.cli.app import cli
 
-    cli(prog_name="birdcage")
+        cli(prog_name="birdcage")
+    except KeyboardInterrupt:  # before there was anything to stop
+        raise SystemExit(130) from None

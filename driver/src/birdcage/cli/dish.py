@@ -46,6 +46,8 @@ class Dish:
         self.confirmed: StopReport | None = None
         """What the dish said to the last STOP."""
         self.closing = False
+        self.stop_called = False
+        """Whether this command called STOP. The station notes it a little later."""
         self.leave_moving = False
         """Set when the motion shall outlive the command."""
         self._moves = moves
@@ -66,9 +68,14 @@ class Dish:
     def on_signal(self, number: int, _frame: FrameType | None) -> None:
         """STOP before anything else; the wait under way ends afterwards."""
         if self._moves and not self.closing:
-            self.station.stop(signal.Signals(number).name)
+            self.call_stop(signal.Signals(number).name)
         self._signal = number
         self._events.put(None)
+
+    def call_stop(self, by: str) -> None:
+        """STOP: its bytes are out when this returns."""
+        self.station.stop(by)
+        self.stop_called = True
 
     def come_up(
         self, timeout_s: float, *, patient: bool = False, hear: Hear | None = None,
@@ -146,7 +153,7 @@ class Dish:
     def stop(self, by: str) -> StopReport | None:
         """STOP, and wait for what came of it; None when nothing did in time."""
         called = self.now
-        self.station.stop(by)
+        self.call_stop(by)
         return self.settle(called)
 
     def settle(self, since: float) -> StopReport | None:
@@ -182,7 +189,7 @@ def open_dish(wanted: Wanted, *, moves: bool = False, survey: bool = True) -> It
             raise
         except BaseException as crash:
             if moves:
-                dish.station.stop("a fault of birdcage")
+                dish.call_stop("a fault of birdcage")
             traceback.print_exception(crash)
             _leave(dish, begun, crash)
             for line in crash.__notes__:
@@ -195,10 +202,9 @@ def open_dish(wanted: Wanted, *, moves: bool = False, survey: bool = True) -> It
 def _leave(dish: Dish, begun: float, error: BaseException) -> None:
     """Stop what moves, and close. What is to be said after the error itself goes into its notes."""
     error.__notes__ = []
-    stopped = dish.state.last_stop is not None
-    if dish.in_motion and not stopped:
-        dish.station.stop("birdcage")
-        stopped = True
+    if dish.in_motion and not dish.stop_called and dish.state.last_stop is None:
+        dish.call_stop("birdcage")
+    stopped = dish.stop_called or dish.state.last_stop is not None
     if stopped:
         report = dish.settle(begun) or dish.state.last_stop
         if report is not None:

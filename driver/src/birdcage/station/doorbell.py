@@ -83,15 +83,19 @@ class Doorbell:
         path = owner_file(self._folder, port)
         if self._file not in (None, path):
             self._withdraw()
-        text = json.dumps(
-            {"pid": os.getpid(), "tcp_port": self._listener.getsockname()[1], "token": self._token, "port": port}
-        )
+        told = {
+            "pid": os.getpid(),
+            "tcp_port": self._listener.getsockname()[1],
+            "token": self._token,
+            "port": port,
+            "asked": self._station.settings.port,
+        }
         self._folder.mkdir(parents=True, exist_ok=True, mode=0o700)
         aside = path.with_suffix(f".{os.getpid()}")
         aside.unlink(missing_ok=True)
         descriptor = os.open(aside, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
         with os.fdopen(descriptor, "w", encoding="utf-8") as file:
-            file.write(text)
+            json.dump(told, file)
         aside.replace(path)
         self._file = path
 

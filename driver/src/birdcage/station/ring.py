@@ -23,6 +23,8 @@ class Owner:
 
     pid: int
     port: str
+    asked: str
+    """The port as its user named it: another name, or where the adapter was before."""
     tcp_port: int
     token: str
     file: Path
@@ -45,8 +47,14 @@ def owner_file(folder: Path, port: str) -> Path:
 
 
 def find_owner(folder: Path, port: str) -> Owner | None:
-    """Return who announced to own `port`; whether it still lives shows when it is rung."""
-    return _read(owner_file(folder, port))
+    """Return who announced to own `port`; whether it still lives shows when it is rung.
+
+    A port that is gone is looked for under the name that its owner was given.
+    """
+    owner = _read(owner_file(folder, port))
+    if owner is None and not os.path.exists(port):  # noqa: PTH110 - a port is a name, not always a path
+        owner = next((each for each in find_owners(folder) if port in (each.asked, each.port)), None)
+    return owner
 
 
 def find_owners(folder: Path) -> list[Owner]:
@@ -84,7 +92,14 @@ def ring(owner: Owner, do: str, by: str) -> dict[str, Any]:
 def _read(path: Path) -> Owner | None:
     try:
         told = json.loads(path.read_text(encoding="utf-8"))
-        return Owner(int(told["pid"]), str(told["port"]), int(told["tcp_port"]), str(told["token"]), path)
+        return Owner(
+            pid=int(told["pid"]),
+            port=str(told["port"]),
+            asked=str(told["asked"]),
+            tcp_port=int(told["tcp_port"]),
+            token=str(told["token"]),
+            file=path,
+        )
     except (OSError, ValueError, KeyError, TypeError):
         return None
 

@@ -93,11 +93,14 @@ class Follower:
 
 def _describe(dish: Dish) -> None:
     from birdcage.cli.say import say
+    from birdcage.station.state import Activity
 
     state = dish.state
     assert state.dish is not None, "a station knows its dish from the start"
     say(f"{state.dish.name}, firmware {state.firmware_version or '-'}, answers at {state.port}.")
-    if state.homed is False:
+    if state.activity is Activity.MOVING_UNASKED:
+        say("It moves, though nobody asked: its own TV search, or homing after power-up. Keep clear of it.")
+    elif state.homed is False:
         say("It is not homed, so it does not know where it is: run `birdcage home`.")
     elif state.position is not None and state.position_lost is None:
         say(f"It points at AZ {state.position.az_deg:.2f}° EL {state.position.el_deg:.2f}°.")

@@ -46,7 +46,7 @@ def command(
         if no_wait:
             _begin(dish, request, timeout_s)
             return
-        arrived = dish.ask(request, timeout_s, _Shown(dish))
+        arrived = dish.ask(request, timeout_s, Shown(dish))
     assert isinstance(arrived, Pointing), "a go-to resolves with the position at arrival"
     if flags().json:
         tell_json(
@@ -95,13 +95,14 @@ def _begin(dish: Dish, request: Goto, timeout_s: float) -> None:
     say(f"On its way to AZ {request.az_deg:.2f}° EL {request.el_deg:.2f}°. `birdcage stop` stops it.")
 
 
-class _Shown:
+class Shown:
     """Shows how far it is on a terminal."""
 
     def __init__(self, dish: Dish) -> None:
         self._progress = dish.progress
 
     def __call__(self, event: Event) -> None:
+        """Hear an event."""
         from birdcage.station.events import MoveProgress
 
         if isinstance(event, MoveProgress):

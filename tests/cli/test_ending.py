@@ -1,0 +1,90 @@
+"""Signals and faults in the middle of a motion: STOP first, then the port closes, and a last line says where."""
+
+from __future__ import annotations
+
+import re
+import signal
+import time
+
+import pytest
+from birdcage.cli.commands.move import Shown
+
+LAST = re.compile(r"The dish was last seen at AZ (\S+)° EL (\S+)°, \d\d:\d\d:\d\dZ\.")
+
+
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP"])
+def test_a_signal_stops_the_dish_first(start, pty_dish, name) -> None:
+    number = getattr(signal, name)
+    process = start("move", "--port", pty_dish.path, "--firmware", "g2", "--az", 200, "--el", 45)
+    pty_dish.wait_for_motion()
+    called = time.monotonic()
+    process.send_signal(number)
+    out, err = process.communicate(timeout=10)
+    took_s = time.monotonic() - called
+    truth = pty_dish.device.truth()
+    assert process.returncode == 128 + number
+    assert not truth.moving
+    assert abs(truth.az_deg - 200) > 20
+    first = next(line for line in pty_dish.moves(called) if line != "a")
+    assert first.startswith("a 0 ")
+    assert took_s < 3
+    assert out == ""
+    last = LAST.search(err.splitlines()[-1])
+    assert last
+    assert float(last[1]) == pytest.approx(truth.az_deg, abs=0.1)
+
+
+def test_a_signal_just_as_the_motion_begins(start, pty_dish) -> None:
+    process = start("move", "--port", pty_dish.path, "--firmware", "g2", "--az", 200, "--el", 45)
+    pty_dish.wait_for(lambda _truth: "a 0 200.00" in pty_dish.lines())
+    process.send_signal(signal.SIGTERM)
+    _out, err = process.communicate(timeout=10)
+    assert not pty_dish.device.truth().moving
+    assert "Stands still at" in err
+
+
+def test_a_signal_that_comes_twice_ends_it_all_the_same(start, pty_dish) -> None:
+    process = start("move", "--port", pty_dish.path, "--firmware", "g2", "--az", 200, "--el", 45)
+    pty_dish.wait_for_motion()
+    process.send_signal(signal.SIGINT)
+    process.send_signal(signal.SIGINT)
+    _out, err = process.communicate(timeout=10)
+    assert process.returncode == 130
+    assert "Traceback" not in err
+    assert not pty_dish.device.truth().moving
+
+
+def test_a_fault_of_ours_stops_the_dish_too(run, pty_dish, monkeypatch) -> None:
+    def fail(self, event):
+        if pty_dish.device.truth().moving:
+            raise RuntimeError("a fault for the test")
+
+    monkeypatch.setattr(Shown, "__call__", fail)
+    result = run("move", "--az", 200, "--el", 45, port=pty_dish.path)
+    assert result.exit_code == 70
+    assert "a fault for the test" in result.stderr
+    assert LAST.search(result.stderr.splitlines()[-1])
+    assert not pty_dish.device.truth().moving
+    assert pty_dish.device.truth().az_deg != pytest.approx(200, abs=20)
+
+
+def test_a_signal_while_only_looking_sends_no_stop(start, pty_dish) -> None:
+    pty_dish.device.power_off()
+    process = start("init", "--port", pty_dish.path, "--firmware", "g2")
+    pty_dish.wait_for(lambda _truth: pty_dish.is_open_in(process.pid))
+    process.send_signal(signal.SIGINT)
+    _out, err = process.communicate(timeout=10)
+    assert process.returncode == 130
+    assert "Traceback" not in err
+    assert pty_dish.moves() == []
+
+
+def test_a_lost_cable_in_mid_move_is_a_link_error(run, pty_dish, monkeypatch) -> None:
+    def pull(self, event):
+        if pty_dish.device.truth().moving:
+            pty_dish.unplug()
+
+    monkeypatch.setattr(Shown, "__call__", pull)
+    result = run("move", "--az", 200, "--el", 45, port=pty_dish.path)
+    assert result.exit_code == 3
+    assert "Traceback" not in result.stderr

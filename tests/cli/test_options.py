@@ -1,0 +1,76 @@
+"""Global options: before and after the command; flag over variable over file over default."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+
+def seen(as_json, result) -> tuple[object, object, object]:
+    values = as_json(result)
+    return tuple(values[f"dish.{key}"]["value"] for key in ("port", "firmware", "baud"))
+
+
+@pytest.mark.parametrize("words", [
+    ("--port", "a", "--firmware", "g2", "--baud", 9600, "--json", "config", "show"),
+    ("config", "show", "--port", "a", "--firmware", "g2", "--baud", 9600, "--json"),
+    ("--port", "other", "--json", "config", "show", "--port", "a", "--firmware", "g2", "--baud", 9600),
+])  # fmt: skip
+def test_before_and_after_the_command(run, as_json, words) -> None:
+    assert seen(as_json, run(*words, port="variable", firmware="hal000")) == ("a", "g2", 9600)
+
+
+def test_flag_over_variable_over_file(run, as_json, tmp_path) -> None:
+    file = tmp_path / "birdcage.toml"
+    file.write_text('[dish]\nport = "file"\nfirmware = "hal000"\nbaud = 1\n'.replace("= 1\n", "= 2400\n"))
+    result = run("--config", file, "config", "show", "--json", "--port", "flag")
+    assert seen(as_json, result) == ("flag", "g2", 2400)
+    assert [as_json(result)[f"dish.{key}"]["source"] for key in ("port", "firmware", "baud")] == [
+        "flag", "environment", "file",
+    ]  # fmt: skip
+
+
+def test_the_default_port_and_firmware_are_those_of_the_document(run) -> None:
+    result = run("pos", port="", firmware="")
+    assert result.exit_code == 2
+    assert result.stderr == (
+        "This version does not speak hal205, the default of --firmware: it speaks g2. "
+        "For a Carryout G2 give --firmware g2, or set BIRDCAGE_FIRMWARE=g2.\n"
+    )
+    assert "/dev/ttyUSB0" in run("pos", port="").stderr
+
+
+def test_a_damaged_file_is_named_with_its_line_and_refuses_motion_only(run, tmp_path) -> None:
+    file = tmp_path / "birdcage.toml"
+    text = "[motion]\nmin_elevaton_deg = 30\n"
+    file.write_text(text)
+    shown = run("--config", file, "pos")
+    assert shown.exit_code == 0
+    assert f"{file}:2: motion.min_elevaton_deg" in shown.stderr
+    moved = run("--config", file, "move", "--az", 10, "--el", 40)
+    assert moved.exit_code == 4
+    assert "nothing moves" in moved.stderr
+    checked = run("config", "check", "--config", file)
+    assert (checked.exit_code, file.read_text()) == (2, text)
+
+
+def test_a_config_that_is_not_there_is_refused(run, tmp_path) -> None:
+    result = run("--config", tmp_path / "no.toml", "pos")
+    assert result.exit_code == 2
+    assert "no.toml (--config) is no file" in result.stderr
+
+
+def test_check_of_no_file_is_in_order(run) -> None:
+    assert run("config", "check").exit_code == 0
+
+
+def test_paths_lie_in_the_home(run, as_json) -> None:
+    places = as_json(run("paths", "--json"))
+    assert set(places) >= {"config", "state", "transcripts", "backups", "logs", "cache"}
+    assert all(Path(place).is_relative_to(Path.home()) for place in places.values())
+    assert run("config", "path").stdout.strip() == places["config"]
+
+
+def test_ports_as_json_is_a_list(run, as_json) -> None:
+    assert isinstance(as_json(run("ports", "--json")), list)
