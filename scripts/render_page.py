@@ -1,4 +1,4 @@
-"""Render the app in a given state, size and theme to SVG and PNG: `render_page.py OUT [STATE ...] [--size 80x24] [--theme dusk]`."""
+"""Render the app in given states, at a size and in a theme, to SVG, PNG and text: `render_page.py OUT [STATE ...]`."""
 
 from __future__ import annotations
 

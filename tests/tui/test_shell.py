@@ -1,6 +1,7 @@
 """Pages, tour, watching, palette and help."""
 
 import asyncio
+import itertools
 from dataclasses import replace
 
 import pytest
@@ -149,7 +150,7 @@ def test_the_tour_hops_little_by_little_and_stays_in_reach():
 
     goto = run(tour, tour=True)
     assert len(goto) > 60
-    steps = [abs(b.az_deg - a.az_deg) for a, b in zip(goto, goto[1:], strict=False)]
+    steps = [abs(b.az_deg - a.az_deg) for a, b in itertools.pairwise(goto)]
     assert max(steps) < 6.0
     assert all(18.0 < g.el_deg < 65.0 for g in goto)
 
@@ -181,7 +182,7 @@ def test_help_and_palette_come_from_the_table():
     text, count = run(read, size=(160, 60))
     for command in COMMANDS:
         assert command.title in text
-        assert command.help in text
+        assert command.help in " ".join(text.split())
     assert "Ctrl+C" in text
     assert count == len(COMMANDS)
 
@@ -192,7 +193,7 @@ def test_what_cannot_be_done_says_why():
         await pilot.pause()
         return app.screen.query_one("VerticalScroll Static").render().plain
 
-    assert "Not now: STOP is latched" in run(read, "held")
+    assert "Not now: STOP is latched" in " ".join(run(read, "held").split())
 
 
 def test_every_footer_key_is_a_mouse_target():

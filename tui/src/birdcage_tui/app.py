@@ -1,258 +1,147 @@
-"""The app: one screen, pages behind keys, and the way from the station's events to what is drawn."""
+"""The app: what the commands do. Every deed is a request to the station or a change of what is shown."""
 
 from __future__ import annotations
 
-from collections import deque
+import asyncio
+import signal
 from collections.abc import Callable
-from pathlib import Path
-from typing import TYPE_CHECKING
+from concurrent.futures import Future
 
-from textual import events, on
-from textual.app import App, ComposeResult
-from textual.binding import Binding
-from textual.containers import Horizontal
-from textual.driver import Driver
-from textual.timer import Timer
-from textual.widgets import ContentSwitcher, Static
+from birdcage.station.requests import AcknowledgeFault, Goto, Home, Jog, Release, Request
 
-from birdcage.station.events import MoveEnded, ReadingRead
-from birdcage.station.requests import Unwatch, Watch
-from birdcage_tui import commands
-from birdcage_tui.deeds import Deeds
-from birdcage_tui.dialogs import GotoLine
+from birdcage_tui.commands import BY_NAME
+from birdcage_tui.dialogs import GotoLine, HelpScreen, QuestionScreen
 from birdcage_tui.footer import KeyBar
-from birdcage_tui.messages import StationEvent
-from birdcage_tui.pages.dashboard import DashboardPage
-from birdcage_tui.pages.page import Page
-from birdcage_tui.pages.plain import PlainPage
-from birdcage_tui.palette import CommandProvider
-from birdcage_tui.pane import Pane
-from birdcage_tui.settings import AppSettings
-from birdcage_tui.status import BadDayRow, StatusLine, StopButton
-from birdcage_tui.stopping import focused_widget, is_stop_key, stop_first
-from birdcage_tui.themes import DEFAULT, LOOKS
-from birdcage_tui.tour import Tour
-from birdcage_tui.view import Sample, View
+from birdcage_tui.shell import Shell
+from birdcage_tui.themes import LOOKS
 
-if TYPE_CHECKING:
-    from birdcage.station.session import Session
-
-FRAME_S = 0.1
-"""Between two frames while something moves, and between two repaints on change."""
-KEPT_SAMPLES = 2000
+YOU = "you"
+STEP_DEG = 1.0
+STEPS = {
+    "left": (-STEP_DEG, 0.0),
+    "right": (STEP_DEG, 0.0),
+    "up": (0.0, STEP_DEG),
+    "down": (0.0, -STEP_DEG),
+}
 
 
-class BirdcageApp(Deeds, App[None]):
+class BirdcageApp(Shell):
     """A ground station in a terminal."""
 
-    TITLE = "birdcage"
-    CSS_PATH = Path(__file__).with_name("app.tcss")
-    AUTO_FOCUS = None
-    COMMANDS = {CommandProvider}  # noqa: RUF012
-    BINDINGS = [  # noqa: RUF012
-        Binding(",".join(c.keys), f"command({c.name!r})", c.title, show=False, id=c.name, tooltip=c.help, priority=c.priority)
-        for c in commands.COMMANDS
-        if c.keys
-    ]
-
-    def __init__(self, session: Session, settings: AppSettings | None = None) -> None:
-        super().__init__()
-        self.session = session
-        self.settings = settings or AppSettings()
-        self.station = session.station
-        self.stopped_keys: deque[events.Key] = deque(maxlen=16)
-        """Keys that have stopped the dish already, on the thread that read them."""
-        self._signal: deque[Sample] = deque(maxlen=KEPT_SAMPLES)
-        self._note = ""
-        self._tour = Tour(self.station.submit)
-        if not self.settings.tour:
-            self._tour.end()
-        self._tour_says = ""
-        self._unsubscribe: Callable[[], None] | None = None
-        self._watching: str | None = None
-        self._frames: Timer | None = None
-        self._soon: Timer | None = None
-        self._painted = 0.0
-        for look in LOOKS.values():
-            self.register_theme(look.theme())
-        self.theme = self.settings.theme if self.settings.theme in LOOKS else DEFAULT
-
-    def get_driver_class(self) -> type[Driver]:
-        """Return the platform's driver, with STOP in front."""
-        return stop_first(super().get_driver_class())
-
-    def compose(self) -> ComposeResult:
-        """Rows 1 and 2, the pages, the footer."""
-        with Horizontal(id="top"):
-            yield StatusLine()
-            yield StopButton()
-        yield BadDayRow()
-        yield Static("The terminal is smaller than 80x24: make it larger to see the pages. Space stops.", id="too-small")
-        with ContentSwitcher(initial="page-dashboard", id="pages"):
-            yield DashboardPage(id="page-dashboard")
-        yield GotoLine()
-        yield KeyBar()
-
     def on_mount(self) -> None:
-        """Show a first frame; the session begins only after it has been painted."""
-        self.theme_changed_signal.subscribe(self, self._recolour)
-        self._frames = self.set_interval(FRAME_S, self._tick, pause=True)
-        self.set_interval(1.0, self._tick)
-        self.call_after_refresh(self._begin)
-
-    def _begin(self) -> None:
-        self._unsubscribe = self.station.subscribe(lambda event: self.post_message(StationEvent(event)))
+        """End as Ctrl+Q does when the system says so."""
         self._catch_signals()
-        self.session.start()
-        self._watch()
+
+    def action_command(self, name: str) -> None:
+        """Do the command, or say why not."""
+        reason = BY_NAME[name].refused(self.view())
+        if reason is not None:
+            self.say("" if name == "release" else reason)
+            return
+        self._deed(name)()
+
+    def _deed(self, name: str) -> Callable[[], object]:
+        if name.startswith("page-"):
+            return lambda: self.show_page(name.removeprefix("page-"))
+        if name in STEPS:
+            return lambda: self.ask(Jog(*STEPS[name], YOU))
+        deeds: dict[str, Callable[[], object]] = {
+            "stop": self.stop_now,
+            "release": self.release,
+            "goto": lambda: self.query_one(GotoLine).open(),
+            "home": self.ask_home,
+            "help": lambda: self.push_screen(HelpScreen(self.view())),
+            "palette": self.action_command_palette,
+            "theme": self.next_theme,
+            "quit": self.leave,
+        }
+        return deeds[name]
+
+    def say(self, words: str) -> None:
+        """Put a sentence into row 2, where the calm line is."""
+        self._note = words
         self.paint()
 
-    def on_unmount(self) -> None:
-        """Hear no more events."""
-        if self._unsubscribe is not None:
-            self._unsubscribe()
+    def ask(self, request: Request) -> None:
+        """Submit a request; if it fails, the sentence of its error is shown."""
 
-    # What is seen.
+        def done(future: Future[object]) -> None:
+            error = None if future.cancelled() else future.exception()
+            if error is not None and self._loop is not None and not self._loop.is_closed():
+                self._loop.call_soon_threadsafe(self.say, str(error))
 
-    def view(self) -> View:
-        """Return what one frame shows, now."""
-        clock = self.session.clock
-        return View(
-            self.station.state,
-            clock.monotonic(),
-            clock.utc(),
-            self.settings,
-            tuple(self._signal),
-            self._tour_says,
-            self._note,
-        )
+        self.station.submit(request).add_done_callback(done)
 
-    def paint(self) -> None:
-        """Draw a frame; only rows that changed are sent."""
-        if not self.is_running or not self.screen_stack:
-            return
-        view = self.view()
-        base = self.screen_stack[0]
-        with self.batch_update():
-            for kind in (StatusLine, StopButton, BadDayRow, KeyBar):
-                base.query_one(kind).show(view)
-            page = base.query_one("#pages", ContentSwitcher).visible_content
-            if isinstance(page, Page):
-                page.show(view)
-        self._painted = self._loop_time()
-        if self._frames is not None:
-            if view.moving:
-                self._frames.resume()
-            else:
-                self._frames.pause()
+    def stop_now(self) -> None:
+        """STOP."""
+        self.station.stop(YOU)
+        self.end_tour()
+        self.say("STOP.")
 
-    def _loop_time(self) -> float:
-        return self._loop.time() if self._loop is not None else 0.0
+    def release(self) -> None:
+        """Acknowledge a fault; with none, let go of HELD."""
+        if self.station.state.fault is not None:
+            self.ask(AcknowledgeFault(YOU))
+        elif self.station.state.held is not None:
+            self.ask(Release(YOU))
+        self.say("")
 
-    def _tick(self) -> None:
-        """Move the tour on and draw: ages and the time have changed."""
-        self._tour_says = self._tour.step(self.view())
-        if self._loop_time() - self._painted >= FRAME_S / 2:
-            self.paint()
+    def ask_home(self) -> None:
+        """Ask in words, then home."""
+        dish = self.station.state.dish
+        takes = "" if dish is None or dish.homing_s is None else f", up to {dish.homing_s * 2:.0f} s"
+        stoppable = dish is not None and dish.homing_stoppable
+        words = f"The dish turns through its whole range and knocks at its stops{takes}. Keep its swing clear."
+        if not stoppable:
+            words += " Homing cannot be stopped from here: keep a hand on the 12 V switch."
 
-    def _changed(self) -> None:
-        """Draw soon: at once when the last frame is a while ago, else at the next beat."""
-        wait_s = FRAME_S - (self._loop_time() - self._painted)
-        if wait_s <= 0:
-            self.paint()
-        elif self._soon is None:
-            self._soon = self.set_timer(wait_s, self._paint_soon)
+        def answered(yes: bool | None) -> None:
+            if yes:
+                self.ask(Home(YOU))
 
-    def _paint_soon(self) -> None:
-        self._soon = None
-        self.paint()
+        self.push_screen(QuestionScreen("Home the dish", words, "area is clear: home"), answered)
 
-    @on(StationEvent)
-    def _hear(self, message: StationEvent) -> None:
-        event = message.event
-        if isinstance(event, ReadingRead) and event.feature == "rssi":
-            self._signal.append(Sample(event.at, float(event.value)))
-        if isinstance(event, MoveEnded):
-            self._note = event.reason
-        self._changed()
+    def next_theme(self) -> None:
+        """Change to the next look."""
+        names = list(LOOKS)
+        self.theme = names[(names.index(self.theme) + 1) % len(names)] if self.theme in names else names[0]
 
-    def on_resize(self) -> None:
-        """Choose the layout: one size may need both its width and its height."""
-        width, height = self.size
-        screen = self.screen_stack[0]
-        screen.set_class(width < 80 or height < 24, "-tiny")
-        screen.set_class(width >= 100 and height >= 30, "-wide")
-        screen.set_class(width >= 150, "-grand")
-        screen.set_class(height >= 44, "-tall")
-        self.call_after_refresh(self.paint)
+    def leave(self) -> None:
+        """STOP first if anything moves; give the terminal back; `main` closes the session."""
+        if self.view().moving:
+            self.station.stop(YOU)
+        self.exit()
 
-    def _recolour(self, _: object) -> None:
-        for pane in self.screen_stack[0].query(Pane):
-            pane.redraw()
+    def _catch_signals(self) -> None:
+        """SIGTERM and SIGHUP end the app as Ctrl+Q does, with the customary exit status."""
+        loop = asyncio.get_running_loop()
+        for name in ("SIGTERM", "SIGHUP"):
+            number = getattr(signal, name, None)
+            if number is None:
+                continue
+            try:
+                loop.add_signal_handler(number, self._leave_by, int(number))
+            except (NotImplementedError, RuntimeError, ValueError):
+                return  # no signal handlers on this platform, or not in the main thread: the default action stays
 
-    # Pages.
+    def _leave_by(self, number: int) -> None:
+        if self.view().moving:
+            self.station.stop("signal")
+        self.exit(return_code=128 + number)
 
-    def show_page(self, name: str) -> None:
-        """Show a page; it is composed on its first visit."""
-        self.run_worker(self._show_page(name), group="page", exclusive=False)
+    def on_stop_button_pressed(self) -> None:
+        """The mouse stops."""
+        self.stop_now()
 
-    async def _show_page(self, name: str) -> None:
-        pages = self.screen_stack[0].query_one("#pages", ContentSwitcher)
-        page_id = f"page-{name}"
-        if not pages.query(f"#{page_id}"):
-            page = PlainPage(name)
-            page.display = False
-            await pages.mount(page)
-        pages.current = page_id
-        self._watch()
-        self.call_after_refresh(self.paint)
+    def on_bad_day_row_pressed(self) -> None:
+        """The mouse releases or acknowledges."""
+        self.release()
 
-    def _watch(self) -> None:
-        """Ask the station to read what the visible page shows, and nothing else."""
-        page = self.screen_stack[0].query_one("#pages", ContentSwitcher).visible_content
-        wanted = page.id if isinstance(page, Page) and page.WATCHES else None
-        if wanted == self._watching:
-            return
-        if self._watching is not None:
-            self.station.submit(Unwatch(self._watching))
-        if wanted is not None and isinstance(page, Page):
-            self.station.submit(Watch(wanted, page.WATCHES, page.RATE_HZ))
-        self._watching = wanted
+    def on_key_bar_chosen(self, event: KeyBar.Chosen) -> None:
+        """The mouse does what a key does."""
+        self.end_tour()
+        self.action_command(event.name)
 
-    @property
-    def page_names(self) -> tuple[str, ...]:
-        """The pages in the order of their keys."""
-        return tuple(name for name, _, _ in commands.PAGES)
-
-    # Keys.
-
-    def stop_key(self, event: events.Key) -> bool:
-        """Stop the dish if this key means STOP now. Any thread; nothing is painted before it."""
-        if not is_stop_key(event.key, focused_widget(lambda: self.focused), may_move=self.view_may_move()):
-            return False
-        self.station.stop("you")
-        return True
-
-    def view_may_move(self) -> bool:
-        """Return whether anything moves or may move by itself. Any thread."""
-        return self._tour.running and self.settings.tour or View(
-            self.station.state, 0.0, self.session.clock.utc(), self.settings
-        ).may_move
-
-    async def on_event(self, event: events.Event) -> None:
-        """STOP comes before bindings, widgets and frames; then the first key ends the tour."""
-        if isinstance(event, events.Key) and not event.is_forwarded:
-            stopped = any(event is other for other in self.stopped_keys) or self.stop_key(event)
-            self.end_tour()
-            if stopped:
-                self._note = "STOP."
-                self._changed()
-                return
-        await super().on_event(event)
-
-    def end_tour(self) -> None:
-        """End the tour for ever."""
-        if self._tour.running:
-            self._tour.end()
-            self._tour_says = ""
-            self._changed()
+    def on_goto_line_sent(self, event: GotoLine.Sent) -> None:
+        """Go where the person typed."""
+        self.ask(Goto(event.az_deg, event.el_deg, YOU))

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from birdcage.station.state import Activity
+
 from birdcage_tui.view import View
 
 Reason = Callable[[View], str | None]
@@ -81,25 +82,69 @@ PAGES = (
 )
 
 COMMANDS: tuple[Command, ...] = (
-    Command("stop", (), "Space", "STOP", "Stop everything now and hold. Ctrl+C does it in text fields too.", "Safety",
-            footer="STOP"),
-    Command("release", ("enter",), "Enter", "Release or acknowledge",
-            "Acknowledge a fault; with none, let go of HELD. Nothing moves by it.", "Safety", can_release),
-    Command("goto", ("g",), "g", "Go to …", "Type azimuth and elevation; Enter sends the dish there.", "Motion",
-            can_move, "go to"),
-    Command("left", ("left",), "←", "Step counterclockwise", "One degree of azimuth, counterclockwise.", "Motion", can_move),
+    Command(
+        "stop",
+        (),
+        "Space",
+        "STOP",
+        "Stop everything now and hold. Ctrl+C does it in text fields too.",
+        "Safety",
+        footer="STOP",
+    ),
+    Command(
+        "release",
+        ("enter",),
+        "Enter",
+        "Release or acknowledge",
+        "Acknowledge a fault; with none, let go of HELD. Nothing moves by it.",
+        "Safety",
+        can_release,
+    ),
+    Command(
+        "goto",
+        ("g",),
+        "g",
+        "Go to …",
+        "Type azimuth and elevation; Enter sends the dish there.",
+        "Motion",
+        can_move,
+        "go to",
+    ),
+    Command(
+        "left", ("left",), "←", "Step counterclockwise", "One degree of azimuth, counterclockwise.", "Motion", can_move
+    ),
     Command("right", ("right",), "→", "Step clockwise", "One degree of azimuth, clockwise.", "Motion", can_move),
     Command("up", ("up",), "↑", "Step up", "One degree of elevation, up.", "Motion", can_move),
     Command("down", ("down",), "↓", "Step down", "One degree of elevation, down.", "Motion", can_move),
-    Command("home", ("H",), "H", "Home the dish …", "Find the references by running into the stops. Asks first.",
-            "Motion", can_home, "home"),
+    Command(
+        "home",
+        ("H",),
+        "H",
+        "Home the dish …",
+        "Find the references by running into the stops. Asks first.",
+        "Motion",
+        can_home,
+        "home",
+    ),
     Command("help", ("question_mark",), "?", "Help", "All keys, and what each one does.", "App", footer="help"),
-    Command("palette", ("colon", "ctrl+p"), ":", "All commands", "Find a command by its name.", "App", footer="commands"),
+    Command(
+        "palette", ("colon", "ctrl+p"), ":", "All commands", "Find a command by its name.", "App", footer="commands"
+    ),
     Command("theme", ("T",), "T", "Next theme", "dusk, daylight, night.", "App"),
-    Command("quit", ("ctrl+q",), "Ctrl+Q", "Quit", "Stop the dish if it moves, close the port, leave.", "App",
-            footer="quit", priority=True),
+    Command(
+        "quit",
+        ("ctrl+q",),
+        "Ctrl+Q",
+        "Quit",
+        "Stop the dish if it moves, close the port, leave.",
+        "App",
+        footer="quit",
+        priority=True,
+    ),
     *(
-        Command(f"page-{name}", (f"f{number}", str(number % 10)), str(number % 10), title, text, "Pages", priority=False)
+        Command(
+            f"page-{name}", (f"f{number}", str(number % 10)), str(number % 10), title, text, "Pages", priority=False
+        )
         for number, (name, title, text) in enumerate(PAGES, 1)
     ),
 )

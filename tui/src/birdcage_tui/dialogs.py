@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import textwrap
 
 from rich.text import Text
 from textual import events
@@ -15,6 +16,8 @@ from textual.widgets import Input, Label, Static
 from birdcage_tui.commands import COMMANDS
 from birdcage_tui.view import View
 
+HELP_WIDTH = 70
+
 
 def help_text(view: View) -> Text:
     """Return all commands with their keys, from the table; what cannot be done now says why."""
@@ -23,15 +26,16 @@ def help_text(view: View) -> Text:
         if command.group != group:
             group = command.group
             text.append(f"{group}\n", "bold")
-        text.append(f"  {command.shown:>7}  ", "bold")
-        text.append(f"{command.title}. {command.help}")
+        title = command.title if command.title.endswith("…") else f"{command.title}."
         reason = command.refused(view)
-        if reason is not None:
-            text.append(f" Not now: {reason}", "italic")
-        text.append("\n")
+        why = "" if reason is None else f" Not now: {reason}"
+        lines = textwrap.wrap(f"{title} {command.help}{why}", HELP_WIDTH - 11)
+        text.append(f"  {command.shown:>7}  ", "bold")
+        text.append(f"\n{'':11}".join(lines) + "\n")
     text.append("Always\n", "bold")
     text.append("   Ctrl+C  STOP, in text fields and dialogs too.\n")
-    text.append("      Esc  STOP while anything moves or may move by itself; at rest it closes what lies on top.\n")
+    text.append("      Esc  STOP while anything moves or may move by itself;\n")
+    text.append("           at rest it closes what lies on top.\n")
     return text
 
 
@@ -75,7 +79,10 @@ class QuestionScreen(ModalScreen[bool]):
 
 
 def parse_direction(text: str) -> tuple[float, float]:
-    """Return azimuth and elevation from `231.4 44`, with a space, comma or slash between. ValueError says what is wrong."""
+    """Return azimuth and elevation from `231.4 44`, space, comma or slash between.
+
+    ValueError says what is wrong.
+    """
     words = text.replace(",", " ").replace("/", " ").replace("°", " ").split()
     try:
         az_deg, el_deg = map(float, words)

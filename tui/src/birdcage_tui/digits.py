@@ -1,4 +1,7 @@
-"""Big digits, three rows tall, or five where there is room. Unknown is `--.--`; the width never changes with the value."""
+"""Big digits, three rows tall, or five where there is room.
+
+Unknown is `--.--`; the width never changes with the value.
+"""
 
 from __future__ import annotations
 

@@ -8,8 +8,6 @@ import sys
 from collections.abc import Sequence
 from importlib.metadata import version
 
-EXIT_NO_TERMINAL = 2
-
 
 def parser() -> argparse.ArgumentParser:
     """Return the command line's description."""
@@ -38,7 +36,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         parse.error("--demo has its own dish: leave --port out")
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
         parse.error("birdcage-tui needs a terminal; `birdcage status --json` is for scripts")
-    # Textual waits this long to tell Esc from the start of a sequence, looked at every 100 ms: 60 makes it 100 for sure.
+    # Textual waits this long to tell Esc from the start of a sequence, but looks every 100 ms: so 60 makes 100.
     os.environ.setdefault("ESCDELAY", "60")
     # A thread that waits behind a painting one wakes within a millisecond (SEAMS, Threads).
     sys.setswitchinterval(0.001)

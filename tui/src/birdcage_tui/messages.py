@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from textual.message import Message
-
 from birdcage.station.events import Event, MoveProgress, PositionRead
+from textual.message import Message
 
 _TELEMETRY = (PositionRead, MoveProgress)
 

@@ -13,7 +13,7 @@ from birdcage_tui.view import View
 
 
 class Pane(Widget):
-    """Draws a `View` into cells. Textual sends identical cells again, so rows are compared before they are asked for."""
+    """Draws a `View` into cells. Textual sends identical cells again, so rows are compared first."""
 
     INK = "text"
     """The ink of cells that nothing is written in."""

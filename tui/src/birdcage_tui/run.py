@@ -14,6 +14,7 @@ from birdcage.base.paths import Paths, throw_away_paths
 from birdcage.station.build import open_session
 from birdcage.station.known import list_firmwares
 from birdcage.station.session import Session
+
 from birdcage_tui.app import BirdcageApp
 from birdcage_tui.settings import AppSettings, Place
 
@@ -28,7 +29,7 @@ def run(options: argparse.Namespace) -> int:
         try:
             session, settings = _build(options, stack)
         except BirdcageError as wrong:
-            print(f"birdcage-tui: {wrong}", file=sys.stderr)  # noqa: T201 - narration of a command
+            print(f"birdcage-tui: {wrong}", file=sys.stderr)
             return EXIT_ERROR
         app = BirdcageApp(session, settings)
         try:
@@ -36,7 +37,7 @@ def run(options: argparse.Namespace) -> int:
         finally:
             # First of all the dish: STOP goes out here if it moves, whatever ended the app.
             farewell = session.close()
-        print(farewell)  # noqa: T201 - the last line on stdout
+        print(farewell)
         return app.return_code or 0
 
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import textwrap
 
+from birdcage.station.state import Link
 from textual import events
 from textual.message import Message
 
-from birdcage.station.state import Link
 from birdcage_tui.canvas import Cells
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
@@ -62,7 +62,7 @@ class StatusLine(Pane):
         if state.feed_name:
             fields.append((state.feed_name, "bar-dim"))
         if wide and state.port:
-            fields.append((state.port, "bar-dim"))
+            fields.append((state.port.split("?")[0], "bar-dim"))
         if wide and state.firmware_version:
             fields.append((f"firmware {state.firmware_version}", "bar-dim"))
         return fields
@@ -76,7 +76,7 @@ class StopButton(Pane):
     class Pressed(Message):
         """A person pressed it."""
 
-    def draw(self, cells: Cells, view: View) -> None:
+    def draw(self, cells: Cells, view: View) -> None:  # noqa: ARG002 - it looks the same whatever happens
         """Say what it is."""
         cells.put(1, 0, "■ STOP", "fault-row")
 
@@ -95,8 +95,13 @@ class BadDayRow(Pane):
         """Return the ink and the wrapped rows, one at least."""
         found = bad_day(view)
         ink, words = ("dim", calm(view)) if found is None else found
-        rows = textwrap.wrap(words, max(width - 2, 10), max_lines=self.LONGEST if found else 1, placeholder=" …")
-        return ink, rows or [""]
+        rows = textwrap.wrap(
+            words.replace("Enter ", "Enter\N{NO-BREAK SPACE}"),
+            max(width - 2, 10),
+            max_lines=self.LONGEST if found else 1,
+            placeholder=" …",
+        )
+        return ink, [row.replace("\N{NO-BREAK SPACE}", " ") for row in rows] or [""]
 
     def show(self, view: View) -> None:
         """Take as many rows as the words need."""

@@ -9,6 +9,7 @@ from birdcage.base.geometry import separation
 from birdcage.sky.geostationary import arc, slots_in_sight
 from birdcage.station.requests import Goto, ReleaseLease, Request
 from birdcage.station.state import Activity
+
 from birdcage_tui.view import View
 
 HOLDER = "demo tour"
@@ -83,6 +84,7 @@ class Tour:
         high = (view.state.el_max_deg if view.state.el_max_deg is not None else 90.0) - MARGIN_DEG
         slots = slots_in_sight(place.latitude_deg, place.longitude_deg, low, high)
         named = {round(slot.longitude_deg, 1): slot for slot, _, _ in slots}
+        names = {f"{slot.label} {slot.name}" for slot, _, _ in slots}
         stops = []
         for longitude_deg, az_deg, el_deg in arc(place.latitude_deg, place.longitude_deg, HOP_DEG, low):
             if el_deg > high:
@@ -96,6 +98,9 @@ class Tour:
         # In order along the arc: from the eastern end to the western one as seen over the meridian that it crosses.
         middle = 180.0 if place.latitude_deg >= 0 else 0.0
         stops.sort(key=lambda stop: (stop[1] - middle + 180) % 360)
+        heard = [index for index, stop in enumerate(stops) if stop[0] in names]
+        if heard:  # beyond the outermost satellites there is nothing to hear
+            stops = stops[heard[0] : heard[-1] + 1]
         if stops:
             first, last = stops[0], stops[-1]
             here = (position.az_deg, position.el_deg)

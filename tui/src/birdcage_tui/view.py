@@ -8,6 +8,7 @@ from datetime import datetime
 
 from birdcage.base.geometry import shortest_turn
 from birdcage.station.state import Activity, Link, StationState
+
 from birdcage_tui.settings import AppSettings
 
 STALE_S = 2.0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from birdcage.station.state import Activity, Link, Search
+
 from birdcage_tui.view import View
 
 ACTIVITY = {
@@ -99,7 +100,10 @@ def bad_day(view: View) -> tuple[str, str] | None:
         words = f"✖ FAULT {fault.what} {fault.utc:%H:%M:%S}. {fault.meaning} {fault.remedy}"
         return "fault-row", f"{words}  Enter acknowledge{_tags(view, 'FAULT', 'NOT HOMED')}"
     if link.state is Link.LOST:
-        return "fault-row", f"○ LINK LOST {span_text(view.now - link.since)}  {_last_seen(view)}{link.detail}{_tags(view)}"
+        return (
+            "fault-row",
+            f"○ LINK LOST {span_text(view.now - link.since)}  {_last_seen(view)}{link.detail}{_tags(view)}",
+        )
     if link.state is Link.SILENT:
         return "warn-row", f"◍ SILENT {span_text(view.now - link.since)}  {_last_seen(view)}{link.detail}{_tags(view)}"
     if state.held is not None:

@@ -65,7 +65,7 @@ SLOTS = (
     Slot(166.0, "Intelsat 19"),
     Slot(-177.0, "NSS 9"),
 )
-"""Well-known slots all round the arc, by their customary nominal longitudes. Satellites move house: a name is a hint."""
+"""Well-known slots all round the arc, by customary nominal longitudes. Satellites move house: a name is a hint."""
 
 
 def look_angle(latitude_deg: float, longitude_deg: float, slot_deg: float) -> tuple[float, float]:
@@ -113,7 +113,7 @@ def arc(
 def slots_in_sight(
     latitude_deg: float, longitude_deg: float, el_min_deg: float = 0.0, el_max_deg: float = 90.0
 ) -> list[tuple[Slot, float, float]]:
-    """Return (slot, azimuth, elevation) of the well-known slots between two elevations, in order of azimuth."""
+    """Return (slot, azimuth, elevation) of well-known slots between two elevations, in order of azimuth."""
     found = []
     for slot in SLOTS:
         az_deg, el_deg = look_angle(latitude_deg, longitude_deg, slot.longitude_deg)

@@ -32,8 +32,5 @@ class DashboardPage(Page):
     def on_resize(self) -> None:
         """Give the sky the width that makes its disc fill the height, and leave the readings theirs."""
         width, height = self.size
-        if width < 100 or height < 27:
-            sky = 40
-        else:
-            sky = max(min((height - 2) * 2 + 6, width - 50), 40)
+        sky = 40 if width < 100 or height < 27 else max(min((height - 2) * 2 + 6, width - 50), 40)
         self.query_one(SkyPane).styles.width = sky

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import textwrap
 
+from textual.app import ComposeResult
+
 from birdcage_tui.canvas import Cells
 from birdcage_tui.commands import PAGES
 from birdcage_tui.pages.page import Page
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
-from textual.app import ComposeResult
 
 WILL = {
     "control": (
@@ -68,7 +69,7 @@ class PlainWords(Pane):
         super().__init__()
         self._name_of_page = name
 
-    def draw(self, cells: Cells, view: View) -> None:
+    def draw(self, cells: Cells, view: View) -> None:  # noqa: ARG002 - these words hold always
         """A title, a few sentences, and where to go meanwhile."""
         number, (_, title, text) = next(
             (number, page) for number, page in enumerate(PAGES, 1) if page[0] == self._name_of_page

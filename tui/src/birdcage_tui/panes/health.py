@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from birdcage.station.state import Link
+
 from birdcage_tui.canvas import Cells
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
@@ -50,7 +51,7 @@ class HealthPane(Pane):
         search = SEARCH[state.search].removeprefix("TV search ")
         return [
             (_OK if up else _NO, "link", f"{LINK[link.state][1]}, {trip}{noise}"),
-            (_OK if up else _UNKNOWN, "port", f"{state.port or '--'}{heard}"),
+            (_OK if up else _UNKNOWN, "port", f"{state.port.split('?')[0] or '--'}{heard}"),
             (_UNKNOWN if state.homed is None else _OK if state.homed else _NO, "homed", homed),
             (
                 {"off": _OK, "RUNNING": _NO}.get(search, _UNKNOWN),
@@ -59,6 +60,10 @@ class HealthPane(Pane):
             ),
             (_OK if state.el_min_deg is not None else _UNKNOWN, "limits", limits),
             (_UNKNOWN, "firmware", state.firmware_version or "--"),
-            (_UNKNOWN, "feed", f"{state.feed_name or '--'}, {beam}, {'stow allowed' if state.stow_allowed else 'stow locked'}"),
+            (
+                _UNKNOWN,
+                "feed",
+                f"{state.feed_name or '--'}, {beam}, {'stow allowed' if state.stow_allowed else 'stow locked'}",
+            ),
             (_UNKNOWN, "offsets", offset),
         ]

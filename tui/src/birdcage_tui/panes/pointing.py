@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from birdcage.protocol.model import Turn
+
 from birdcage_tui.canvas import Cells
 from birdcage_tui.digits import angle_text, put_big, width_of
 from birdcage_tui.pane import Pane

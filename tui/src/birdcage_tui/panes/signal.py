@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import textwrap
 
 from birdcage_tui.canvas import Braille, Cells
@@ -62,7 +63,7 @@ class SignalPane(Pane):
 
         top = at(max(shown, key=lambda sample: sample.value))[1]
         canvas.line(0, top, width * 2 - 1, top, "line", every=4)
-        for one, other in zip(shown, shown[1:], strict=False):
+        for one, other in itertools.pairwise(shown):
             if other.at - one.at <= 5 * STALE_S:  # a longer silence is a gap, not a slope
                 canvas.line(*at(one), *at(other), "accent")
         canvas.dot(*at(shown[-1]), "accent")

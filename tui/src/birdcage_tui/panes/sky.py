@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 
-from textual import events
-
 from birdcage.base.geometry import shortest_turn
 from birdcage.protocol.model import Turn
 from birdcage.sky.geostationary import arc, slots_in_sight
+from textual import events
+
 from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.polar import Polar
@@ -23,7 +23,7 @@ class SkyPane(Pane):
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
         self.border_title = self.TITLE
-        self._static: tuple[object, Braille, Cells] | None = None
+        self._static: tuple[object, Braille] | None = None
 
     def draw(self, cells: Cells, view: View) -> None:
         """Draw grid and limits (kept between frames), then what changes."""
@@ -52,20 +52,20 @@ class SkyPane(Pane):
         sector = self._sector(view)
         if sector is not None:
             polar.hatch(canvas, "line", low or 0.0, high or 90.0, *sector)
-        for az_deg in range(0, 360, 90):
+        for az_deg in (0.0, 90.0, 180.0, 270.0):
             canvas.line(*polar.dot(az_deg, high or 88.0), *polar.dot(az_deg, low or 0.0), "line", every=4)
         for el_deg in (30.0, 60.0):
             if low is None or high is None or low + 4 < el_deg < high - 4:
                 polar.ring(canvas, el_deg, "line", 4.0)
-        for limit in (low, high):
-            if limit is not None:
-                polar.ring(canvas, limit, "dim", 2.2)
+        for edge in (low, high):
+            if edge is not None:
+                polar.ring(canvas, edge, "dim", 2.2)
         polar.ring(canvas, 0.0, "dim", 0.7)
         place = view.settings.place
         if place is not None:
             for _, az_deg, el_deg in arc(place.latitude_deg, place.longitude_deg, 1.5):
                 canvas.dot(*polar.dot(az_deg, el_deg), "target")
-        self._static = (key, canvas, Cells(0, 0))
+        self._static = (key, canvas)
         return canvas
 
     @staticmethod
@@ -103,7 +103,7 @@ class SkyPane(Pane):
     @staticmethod
     def _rim(cells: Cells, polar: Polar, view: View) -> None:
         state = view.state
-        for az_deg, name in ((0, "N"), (90, "E"), (180, "S"), (270, "W")):
+        for az_deg, name in ((0.0, "N"), (90.0, "E"), (180.0, "S"), (270.0, "W")):
             cells.put(*polar.cell(az_deg, 0.0), name, "strong")
         for limit, az_deg in ((state.el_min_deg, 135.0), (state.el_max_deg, 135.0)):
             if limit is not None:
