@@ -37,7 +37,7 @@ Launcher = Callable[[], Hold | None]
 """Takes a hold; None where the system has no such thing. May raise OSError."""
 
 
-class _Child:
+class Child:
     """A helper process that holds the machine awake while it lives."""
 
     def __init__(self, command: list[str]) -> None:
@@ -51,9 +51,11 @@ class _Child:
         )
 
     def works(self) -> bool:
+        """Whether it lives."""
         return self._process.poll() is None
 
     def let_go(self) -> None:
+        """End it, and wait for that a second at most."""
         if self._process.stdin is not None:
             self._process.stdin.close()
         self._process.terminate()
@@ -71,7 +73,7 @@ def launch() -> Hold | None:
         why = ["--what=sleep:idle", "--who=birdcage", "--why=The dish moves", "--mode=block"]
         name, rest = "systemd-inhibit", [*why, "cat"]
     path = shutil.which(name)
-    return _Child([path, *rest]) if path else None
+    return Child([path, *rest]) if path else None
 
 
 class SleepInhibitor:
