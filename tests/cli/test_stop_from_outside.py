@@ -16,6 +16,7 @@ from birdcage.base.paths import Paths
 from birdcage.station.build import open_session
 from birdcage.station.doorbell import Doorbell
 from birdcage.station.requests import Goto
+from birdcage.station.ring import owners_folder
 from birdcage.station.state import Link
 
 
@@ -26,7 +27,7 @@ def owner(pty_dish):
     session = open_session(
         port=pty_dish.path, firmware="g2", baud=None, settings=load(None), paths=paths, clock=RealClock(), survey=False
     )
-    doorbell = Doorbell(session.station, paths.state / "owners")
+    doorbell = Doorbell(session.station, owners_folder(paths))
     session.start()
     pty_dish.wait_for(lambda _truth: session.station.state.link.state is Link.UP)
     yield session
@@ -35,7 +36,7 @@ def owner(pty_dish):
 
 
 def announced() -> list[Path]:
-    return list((Paths.default().state / "owners").glob("*"))
+    return list(owners_folder(Paths.default()).glob("*"))
 
 
 def test_a_client_that_asks_again_and_again_moves_nothing_after_stop(start, pty_dish, owner) -> None:

@@ -24,6 +24,7 @@ from birdcage.station.events import Event, StopConfirmed
 from birdcage.station.inhibitor import SleepInhibitor
 from birdcage.station.known import list_firmwares
 from birdcage.station.requests import Request, Watch
+from birdcage.station.ring import owners_folder
 from birdcage.station.session import Session
 from birdcage.station.state import Activity, Link, StationState, StopReport
 
@@ -50,7 +51,7 @@ class Dish:
         """Whether this command called STOP. The station notes it a little later."""
         self.leave_moving = False
         """Set when the motion shall outlive the command."""
-        self._moves = moves
+        self.moves = moves
         self._events: queue.SimpleQueue[Event | None] = queue.SimpleQueue()
         self._signal: int | None = None
         self.station.subscribe(self._events.put)
@@ -67,7 +68,7 @@ class Dish:
 
     def on_signal(self, number: int, _frame: FrameType | None) -> None:
         """STOP before anything else; the wait under way ends afterwards."""
-        if self._moves and not self.closing:
+        if self.moves and not self.closing:
             self.call_stop(signal.Signals(number).name)
         self._signal = number
         self._events.put(None)
@@ -145,9 +146,9 @@ class Dish:
 
     @property
     def in_motion(self) -> bool:
-        """Whether the dish moves, as far as is known."""
+        """Whether the dish moves because of this command."""
         return self.state.motion is not None or self.state.activity in (
-            Activity.SLEWING, Activity.STOPPING, Activity.HOMING, Activity.MOVING_UNASKED,
+            Activity.SLEWING, Activity.STOPPING, Activity.HOMING,
         )  # fmt: skip
 
     def stop(self, by: str) -> StopReport | None:
@@ -178,7 +179,7 @@ def open_dish(wanted: Wanted, *, moves: bool = False, survey: bool = True) -> It
         _take_signals(stack, dish)
         begun = dish.now
         if not wanted.port.startswith("sim:"):
-            stack.callback(Doorbell(dish.station, wanted.owners).close)
+            stack.callback(Doorbell(dish.station, owners_folder(wanted.paths)).close)
         if moves:
             stack.callback(SleepInhibitor(dish.station).close)
         dish.session.start()
@@ -202,7 +203,7 @@ def open_dish(wanted: Wanted, *, moves: bool = False, survey: bool = True) -> It
 def _leave(dish: Dish, begun: float, error: BaseException) -> None:
     """Stop what moves, and close. What is to be said after the error itself goes into its notes."""
     error.__notes__ = []
-    if dish.in_motion and not dish.stop_called and dish.state.last_stop is None:
+    if dish.moves and dish.in_motion and not dish.stop_called and dish.state.last_stop is None:
         dish.call_stop("birdcage")
     stopped = dish.stop_called or dish.state.last_stop is not None
     if stopped:

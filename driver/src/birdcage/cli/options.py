@@ -9,8 +9,6 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from birdcage.base.config import Settings
     from birdcage.base.paths import Paths
 
@@ -48,11 +46,6 @@ class Wanted:
     baud: int | None
     settings: Settings
     paths: Paths
-
-    @property
-    def owners(self) -> Path:
-        """The folder in which processes announce that they own a port."""
-        return self.paths.state / "owners"
 
 
 def flags() -> Flags:

@@ -12,6 +12,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from birdcage.base.paths import Paths
+
 CONNECT_S = 1.0
 ANSWER_S = 10.0
 """Longer than the owner waits for the dish to confirm a STOP."""
@@ -36,6 +38,11 @@ class NobodyThere(Exception):
 
 class NoAnswer(Exception):
     """The process lives, and does not answer."""
+
+
+def owners_folder(paths: Paths) -> Path:
+    """Return the folder in which processes announce that they own a port."""
+    return paths.state / "owners"
 
 
 def owner_file(folder: Path, port: str) -> Path:

@@ -41,9 +41,9 @@ def command(context: click.Context, quick: bool) -> None:
 
 def _ask_owner(dish: Wanted) -> dict[str, Any] | None:
     from birdcage.cli.say import say
-    from birdcage.station.ring import NoAnswer, NobodyThere, find_owner, ring
+    from birdcage.station.ring import NoAnswer, NobodyThere, find_owner, owners_folder, ring
 
-    owner = find_owner(dish.owners, dish.port)
+    owner = find_owner(owners_folder(dish.paths), dish.port)
     if owner is None:
         return None
     try:

@@ -52,11 +52,11 @@ def _ring(dish: Wanted) -> list[dict[str, Any]]:
 
 
 def _owners(dish: Wanted) -> list[Owner]:
-    from birdcage.station.ring import find_owner, find_owners
+    from birdcage.station.ring import find_owner, find_owners, owners_folder
 
     if not dish.port_given:
-        return find_owners(dish.owners)
-    owner = find_owner(dish.owners, dish.port)
+        return find_owners(owners_folder(dish.paths))
+    owner = find_owner(owners_folder(dish.paths), dish.port)
     return [owner] if owner else []
 
 
