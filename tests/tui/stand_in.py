@@ -55,12 +55,14 @@ class Session:
     def __init__(self, state, clock):
         self.clock, self.station = clock, Station(state)
         self.started = self.closed = 0
+        self.crash = None
 
     def start(self):
         self.started += 1
 
     def close(self):
         self.closed += 1
+        return "Where the dish is, is not known."
 
 
 def at_rest(clock):

@@ -260,3 +260,15 @@ def test_frames_run_only_while_something_moves():
         return at_rest, app._frames._active.is_set()
 
     assert run(frames) == (False, True)
+
+
+def test_a_dead_station_thread_is_told():
+    async def crash(app, pilot):
+        app.session.crash = RuntimeError("torn")
+        app.paint()
+        await pilot.pause()
+        return stand_in.text_of(app)
+
+    text = run(crash)
+    assert "✖ BIRDCAGE FAILED  RuntimeError: torn" in text
+    assert "12 V switch" in text

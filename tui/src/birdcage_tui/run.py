@@ -12,6 +12,8 @@ from birdcage.base.config import Settings, load
 from birdcage.base.errors import BirdcageError
 from birdcage.base.paths import Paths, throw_away_paths
 from birdcage.station.build import open_session
+from birdcage.station.doorbell import Doorbell
+from birdcage.station.inhibitor import SleepInhibitor
 from birdcage.station.known import list_firmwares
 from birdcage.station.session import Session
 
@@ -27,11 +29,16 @@ def run(options: argparse.Namespace) -> int:
     """Run the app until a person leaves it. Return the exit status."""
     with ExitStack() as stack:
         try:
-            session, settings = _build(options, stack)
+            paths = _paths(options, stack)
+            session, settings = _build(options, paths)
         except BirdcageError as wrong:
             print(f"birdcage-tui: {wrong}", file=sys.stderr)
             return EXIT_ERROR
         app = BirdcageApp(session, settings)
+        if not options.demo:
+            # `birdcage stop` in another terminal rings here; and a suspended program stops nothing.
+            stack.callback(Doorbell(session.station, paths.state / "owners").close)
+            stack.callback(SleepInhibitor(session.station).close)
         try:
             app.run()
         finally:
@@ -41,13 +48,18 @@ def run(options: argparse.Namespace) -> int:
         return app.return_code or 0
 
 
-def _build(options: argparse.Namespace, stack: ExitStack) -> tuple[Session, AppSettings]:
-    clock: Clock = RealClock() if options.speed is None else ScaledClock(options.speed)
+def _paths(options: argparse.Namespace, stack: ExitStack) -> Paths:
+    """Return where files live: for the demo a folder that is gone afterwards."""
     paths = stack.enter_context(throw_away_paths()) if options.demo else Paths.default()
     if options.config is not None:
         if not Path(options.config).is_file():
             raise BirdcageError(f"{options.config} (--config) is no file.")
-        paths = paths.with_config(Path(options.config))
+        return paths.with_config(Path(options.config))
+    return paths
+
+
+def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSettings]:
+    clock: Clock = RealClock() if options.speed is None else ScaledClock(options.speed)
     flags = {
         "dish.port": DEMO_PORT if options.demo else options.port,
         "dish.firmware": "g2" if options.demo else options.firmware,

@@ -128,7 +128,7 @@ class Shell(App[None]):
 
     def view(self) -> View:
         """Return what one frame shows, now."""
-        clock = self.session.clock
+        clock, crash = self.session.clock, self.session.crash
         return View(
             self.station.state,
             clock.monotonic(),
@@ -136,6 +136,7 @@ class Shell(App[None]):
             self.settings,
             tuple(self._signal),
             self._tour_says,
+            "" if crash is None else f"{type(crash).__name__}: {crash}",
             self._note,
         )
 
@@ -247,9 +248,9 @@ class Shell(App[None]):
 
     def view_may_move(self) -> bool:
         """Return whether anything moves or may move by itself. Any thread."""
-        return (self._tour.running and self.settings.tour) or View(
-            self.station.state, 0.0, self.session.clock.utc(), self.settings
-        ).may_move
+        if self._tour.running:
+            return True
+        return View(self.station.state, 0.0, self.session.clock.utc(), self.settings).may_move
 
     async def on_event(self, event: events.Event) -> None:
         """STOP comes before bindings, widgets and frames; then the first key ends the tour."""

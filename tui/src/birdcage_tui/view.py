@@ -35,6 +35,8 @@ class View:
     signal: Sequence[Sample] = ()
     tour: str = ""
     """What the demo tour says; empty when there is none."""
+    crash: str = ""
+    """What ended the station's own thread, if something did: nothing below answers any more."""
     note: str = ""
     """What the last command did, in one sentence."""
 

@@ -95,6 +95,9 @@ def _tags(view: View, *shown: str) -> str:
 def bad_day(view: View) -> tuple[str, str] | None:
     """Return the ink and the words of the row under the status line when something is wrong, else None."""
     state, link = view.state, view.state.link
+    if view.crash:
+        words = f"✖ BIRDCAGE FAILED  {view.crash}  What is shown is old, and nothing more is sent to the dish."
+        return "fault-row", f"{words} Ctrl+Q, then start again; in need the 12 V switch."
     if state.fault is not None:
         fault = state.fault
         words = f"✖ FAULT {fault.what} {fault.utc:%H:%M:%S}. {fault.meaning} {fault.remedy}"
