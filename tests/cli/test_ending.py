@@ -8,6 +8,7 @@ import time
 
 import pytest
 from birdcage.cli.commands.move import Shown
+from birdcage.station.mover import Mover
 
 LAST = re.compile(r"The dish was last seen at AZ (\S+)° EL (\S+)°, \d\d:\d\d:\d\dZ\.")
 
@@ -65,6 +66,22 @@ def test_a_fault_of_ours_stops_the_dish_too(run, pty_dish, monkeypatch) -> None:
     assert "a fault for the test" in result.stderr
     assert LAST.search(result.stderr.splitlines()[-1])
     assert not pty_dish.device.truth().moving
+    assert pty_dish.device.truth().az_deg != pytest.approx(200, abs=20)
+
+
+def test_a_fault_on_the_thread_of_the_station_stops_the_dish_too(run, pty_dish, monkeypatch) -> None:
+    original = Mover.tick
+
+    def fail(self):
+        original(self)
+        if pty_dish.device.truth().moving:
+            raise RuntimeError("a fault for the test")
+
+    monkeypatch.setattr(Mover, "tick", fail)
+    result = run("move", "--az", 200, "--el", 45, port=pty_dish.path)
+    assert result.exit_code == 70
+    assert "a fault for the test" in result.stderr
+    pty_dish.wait_for(lambda truth: not truth.moving, 1.0)
     assert pty_dish.device.truth().az_deg != pytest.approx(200, abs=20)
 
 

@@ -115,12 +115,3 @@ def test_explains_what_a_dish_with_its_search_on_will_do(run) -> None:
     result = run("init", port="sim:g2?nvs20=0")
     assert "NVS 20 is FALSE: at power-up this dish homes by itself" in result.stderr
     assert "--disable-search" in result.stderr
-
-
-@pytest.mark.parametrize(
-    "words", [("--speed", 0), ("-o", "no"), ("-o", "nothing=1"), ("--port", "x"), ("--firmware", "hal205")]
-)
-def test_sim_refuses_what_it_cannot(run, words) -> None:
-    result = run("sim", *words)
-    assert result.exit_code == 2, result.stderr
-    assert "Traceback" not in result.stderr

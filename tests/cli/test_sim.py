@@ -1,0 +1,43 @@
+"""`birdcage sim`: a dish for every other program."""
+
+from __future__ import annotations
+
+import json
+import signal
+from pathlib import Path
+
+import pytest
+
+
+@pytest.mark.parametrize("before", [True, False])
+def test_one_line_of_json_names_the_port_that_pos_then_reads(start, run, tmp_path, before) -> None:
+    link = tmp_path / "dish"
+    options = ("--firmware", "g2", "--json")
+    words = (*options, "sim") if before else ("sim", *options)
+    process = start(*words, "--link", link, "-o", "az=-90", "-o", "el=30")
+    told = json.loads(process.stdout.readline())
+    assert set(told) == {"port", "firmware", "control"}
+    assert (told["port"], told["firmware"]) == (str(link), "g2")
+    assert run("pos", port=told["port"]).stdout == "AZ: 270.0\nEL: 30.0\n"
+    process.send_signal(signal.SIGTERM)
+    assert process.wait(10) == 0
+    assert not Path(link).is_symlink()
+
+
+def test_its_options_reach_the_dish(start, run) -> None:
+    process = start("sim", "--unhomed", "--seed", "7", "--json")
+    port = json.loads(process.stdout.readline())["port"]
+    assert run("pos", port=port).exit_code == 4
+
+
+@pytest.mark.parametrize("words", [
+    ("--speed", 0), ("-o", "no"), ("-o", "nothing=1"), ("--port", "x"), ("--firmware", "hal205"),
+])  # fmt: skip
+def test_it_refuses_what_it_cannot(run, words) -> None:
+    result = run("sim", *words)
+    assert result.exit_code == 2, result.stderr
+    assert "Traceback" not in result.stderr
+
+
+def test_a_port_before_it_is_refused_too(run) -> None:
+    assert run("--port", "/dev/ttyUSB0", "sim").exit_code == 2
