@@ -202,7 +202,7 @@ def next_steps(view: View) -> list[tuple[str, str]]:
         steps.append(("text", view.tour))
     elif not view.moving:
         steps.append(("text", "Next: g goes to a direction, arrows step 1°."))
-    steps.append(("dim", "? all keys   : commands   1 to 0 pages"))
+    steps.append(("dim", "? keys   : commands   1-0 pages"))
     return steps
 
 
@@ -221,5 +221,5 @@ def _doing(view: View) -> tuple[str, str]:
         return "warn-strong", f"Homing. {state.activity_text}".rstrip()
     if state.homed is False:
         return "warn-strong", "The dish is not homed."
-    holder = f"{state.holder} has control." if state.holder else "Nobody has control."
-    return "strong", f"At rest. {holder}"
+    who = state.holder or "nobody"
+    return "strong", f"At rest. {who.capitalize()} {'have' if who == 'you' else 'has'} control."

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from birdcage.protocol.model import Turn
-
 from birdcage_tui.canvas import Cells
 from birdcage_tui.digits import angle_text, put_big, width_of
 from birdcage_tui.pane import Pane
@@ -75,7 +73,7 @@ class PointingPane(Pane):
             cells.put(1, y, "cable: this dish has no stop", "dim")
             return
         turn = state.position.cable_deg if state.position is not None else None
-        if cable is None or turn is None or state.turn is Turn.UNKNOWN:
+        if cable is None or turn is None:
             words = " turn unknown"
             cells.put(1, y, "cable ", "dim")
             cells.put(7, y, "▕" + "▨" * max(cells.width - 10 - len(words), 0) + "▏", "line")

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 
 from birdcage.base.geometry import shortest_turn
-from birdcage.protocol.model import Turn
 from birdcage.sky.geostationary import arc, slots_in_sight
 from textual import events
 
@@ -72,7 +71,7 @@ class SkyPane(Pane):
     def _sector(view: View) -> tuple[float, float] | None:
         """Return azimuth and width of what the cable keeps out of reach on any turn; None when it is nothing."""
         state = view.state
-        if state.dish is None or state.dish.cable is None or state.dish.turn is Turn.UNKNOWN:
+        if state.dish is None or state.dish.cable is None or state.turn.value == "unknown":
             return None
         span = state.dish.cable.max_deg - state.dish.cable.min_deg
         if span >= 360:
