@@ -48,15 +48,23 @@ class Relay(threading.Thread):
                 else:
                     os.write(self.master, data)
 
-    def first_stop(self, after: float, timeout_s: float = 2.0) -> float:
+    def first_move(self, after: float, timeout_s: float = 2.0) -> float:
         """Return when the first move line after `after` passed: while the dish slews, only STOP sends one."""
         end = time.monotonic() + timeout_s
         while time.monotonic() < end:
             for at, data in list(self.sent):
-                if at >= after and data.startswith(b"a 0 "):
+                if at >= after and data.startswith((b"a 0 ", b"a 1 ")):
                     return at
             time.sleep(0.001)
-        sys.exit("no STOP byte within 2 s")
+        sys.exit(f"no move line within {timeout_s} s; the last that was sent: {self.sent[-5:]}")
+
+
+def slew(app: Terminal, relay: Relay, direction: bytes) -> None:
+    """Send the dish somewhere by the go-to line, and wait until the command has passed."""
+    app.press(b"g")
+    time.sleep(0.3)
+    typed = app.press(direction + b"\r")
+    relay.first_move(typed)
 
 
 def app_rows(port: str, relay: Relay) -> dict[str, list[float]]:
@@ -66,20 +74,20 @@ def app_rows(port: str, relay: Relay) -> dict[str, list[float]]:
     app.watch(1.0)
     reader = threading.Thread(target=app.watch, args=(3600.0,), daemon=True)
     reader.start()
+    slew(app, relay, b"180,45")
+    time.sleep(11.0)  # half a turn at 20 deg/s: from here both ways round are open
     rows: dict[str, list[float]] = {name: [] for name in KEYS}
     east = True
     for _press in range(PRESSES):
         for name, key in KEYS.items():
             east = not east
-            app.press(b"g")
-            time.sleep(0.15)
-            app.press(b"100 30\r" if east else b"250 60\r")
+            slew(app, relay, b"250,30" if east else b"110,60")
             time.sleep(0.6)
             pressed = app.press(key)
-            rows[name].append(relay.first_stop(pressed) - pressed)
+            rows[name].append(relay.first_move(pressed) - pressed)
             time.sleep(1.0)
-            app.press(b"\r")
-            time.sleep(0.3)
+            app.press(b"\r")  # lets go of HELD
+            time.sleep(0.5)
     app.kill()
     return rows
 

@@ -8,6 +8,7 @@ with everything on the dashboard watched, over the busiest 10 s. The peer is the
 from __future__ import annotations
 
 import json
+from itertools import pairwise
 
 from birdcage.base.clock import VirtualClock
 from birdcage.link.link import Link
@@ -46,7 +47,7 @@ def main() -> None:
     rest = [(at, line) for at, line in received() if at > start]
     busiest = max(sum(at <= other < at + 10 for other, _ in rest) for at, _ in rest) / 10
     excursions = [at for at, line in rest if line == "dvb"]
-    gap_s = min(later - earlier for earlier, later in zip(excursions, excursions[1:], strict=False))
+    gap_s = min(later - earlier for earlier, later in pairwise(excursions))
     navigation = sum(line in NAVIGATION for _at, line in rest) / len(rest)
 
     station.submit(Goto(120.0, 40.0, "bench"))

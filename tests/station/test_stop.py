@@ -166,3 +166,13 @@ def test_stop_when_the_cable_makes_the_dish_turn_the_other_way(bench):
     assert not after.moving
     assert before.cable_deg - 20 < after.cable_deg < before.cable_deg
     assert bench.state.last_stop.confirmed is True
+
+
+def test_a_slow_dish_that_takes_its_time_to_the_aim_is_stopped_all_the_same():
+    bench = Bench("g2?seed=1&az_speed=5&az=-180").connect()
+    bench.station.submit(Goto(250, 45, "you"))
+    bench.step(0.15)
+    bench.station.stop("you")
+    bench.step(10)
+    assert bench.state.last_stop.confirmed is True
+    assert bench.state.last_stop.means == "retarget"

@@ -14,7 +14,8 @@ from birdcage.base.paths import Paths, throw_away_paths
 from birdcage.station.build import open_session
 from birdcage.station.doorbell import Doorbell
 from birdcage.station.inhibitor import SleepInhibitor
-from birdcage.station.known import list_firmwares
+from birdcage.station.known import list_firmwares, list_ports
+from birdcage.station.ring import owners_folder
 from birdcage.station.session import Session
 
 from birdcage_tui.app import BirdcageApp
@@ -37,7 +38,7 @@ def run(options: argparse.Namespace) -> int:
         app = BirdcageApp(session, settings)
         if not options.demo:
             # `birdcage stop` in another terminal rings here; and a suspended program stops nothing.
-            stack.callback(Doorbell(session.station, paths.state / "owners").close)
+            stack.callback(Doorbell(session.station, owners_folder(paths)).close)
             stack.callback(SleepInhibitor(session.station).close)
         try:
             app.run()
@@ -67,23 +68,36 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSetti
         "app.theme": options.theme,
     }
     settings = load(paths.config_file, environ={} if options.demo else None, flags=flags)
-    dish, known = settings.dish, ", ".join(list_firmwares())
-    if dish.port is None:
-        raise BirdcageError("Say which port the dish is on: --port /dev/ttyUSB0. `birdcage ports` lists them.")
-    if dish.firmware is None:
-        raise BirdcageError(f"Say which firmware the dish has: --firmware, one of {known}.")
-    if dish.firmware not in list_firmwares():
-        raise BirdcageError(f"This version does not speak {dish.firmware}. It speaks {known}.")
     session = open_session(
-        port=dish.port,
-        firmware=dish.firmware,
-        baud=dish.baud,
+        port=settings.dish.port or _only_port(),
+        firmware=_firmware(settings.dish.firmware),
+        baud=settings.dish.baud,
         settings=settings,
         paths=paths,
         clock=clock,
         survey=not options.skip_init,
     )
     return session, _app_settings(settings, demo=options.demo)
+
+
+def _only_port() -> str:
+    """Return the one USB adapter that is plugged in, when nobody named a port."""
+    adapters = [port.device for port in list_ports() if port.identity is not None]
+    if len(adapters) == 1:
+        return adapters[0]
+    found = f"There are {', '.join(adapters)}." if adapters else "No USB adapter is plugged in."
+    raise BirdcageError(f"Say which port the dish is on, for example --port /dev/ttyUSB0. {found}")
+
+
+def _firmware(named: str | None) -> str:
+    """Return the firmware to speak: the one named, or the only one there is; its console proves it or says otherwise."""
+    known = list_firmwares()
+    if named is None and len(known) == 1:
+        return known[0]
+    if named not in known:
+        what = "Say which firmware the dish has" if named is None else f"This version does not speak {named}"
+        raise BirdcageError(f"{what}: --firmware, one of {', '.join(known)}.")
+    return named
 
 
 def _app_settings(settings: Settings, *, demo: bool) -> AppSettings:

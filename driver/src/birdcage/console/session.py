@@ -45,6 +45,7 @@ class Console:
         self.clock = clock
         self.dialect = dialect
         self.delay_s = delay_s
+        self._on_line = on_line
         self._wire = Wire(link, clock, dialect, delay_s, wake, on_wake, on_line)
         self._new = True
         self._limit: float | None = None
@@ -305,8 +306,8 @@ class Console:
             wire.pump(min(goal, give_up))
 
     def _probe(self) -> str:
-        """Send a bare Enter and return the menu that the next prompt names."""
-        return self._transact("").menu
+        """Send a bare Enter and return the menu that the next prompt names. Lines before it are nobody's: boot text."""
+        return self._transact("", on_line=self._on_line).menu
 
     def _prove_submenu(self) -> str:
         """Return the menu that a fresh prompt names, with nothing unaccounted for under way, either way."""

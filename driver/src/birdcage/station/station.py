@@ -162,14 +162,17 @@ class Station:
         if is_due(self._stopper.due):
             self._guard(self._stopper.tick)
         elif is_due(self._connection.due):
-            if self._connection.attempt():
-                self._vigil.look_again()
+            self._guard(self._connect)
         elif self._connection.is_up and is_due(self._mover.due):
             self._guard(self._mover.tick)
         elif self._inbox:
             self._serve(*self._inbox.popleft())
         else:
             self._guard(self._vigil.tick)
+
+    def _connect(self) -> None:
+        if self._connection.attempt():
+            self._vigil.look_again()
 
     def _serve(self, request: Request, future: Future[object]) -> None:
         if not future.set_running_or_notify_cancel():

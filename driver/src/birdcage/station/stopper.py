@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import stop_power_s
 from birdcage.base.errors import LinkError, NoReply, Stopped
+from birdcage.base.geometry import shortest_turn
 from birdcage.protocol.types import Position
 from birdcage.station.board import Board
 from birdcage.station.control import Control
@@ -162,12 +163,26 @@ class Stopper:
             )
             pending.answered = False
             pending.sent += 1
+        elif self._closes_in(pending, pointing):
+            pending.deadline = max(pending.deadline, now + 1.0)  # slower than modelled, but on its way to rest
         elif now > pending.deadline and pending.report.confirmed is None and pending.report.means == "retarget":
             self.retarget_works = False
             pending.report = replace(pending.report, confirmed=False, sentence="The dish goes on: cut its power.")
             self._publish(pending.report, sent=False)
             if self._may_release:
                 self._release(pending)
+
+    def _closes_in(self, pending: Pending, pointing: Pointing) -> bool:
+        """Return whether the dish is nearer to where STOP has sent it than it was a moment ago."""
+        motion, last = self._antenna.motion, pending.last
+        if motion is None or last is None:
+            return False
+        az_deg, el_deg = motion.rest
+
+        def away_deg(seen: Pointing) -> float:
+            return max(abs(shortest_turn(seen.dish_az_deg, az_deg)), abs(seen.dish_el_deg - el_deg))
+
+        return away_deg(pointing) < away_deg(last)
 
     def _release(self, pending: Pending) -> None:
         """Climb the last rung: only if the user enabled it."""

@@ -36,7 +36,7 @@ class Problem:
 
     @property
     def text(self) -> str:
-        """The sentence with its place in front: `/home/me/birdcage.toml:12: motion...`."""
+        """The sentence with its place in front: `birdcage.toml:12: motion...`."""
         if self.file is None:
             return self.sentence
         place = str(self.file) if self.line is None else f"{self.file}:{self.line}"
