@@ -2,9 +2,12 @@
 
 import subprocess
 import sys
+from dataclasses import replace
 
 import pytest
 import stand_in
+from birdcage.base.errors import BirdcageError
+from birdcage.link.ports import PortInfo
 from birdcage_tui import main, run
 from birdcage_tui.settings import AppSettings
 
@@ -66,11 +69,24 @@ def test_however_the_app_ends_the_session_is_closed(crash, monkeypatch, capsys):
 
 def test_a_missing_port_and_an_unknown_firmware_are_one_sentence(monkeypatch, capsys, tmp_path):
     monkeypatch.setenv("BIRDCAGE_HOME", str(tmp_path))
+    monkeypatch.setattr(run, "list_ports", list)
     assert run.run(main.parser().parse_args([])) == 1
     assert "--port" in capsys.readouterr().err
-    assert run.run(main.parser().parse_args(["--port", "/dev/null"])) == 1
-    assert "--firmware" in capsys.readouterr().err
     assert run.run(main.parser().parse_args(["--port", "/dev/null", "--firmware", "nosuch"])) == 1
     assert "nosuch" in capsys.readouterr().err
     assert run.run(main.parser().parse_args(["--config", str(tmp_path / "none")])) == 1
     assert "no file" in capsys.readouterr().err
+
+
+def test_the_only_adapter_and_the_only_firmware_are_taken_when_none_is_named(monkeypatch):
+    one = PortInfo("/dev/ttyUSB7", None, "FTDI", "0403:6001", "A1", "1-1")
+    monkeypatch.setattr(run, "list_ports", lambda: [one])
+    monkeypatch.setattr(run, "list_firmwares", lambda: ("g2",))
+    assert run._only_port() == "/dev/ttyUSB7"
+    assert run._firmware(None) == "g2"
+    monkeypatch.setattr(run, "list_ports", lambda: [one, replace(one, device="/dev/ttyUSB8")])
+    monkeypatch.setattr(run, "list_firmwares", lambda: ("g2", "hal205"))
+    with pytest.raises(BirdcageError, match="ttyUSB7, /dev/ttyUSB8"):
+        run._only_port()
+    with pytest.raises(BirdcageError, match="one of g2, hal205"):
+        run._firmware(None)

@@ -90,7 +90,7 @@ def _only_port() -> str:
 
 
 def _firmware(named: str | None) -> str:
-    """Return the firmware to speak: the one named, or the only one there is; its console proves it or says otherwise."""
+    """Return the firmware to speak: the one named, or the only one there is. The console proves it, or says not."""
     known = list_firmwares()
     if named is None and len(known) == 1:
         return known[0]

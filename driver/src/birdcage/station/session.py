@@ -44,7 +44,7 @@ class Session:
         try:
             self.station.begin()
             self.station.step(math.inf)
-        except BaseException as crash:
+        except BaseException as crash:  # noqa: BLE001 - whatever it is, the dish comes first
             # Kept for the face to tell: a traceback from this thread would land in the middle of its screen.
             self.crash = crash
             self.station.stop("a fault of birdcage")
