@@ -25,13 +25,13 @@ class Terminal:
             os.execvp(command[0], list(command))
         fcntl.ioctl(self.fd, termios.TIOCSWINSZ, struct.pack("HHHH", rows, columns, 0, 0))
         self.output = b""
+        self.ended = False
 
     def read(self, timeout_s: float) -> bytes:
         """Read what comes within `timeout_s`; empty when nothing did, or at the end."""
-        ready, _, _ = select.select([self.fd], [], [], timeout_s)
-        if not ready:
-            return b""
         try:
+            if not select.select([self.fd], [], [], timeout_s)[0]:
+                return b""
             data = os.read(self.fd, 65536)
         except OSError:
             return b""
@@ -49,8 +49,8 @@ class Terminal:
     def watch(self, seconds: float) -> None:
         """Read on for a while, so that the program is never held up by a full terminal."""
         end = time.monotonic() + seconds
-        while (left := end - time.monotonic()) > 0:
-            self.read(left)
+        while not self.ended and (left := end - time.monotonic()) > 0:
+            self.read(min(left, 1.0))
 
     def press(self, keys: bytes) -> float:
         """Type; return the time just before the bytes went in."""
@@ -71,6 +71,7 @@ class Terminal:
 
     def kill(self) -> None:
         """End the program for good."""
+        self.ended = True
         try:
             os.kill(self.pid, signal.SIGKILL)
             os.waitpid(self.pid, 0)
