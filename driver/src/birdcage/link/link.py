@@ -23,7 +23,8 @@ class Link:
         self._port = port
         self._clock = clock
         self._transcript = transcript
-        self._writing = threading.Lock()
+        # Reentrant: a signal handler may call STOP on top of the write that it interrupted.
+        self._writing = threading.RLock()
         self._closed = False
         if transcript is not None:
             transcript.begin(self.name, demo=self.demo, utc=clock.utc())
