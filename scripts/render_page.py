@@ -4,26 +4,32 @@ from __future__ import annotations
 
 import argparse
 import asyncio
-import re
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "tui"))
 
+import picture
 import stand_in
+from birdcage_tui.app import BirdcageApp
+from birdcage_tui.themes import LOOKS
 
-FONTS = ("DejaVu Sans Mono", "/usr/share/fonts/truetype/dejavu")
+FONT, FONTS = "DejaVu Sans Mono", Path("/usr/share/fonts/truetype/dejavu")
 
 
 def to_png(svg: str) -> bytes:
-    """Return the picture, drawn with a font that holds braille and box drawing."""
+    """Return the picture as pixels. Its text needs a font; lines and dots are shapes already."""
     import resvg_py
 
-    svg = re.sub(r"@font-face\s*{.*?}", "", svg, flags=re.DOTALL)
-    svg = svg.replace("Fira Code", FONTS[0]).replace("font-variant-east-asian: full-width;", "")
-    folder = Path(FONTS[1])
-    files = [str(path) for path in sorted(folder.glob("DejaVuSans*.ttf"))]
-    return bytes(resvg_py.svg_to_bytes(svg_string=svg, font_files=files, font_family=FONTS[0]))
+    files = [str(path) for path in sorted(FONTS.glob("DejaVuSansMono*.ttf"))]
+    return bytes(resvg_py.svg_to_bytes(svg_string=svg, font_files=files, font_family=FONT))
+
+
+def to_svg(app: BirdcageApp) -> str:
+    """Return what stands on the screen."""
+    strips = app.screen._compositor.render_strips()  # noqa: SLF001 - the only way to the cells
+    rows = [[(segment.text, segment.style) for segment in strip] for strip in strips]
+    return picture.svg(rows, LOOKS[app.theme].ground)
 
 
 def ink(png_text: str) -> int:
@@ -31,7 +37,7 @@ def ink(png_text: str) -> int:
     return sum(not char.isspace() for char in png_text)
 
 
-async def picture(name: str, size: tuple[int, int], theme: str, keys: list[str]) -> tuple[str, str]:
+async def shown(name: str, size: tuple[int, int], theme: str, keys: list[str]) -> tuple[str, str]:
     """Return the SVG and the text of the app in a state of the stand-in."""
     app = stand_in.app_in(name, theme=theme)
     async with app.run_test(size=size) as pilot:
@@ -41,7 +47,7 @@ async def picture(name: str, size: tuple[int, int], theme: str, keys: list[str])
             await pilot.pause()
         app.paint()
         await pilot.pause()
-        return app.export_screenshot(title=f"birdcage: {name}"), stand_in.text_of(app)
+        return to_svg(app), stand_in.text_of(app)
 
 
 def main() -> int:
@@ -57,7 +63,7 @@ def main() -> int:
     options.out.mkdir(parents=True, exist_ok=True)
     for name in options.states or stand_in.STATES:
         keys = [key for key in options.keys.split(",") if key]
-        svg, text = asyncio.run(picture(name, (width, height), options.theme, keys))
+        svg, text = asyncio.run(shown(name, (width, height), options.theme, keys))
         stem = options.out / f"{name}-{options.size}-{options.theme}"
         stem.with_suffix(".svg").write_text(svg)
         stem.with_suffix(".png").write_bytes(to_png(svg))

@@ -1,0 +1,100 @@
+"""Draw a screen of cells as SVG, as a terminal does: lines that join, dots that are round, text in its cells."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from html import escape
+from itertools import groupby
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from rich.style import Style
+
+WIDE, HIGH = 10, 21
+"""One cell, in pixels."""
+FONT = "'DejaVu Sans Mono', Menlo, Consolas, monospace"
+FONT_SIZE = WIDE / 0.602
+MARGIN = 14
+_ARMS = {"─": "LR", "━": "LR", "│": "UD", "├": "UDR", "┤": "UDL", "┬": "LRD", "┴": "LRU", "┼": "LRUD"}
+_ARMS |= {"┌": "RD", "┐": "LD", "└": "RU", "┘": "LU", "╶": "R", "╴": "L", "╷": "D", "╵": "U"}
+_ROUND = {"╭": "RD", "╮": "LD", "╰": "RU", "╯": "LU"}
+_EDGE = {"L": (0, HIGH / 2), "R": (WIDE, HIGH / 2), "U": (WIDE / 2, 0), "D": (WIDE / 2, HIGH)}
+_DOTS = ((0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2), (0, 3), (1, 3))
+_BARS = {"▏": 0.0, "▕": WIDE - 1.5}
+
+
+def _colours(style: Style | None, ground: str) -> tuple[str, str, bool]:
+    """Return ink, ground and weight of a cell."""
+    if style is None:
+        return ground, ground, False
+    ink = style.color.get_truecolor().hex if style.color is not None else "#c0c0c0"
+    back = style.bgcolor.get_truecolor().hex if style.bgcolor is not None else ground
+    return (back, ink, bool(style.bold)) if style.reverse else (ink, back, bool(style.bold))
+
+
+def _shape(char: str, x: float, y: float, ink: str) -> str | None:
+    """Return a character that fonts draw badly as a shape; None for one that is text."""
+    middle = (x + WIDE / 2, y + HIGH / 2)
+    stroke = f'stroke="{ink}" stroke-width="{2.6 if char == "━" else 1.3}" fill="none"'
+    if char in _ARMS:
+        ends = [_EDGE[arm] for arm in _ARMS[char]]
+        path = "".join(f"M{middle[0]} {middle[1]}L{x + dx} {y + dy}" for dx, dy in ends)
+        return f'<path d="{path}" {stroke}/>'
+    if char in _ROUND:
+        (ax, ay), (bx, by) = (_EDGE[arm] for arm in _ROUND[char])
+        bend = by + (HIGH / 2 - by) * 0.52
+        path = f"M{x + ax} {y + ay}Q{middle[0]} {middle[1]} {x + bx} {y + bend}L{x + bx} {y + by}"
+        return f'<path d="{path}" {stroke}/>'
+    if char in _BARS:
+        return f'<rect x="{x + _BARS[char]}" y="{y}" width="1.5" height="{HIGH}" fill="{ink}"/>'
+    if "\u2800" <= char <= "\u28ff":
+        bits = ord(char) - 0x2800
+        return "".join(
+            f'<circle cx="{x + WIDE * (0.25 + 0.5 * column):g}" cy="{y + HIGH * (0.125 + 0.25 * row):g}" '
+            f'r="1.45" fill="{ink}"/>'
+            for bit, (column, row) in enumerate(_DOTS)
+            if bits >> bit & 1
+        )
+    return None
+
+
+def svg(rows: Sequence[Iterable[tuple[str, Style | None]]], ground: str) -> str:
+    """Return the picture of `rows`, each a sequence of texts with their styles."""
+    backs, shapes, texts, width = [], [], [], 0
+    for row, pieces in enumerate(rows):
+        cells = [(char, *_colours(style, ground)) for text, style in pieces for char in text]
+        width, y = max(width, len(cells)), row * HIGH
+        x = 0
+        for back, group in groupby(cells, key=lambda cell: cell[2]):
+            count = len(list(group))
+            if back != ground:
+                backs.append(f'<rect x="{x * WIDE}" y="{y}" width="{count * WIDE}" height="{HIGH}" fill="{back}"/>')
+            x += count
+        word, start, look = "", 0, ("", False)
+        for column, (char, ink, _, bold) in enumerate([*cells, (" ", "", "", False)]):
+            shape = None if char == " " else _shape(char, column * WIDE, y, ink)
+            if word and (char == " " or shape is not None or (ink, bold) != look):
+                weight = ' font-weight="bold"' if look[1] else ""
+                texts.append(
+                    f'<text x="{start * WIDE}" y="{y + HIGH * 0.74:g}" fill="{look[0]}"{weight} '
+                    f'textLength="{len(word) * WIDE}">{escape(word)}</text>'
+                )
+                word = ""
+            if shape is not None:
+                shapes.append(shape)
+            elif char != " ":
+                if not word:
+                    start, look = column, (ink, bold)
+                word += char
+    wide, high = width * WIDE + 2 * MARGIN, len(rows) * HIGH + 2 * MARGIN
+    return "\n".join(
+        (
+            f'<svg xmlns="http://www.w3.org/2000/svg" width="{wide}" height="{high}" viewBox="0 0 {wide} {high}">',
+            f'<rect width="100%" height="100%" rx="8" fill="{ground}"/>',
+            f'<g transform="translate({MARGIN} {MARGIN})" font-family="{FONT}" font-size="{FONT_SIZE:.3f}">',
+            *backs,
+            *shapes,
+            *texts,
+            "</g></svg>\n",
+        )
+    )
