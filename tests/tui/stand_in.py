@@ -165,6 +165,17 @@ def fault(clock):
     )
 
 
+def late(clock):
+    state, now = at_rest(clock), clock.monotonic()
+    return replace(
+        state, link=replace(state.link, last_reply=now - 2.3), position=replace(state.position, at=now - 2.3)
+    )
+
+
+def refused(clock):
+    return replace(at_rest(clock), motion_refused_because="birdcage.toml line 7, motion.el_min_deg: not a number.")
+
+
 STATES = {
     "idle": at_rest,
     "slewing": slewing,
@@ -174,6 +185,8 @@ STATES = {
     "not-homed": not_homed,
     "opening": opening,
     "fault": fault,
+    "late": late,
+    "refused": refused,
 }
 
 

@@ -1,6 +1,7 @@
 """Everything a person needs lies inside the screen, at every size; and says what it should."""
 
 import asyncio
+import re
 
 import pytest
 import stand_in
@@ -78,7 +79,7 @@ def test_health_is_whole_when_there_is_room(size):
 
 
 def test_the_geostationary_arc_names_its_slots_and_only_with_a_place():
-    assert "119°W" in run(read, "idle")
+    assert "129°W" in run(read, "idle")
     assert "119°W EchoStar" in run(read, "idle", (160, 48))
     assert "119°W" not in run(read, "opening", (160, 48))
 
@@ -87,7 +88,7 @@ def test_the_geostationary_arc_names_its_slots_and_only_with_a_place():
     ("name", "words"),
     [
         ("held", ("■ HELD by you", "Gpredict 231.4/44.0 ignored x3", "Enter release")),
-        ("lost", ("○ LINK LOST 00:07", "last seen AZ 201.30 EL 32.90, was moving", "by-id")),
+        ("lost", ("LOST  ", "○ LINK LOST 00:07", "last seen AZ 201.30 EL 32.90, was moving", "by-id")),
         ("silent", ("◍ SILENT 00:04", "power off", "AZ ---.--°", "EL --.--°")),
         ("not-homed", ("▲ NOT HOMED", "H home it", "AZ ---.--°", "NOT HOMED  nobody")),
         ("fault", ("✖ FAULT Azimuth stalled at 203.1°.", "its steps", "Clear its swing", "Enter", "acknowledge")),
@@ -177,3 +178,14 @@ def test_only_rows_that_changed_are_asked_for():
     assert unchanged == []
     assert ("StatusLine", 1) in asked
     assert not [name for name, _ in asked if name in ("SkyPane", "KeyBar", "StopButton")]
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_names_of_slots_never_touch_each_other_or_a_mark(size):
+    text = run(read, "idle", size)
+    labels = re.findall(r"\d+(?:\.\d)?°W", text)
+    assert len(labels) >= 5
+    assert len(set(labels)) == len(labels)
+    assert "101°W" in labels, "what is pointed at is named"
+    for label in labels:
+        assert re.search(rf"[^\d•◉✕]{re.escape(label)}(?: [A-Z][\w ]+?)?[ ⠀-⣿]", text), label

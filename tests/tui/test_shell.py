@@ -7,10 +7,11 @@ from dataclasses import replace
 import pytest
 import stand_in
 from birdcage.station.events import PositionRead, ReadingRead
-from birdcage.station.requests import Goto, Home, Jog, Unwatch, Watch
+from birdcage.station.requests import AcceptLimits, Goto, Home, Jog, Unwatch, Watch
 from birdcage.station.state import HeldState
 from birdcage_tui.commands import COMMANDS, PAGES
 from birdcage_tui.messages import StationEvent
+from birdcage_tui.shell import LISTEN_S
 from textual.widgets import ContentSwitcher
 
 
@@ -272,3 +273,33 @@ def test_a_dead_station_thread_is_told():
     text = run(crash)
     assert "✖ BIRDCAGE FAILED  RuntimeError: torn" in text
     assert "12 V switch" in text
+
+
+@pytest.mark.parametrize(("key", "asked"), [("y", [AcceptLimits("you")]), ("enter", []), ("escape", [])])
+def test_the_dishs_own_limits_are_accepted_by_name_only(key, asked):
+    async def accept(app, pilot):
+        await pilot.press("enter")
+        await pilot.pause()
+        text = stand_in.text_of(app)
+        assert "birdcage.toml line 7" in text
+        assert "not known and not kept" in text
+        await pilot.press(key)
+        await pilot.pause()
+        return app.station.asked_for(AcceptLimits)
+
+    assert run(accept, "refused") == asked
+
+
+@pytest.mark.parametrize(("page", "told"), [(None, True), ("2", False)])
+def test_a_watched_dish_that_owes_an_answer_is_told_within_2_s(page, told):
+    async def wait(app, pilot):
+        if page is not None:
+            await pilot.press(page)
+            await pilot.pause()
+        app.session.clock.advance(1.8)
+        await pilot.pause(LISTEN_S + 0.1)
+        return stand_in.text_of(app).splitlines()[:2]
+
+    row_1, row_2 = run(wait)
+    assert ("G2 ▲ 2.0s" in row_1) is told
+    assert ("▲ NO REPLY" in row_2) is told

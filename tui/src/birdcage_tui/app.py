@@ -7,7 +7,7 @@ import signal
 from collections.abc import Callable
 from concurrent.futures import Future
 
-from birdcage.station.requests import AcknowledgeFault, Goto, Home, Jog, Release, Request
+from birdcage.station.requests import AcceptLimits, AcknowledgeFault, Goto, Home, Jog, Release, Request
 
 from birdcage_tui.commands import BY_NAME
 from birdcage_tui.dialogs import GotoLine, HelpScreen, QuestionScreen
@@ -79,12 +79,30 @@ class BirdcageApp(Shell):
         self.say("STOP.")
 
     def release(self) -> None:
-        """Acknowledge a fault; with none, let go of HELD."""
-        if self.station.state.fault is not None:
+        """Acknowledge a fault; with none, let go of HELD; with neither, accept the dish's own limits."""
+        state = self.station.state
+        if state.fault is not None:
             self.ask(AcknowledgeFault(YOU))
-        elif self.station.state.held is not None:
+        elif state.held is not None:
             self.ask(Release(YOU))
+        elif state.motion_refused_because:
+            self.ask_limits(state.motion_refused_because)
         self.say("")
+
+    def ask_limits(self, because: str) -> None:
+        """Ask in words, then move within the dish's own limits although yours could not be read."""
+        words = (
+            f"{because}\n\nUntil the file is mended, the dish would move within its own limits only: yours, "
+            "such as a wall or a low roof that you had told it of, are not known and not kept. Nothing moves by this."
+        )
+
+        def answered(yes: bool | None) -> None:
+            if yes:
+                self.ask(AcceptLimits(YOU))
+
+        self.push_screen(
+            QuestionScreen("Move without your own limits", words, "accept the dish's own limits"), answered
+        )
 
     def ask_home(self) -> None:
         """Ask in words, then home."""

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
 
 from rich.segment import Segment
 from rich.style import Style
 from textual.strip import Strip
 
+_RANK = {ink: rank for rank, ink in enumerate(("", "faint", "line", "dim"))}
+"""Quiet inks, quietest first; every other is louder."""
 _DOT = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
 
 
@@ -33,11 +36,14 @@ class Cells:
         """Write `text` so that it ends before column `x`."""
         self.put(x - len(text), y, text, ink)
 
-    def free(self, x: int, y: int, length: int) -> bool:
-        """Return whether nothing stands there yet (braille counts as nothing)."""
+    def free(self, x: int, y: int, length: int, *over: str) -> bool:
+        """Return whether nothing stands there yet; braille in the inks `over` counts as nothing."""
         if not (0 <= y < self.height and x >= 0 and x + length <= self.width):
             return False
-        return all(char == " " or "\u2800" <= char <= "\u28ff" for char in self._chars[y][x : x + length])
+        return all(
+            char == " " or (ink in over and "\u2800" <= char <= "\u28ff")
+            for char, ink in zip(self._chars[y][x : x + length], self._inks[y][x : x + length], strict=True)
+        )
 
     def strips(self, inks: Mapping[str, Style]) -> list[Strip]:
         """Return one strip a row; neighbours in the same ink become one segment."""
@@ -53,7 +59,7 @@ class Cells:
 
 
 class Braille:
-    """Dots in ink. What is drawn later gives its cell the colour. `copy` keeps a static layer for reuse."""
+    """Dots in ink, of which a cell has one: a louder ink clears quieter dots. `copy` keeps a static layer for reuse."""
 
     def __init__(self, width: int, height: int) -> None:
         self.width, self.height = max(width, 0), max(height, 0)
@@ -72,6 +78,12 @@ class Braille:
         column, row = math.floor(x), math.floor(y)
         if 0 <= column < self.width * 2 and 0 <= row < self.height * 4:
             index = (row >> 2) * self.width + (column >> 1)
+            before = _RANK.get(self._inks[index], len(_RANK))
+            rank = _RANK.get(ink, len(_RANK))
+            if rank < before:
+                return
+            if rank > before:
+                self._bits[index] = 0
             self._bits[index] |= _DOT[row & 3][column & 1]
             self._inks[index] = ink
 
@@ -81,12 +93,30 @@ class Braille:
         for step in range(0, steps + 1, every):
             self.dot(x0 + (x1 - x0) * step / steps, y0 + (y1 - y0) * step / steps, ink)
 
-    def circle(self, x: float, y: float, radius: float, ink: str, spacing: float = 0.8) -> None:
-        """Draw a circle, a dot every `spacing` dots along it."""
+    def circle(self, x: float, y: float, radius: float, ink: str, spacing: float = 0.0) -> None:
+        """Draw a circle: one dot thick, or with a dot every `spacing` dots along it."""
+        if spacing <= 0:
+            # Along the flatter axis of each eighth there is one dot a column: no corners, no gaps.
+            reach = math.ceil(radius * math.sqrt(0.5))
+            for step in range(-reach, reach + 1):
+                other = math.sqrt(max(radius * radius - step * step, 0.0))
+                for a, b in ((step, other), (step, -other), (other, step), (-other, step)):
+                    self.dot(x + a + 0.5, y + b + 0.5, ink)
+            return
         count = max(8, round(2 * math.pi * radius / spacing))
         for step in range(count):
             angle = 2 * math.pi * step / count
             self.dot(x + radius * math.sin(angle) + 0.5, y - radius * math.cos(angle) + 0.5, ink)
+
+    def dotted(self, points: Sequence[tuple[float, float]], ink: str, spacing: float) -> None:
+        """Draw a curve through `points` as dots that are evenly spaced along it."""
+        due = 0.0
+        for (x0, y0), (x1, y1) in pairwise(points):
+            length = math.hypot(x1 - x0, y1 - y0)
+            while due <= length and length > 0:
+                self.dot(x0 + (x1 - x0) * due / length, y0 + (y1 - y0) * due / length, ink)
+                due += spacing
+            due -= length
 
     def onto(self, cells: Cells, x: int, y: int) -> None:
         """Lay the dots over `cells`, with the top left corner at (x, y); cells without dots are left alone."""

@@ -46,8 +46,9 @@ def can_home(view: View) -> str | None:
 
 
 def can_release(view: View) -> str | None:
-    """Return why there is nothing to release or acknowledge."""
-    if view.state.fault is None and view.state.held is None:
+    """Return why there is nothing to release, acknowledge or accept."""
+    state = view.state
+    if state.fault is None and state.held is None and not state.motion_refused_because:
         return "Nothing is held, and there is no fault."
     return None
 
@@ -96,7 +97,7 @@ COMMANDS: tuple[Command, ...] = (
         ("enter",),
         "Enter",
         "Release or acknowledge",
-        "Acknowledge a fault; with none, let go of HELD. Nothing moves by it.",
+        "Acknowledge a fault, let go of HELD, or accept the dish's own limits. Nothing moves by it.",
         "Safety",
         can_release,
     ),

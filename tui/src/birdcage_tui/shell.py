@@ -38,6 +38,8 @@ if TYPE_CHECKING:
 
 FRAME_S = 0.1
 """Between two frames while something moves, and between two repaints on change."""
+LISTEN_S = 0.4
+"""Between two looks at how long the dish has been silent."""
 KEPT_SAMPLES = 2000
 
 
@@ -80,6 +82,7 @@ class Shell(App[None]):
         self._frames: Timer | None = None
         self._soon: Timer | None = None
         self._painted = 0.0
+        self._late = False
         for look in LOOKS.values():
             self.register_theme(look.theme())
         self.theme = self.settings.theme if self.settings.theme in LOOKS else DEFAULT
@@ -107,6 +110,7 @@ class Shell(App[None]):
         self.theme_changed_signal.subscribe(self, self._recolour)
         self._frames = self.set_interval(FRAME_S, self._tick, pause=True)
         self.set_interval(1.0, self._tick)
+        self.set_interval(LISTEN_S, self._listen)
         self.call_after_refresh(self._begin)
 
     def _begin(self) -> None:
@@ -138,6 +142,7 @@ class Shell(App[None]):
             self._tour_says,
             "" if crash is None else f"{type(crash).__name__}: {crash}",
             self._note,
+            self._watching is not None,
         )
 
     def paint(self) -> None:
@@ -158,6 +163,13 @@ class Shell(App[None]):
                 self._frames.resume()
             else:
                 self._frames.pause()
+
+    def _listen(self) -> None:
+        """Draw at once when the dish begins to owe an answer, or has given it."""
+        late = self.view().late
+        if late != self._late:
+            self._late = late
+            self.paint()
 
     def _loop_time(self) -> float:
         return self._loop.time() if self._loop is not None else 0.0

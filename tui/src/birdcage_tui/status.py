@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import textwrap
 
-from birdcage.station.state import Link
 from textual import events
 from textual.message import Message
 
 from birdcage_tui.canvas import Cells
+from birdcage_tui.commands import can_release
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
-from birdcage_tui.words import ACTIVITY, LINK, age_text, bad_day, calm
+from birdcage_tui.words import ACTIVITY, LATE, LINK, age_text, bad_day, calm
 
 
 class StatusLine(Pane):
@@ -37,21 +37,25 @@ class StatusLine(Pane):
     @staticmethod
     def _fields(view: View, *, wide: bool) -> list[tuple[str, str]]:
         state, position = view.state, view.state.position
-        glyph, word = LINK[state.link.state]
+        glyph, _ = LINK[state.link.state]
         heard = state.link.last_reply
         age = age_text(view.now - heard) if heard is not None else "--"
         name = state.dish.name if state.dish is not None else "dish"
         if not wide:
             name = name.rsplit(" ", 1)[-1][:8]
-        up = state.link.state is Link.UP
+        link_ink = "bar" if view.link_up or view.waiting else "bar-warn"
+        if view.late:
+            glyph, link_ink = LATE, "bar-warn"
         ink = "bar-dim" if view.stale else "bar"
         az = f"{position.az_deg:6.2f}" if position else "---.--"
         el = f"{position.el_deg:5.2f}" if position else "--.--"
         activity = "HELD" if state.held is not None and not view.moving else ACTIVITY[state.activity]
-        if state.homed is False and not view.moving and state.held is None:
+        if not view.link_up:
+            activity = LINK[state.link.state][1].upper()
+        elif state.homed is False and not view.moving and state.held is None:
             activity = "NOT HOMED"
         fields = [
-            (f"{name} {glyph} {age:<4}" if up or not wide else f"{name} {glyph} {word} {age:<4}", "bar"),
+            (f"{name} {glyph} {age:<4}", link_ink),
             (f"AZ {az}°", ink),
             (f"EL {el}°", ink),
             (f"{activity:<9}", "bar"),
@@ -59,8 +63,6 @@ class StatusLine(Pane):
         ]
         if state.az_offset_deg or state.el_offset_deg:
             fields.append((f"offset {state.az_offset_deg:+.2f} {state.el_offset_deg:+.2f}", "bar"))
-        if state.feed_name:
-            fields.append((state.feed_name, "bar-dim"))
         if wide and state.port:
             fields.append((state.port.split("?")[0], "bar-dim"))
         if wide and state.firmware_version:
@@ -117,9 +119,9 @@ class BadDayRow(Pane):
             cells.put(0, y, f" {rows[y] if y < len(rows) else ''}".ljust(cells.width), ink)
 
     def on_mouse_down(self, event: events.MouseDown) -> None:
-        """Enter's mouse target: release, or acknowledge."""
+        """Enter's mouse target: release, acknowledge or accept."""
         event.stop()
-        if self.view is not None and (self.view.state.held or self.view.state.fault):
+        if self.view is not None and can_release(self.view) is None:
             self.post_message(self.Pressed())
 
     class Pressed(Message):

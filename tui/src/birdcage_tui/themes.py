@@ -19,8 +19,10 @@ class Look:
     """Ground of rows and keys that stand out a little."""
     text: str
     dim: str
+    faint: str
+    """Hatching: barely above the ground, and never the only sign of anything."""
     line: str
-    """Frames, grids, hatching."""
+    """Frames and grids."""
     focus: str
     """The frame of the pane that has the focus."""
     accent: str
@@ -35,7 +37,7 @@ class Look:
     @cached_property
     def inks(self) -> dict[str, Style]:
         """Styles by name. Every one carries its ground: line-API widgets get none by themselves."""
-        plain = ("text", "dim", "line", "accent", "target", "good", "warn", "fault")
+        plain = ("text", "dim", "faint", "line", "accent", "target", "good", "warn", "fault")
         inks = {ink: Style(color=getattr(self, ink), bgcolor=self.ground) for ink in plain}
         inks["strong"] = Style(color=self.text, bgcolor=self.ground, bold=True)
         inks["big"] = Style(color=self.accent, bgcolor=self.ground, bold=True)
@@ -44,6 +46,7 @@ class Look:
             inks[f"{ink}-row"] = Style(color=self.ground, bgcolor=getattr(self, ink), bold=True)
         inks["key"] = Style(color=self.text, bgcolor=self.raised, bold=True)
         inks["bar"] = Style(color=self.text, bgcolor=self.raised)
+        inks["bar-warn"] = Style(color=self.warn, bgcolor=self.raised, bold=True)
         inks["bar-dim"] = Style(color=self.dim, bgcolor=self.raised)
         return inks
 
@@ -87,6 +90,7 @@ LOOKS = {
             raised="#171d25",
             text="#dde3ea",
             dim="#8e99a6",
+            faint="#222a33",
             line="#3d4854",
             focus="#7f95ad",
             accent="#63c7f2",
@@ -101,6 +105,7 @@ LOOKS = {
             raised="#e9edf1",
             text="#0c1116",
             dim="#4a545f",
+            faint="#dbe0e5",
             line="#a4aeb8",
             focus="#3f5366",
             accent="#004f8c",
@@ -116,6 +121,7 @@ LOOKS = {
             raised="#1c0000",
             text="#ff2a1a",
             dim="#b81c10",
+            faint="#3a0704",
             line="#6a0f08",
             focus="#c82014",
             accent="#ff3a2a",

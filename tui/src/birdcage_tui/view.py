@@ -13,6 +13,8 @@ from birdcage_tui.settings import AppSettings
 
 STALE_S = 2.0
 """A value older than this dims and shows its age."""
+LATE_S = 1.5
+"""A watched dish that has answered nothing for so long is late: told within 2 s, with LISTEN_S between looks."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,6 +41,8 @@ class View:
     """What ended the station's own thread, if something did: nothing below answers any more."""
     note: str = ""
     """What the last command did, in one sentence."""
+    watched: bool = False
+    """Whether the visible page has the station ask the dish all the time."""
 
     @property
     def position_age_s(self) -> float | None:
@@ -53,9 +57,30 @@ class View:
         return age_s is None or age_s > STALE_S
 
     @property
+    def reply_age_s(self) -> float | None:
+        """How long ago the dish last answered; None when it never did."""
+        heard = self.state.link.last_reply
+        return None if heard is None else max(0.0, self.now - heard)
+
+    @property
+    def late(self) -> bool:
+        """Whether the dish owes an answer: the link is up and watched, yet nothing has come for too long.
+
+        A dish that homes or starts is silent by nature.
+        """
+        if not (self.watched and self.link_up) or self.state.activity in (Activity.HOMING, Activity.INITIALIZING):
+            return False
+        return self.reply_age_s is not None and self.reply_age_s > LATE_S
+
+    @property
     def link_up(self) -> bool:
         """Whether the dish answers."""
         return self.state.link.state is Link.UP
+
+    @property
+    def waiting(self) -> bool:
+        """Whether it is too early to expect an answer: the port is not open yet."""
+        return self.state.link.state in (Link.CLOSED, Link.OPENING)
 
     @property
     def moving(self) -> bool:

@@ -30,6 +30,10 @@ LINK = {
 }
 
 
+LATE = "▲"
+"""The link's glyph while it is up, and the dish owes an answer."""
+
+
 def age_text(age_s: float) -> str:
     """Return an age in four columns or so: `0.2s`, `12s`, `3m`, `2h`."""
     if age_s < 9.95:
@@ -54,6 +58,8 @@ def angle(value_deg: float | None, places: int = 2) -> str:
 def stop_text(view: View) -> str:
     """Return what STOP can do to the present motion."""
     motion = view.state.motion
+    if view.waiting:
+        return "STOP reaches it once the port is open"
     if not view.link_up:
         return "STOP cannot reach it: 12 V switch"
     if motion is None:
@@ -67,6 +73,8 @@ def stop_text(view: View) -> str:
 def motion_text(view: View) -> str:
     """Return what the dish is doing, in one short line."""
     state = view.state
+    if view.waiting:
+        return "Nothing read yet"
     if not view.link_up:
         return "MOVING when last heard" if view.moving else "UNKNOWN: the dish does not answer"
     if state.motion is not None and state.activity is Activity.SLEWING:
@@ -112,11 +120,16 @@ def bad_day(view: View) -> tuple[str, str] | None:
     if state.held is not None:
         return "warn-row", _held(view) + _tags(view, "HELD")
     if state.motion_refused_because:
-        return "warn-row", f"▲ NO MOTION  {state.motion_refused_because}"
+        return "warn-row", f"▲ NO MOTION  {state.motion_refused_because}  Enter accept the dish's own limits"
     if state.homed is False and state.activity is Activity.HOMING:
         return "warn-row", "▲ NOT HOMED  Homing: it runs into its stops. Only the power switch stops it."
     if state.homed is False:
         return "warn-row", "▲ NOT HOMED  The dish does not know where it points.  H home it"
+    if view.late:
+        return (
+            "warn",
+            f"{LATE} NO REPLY for {age_text(view.reply_age_s or 0.0)}  The port is open; the dish does not answer.",
+        )
     return None
 
 
@@ -142,7 +155,7 @@ def _held(view: View) -> str:
     stopped = view.state.last_stop
     if held.reason == "stop" and stopped is not None:
         words += {True: "", False: "  STOP NOT CONFIRMED", None: "  STOP sent"}[stopped.confirmed]
-    return f"{words}  Enter release"
+    return f"{words}   Enter release"
 
 
 def calm(view: View) -> str:
@@ -198,6 +211,9 @@ def next_steps(view: View) -> list[tuple[str, str]]:
         steps.append(("text", "Nobody moves it before you release it: Enter."))
     elif state.homed is False and state.activity is not Activity.HOMING:
         steps.append(("text", "Next: H homes it. It turns through its whole range and knocks at its stops."))
+    elif state.motion_refused_because:
+        steps.append(("text", "Your limits cannot be read, so it takes no motion."))
+        steps.append(("text", "Next: mend the file, or Enter: accept the dish's own limits."))
     elif view.tour:
         steps.append(("text", view.tour))
     elif not view.moving:

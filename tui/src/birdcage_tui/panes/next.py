@@ -10,6 +10,12 @@ from birdcage_tui.view import View
 from birdcage_tui.words import next_steps
 
 
+def _wrapped(words: str, width: int) -> list[str]:
+    """Return rows no wider than `width`; a number keeps its unit."""
+    rows = textwrap.wrap(words.replace("12 V", "12\N{NO-BREAK SPACE}V"), width)
+    return [row.replace("\N{NO-BREAK SPACE}", " ") for row in rows]
+
+
 class NextPane(Pane):
     """Plain sentences, most important first."""
 
@@ -20,7 +26,7 @@ class NextPane(Pane):
     def draw(self, cells: Cells, view: View) -> None:
         """Wrap the sentences; in a tall pane a blank row parts them."""
         width = max(cells.width - 2, 10)
-        steps = [(ink, textwrap.wrap(words, width)) for ink, words in next_steps(view)]
+        steps = [(ink, _wrapped(words, width)) for ink, words in next_steps(view)]
         rows = sum(len(lines) for _, lines in steps)
         air = 1 if cells.height >= rows + len(steps) - 1 else 0
         y = 0

@@ -21,27 +21,36 @@ class PointingPane(Pane):
         air = 1 if cells.height >= 10 else 0
         large = cells.width >= 55 and cells.height >= 12
         y = self._digits(cells, view, large=large) + air
-        cells.put(1, y, motion_text(view)[: cells.width - 2], "accent-strong" if view.moving else "text")
+        cells.put(1, y, motion_text(view)[: cells.width - 2], self._ink(view))
         self._bar(cells, y + 1, view)
         cells.put(1, y + 2, stop_text(view)[: cells.width - 2], "text" if view.moving else "dim")
         self._cable(cells, y + 3 + air, view)
 
     @staticmethod
+    def _ink(view: View) -> str:
+        if view.waiting:
+            return "dim"
+        if not view.link_up:
+            return "warn"
+        return "accent-strong" if view.moving else "text"
+
+    @staticmethod
     def _digits(cells: Cells, view: View, *, large: bool) -> int:
         position = view.state.position
         ink = "dim" if view.stale else "big"
-        az = angle_text(position.az_deg if position else None, 3) + "°"
-        el = angle_text(position.el_deg if position else None, 2) + "°"
-        # Unknown azimuth is `--.--` too: an angle not known has no hundreds.
-        az = " --.--°" if position is None else az
-        gap = max(2, min(8, cells.width - 2 - width_of(az, large=large) - width_of(el, large=large)))
+        # Unknown azimuth is `--.--` too: an angle not known has no hundreds. Elevation keeps its column.
+        az = " --.-- " if position is None else angle_text(position.az_deg, 3) + "°"
+        el = "--.--" if position is None else angle_text(position.el_deg, 2) + "°"
+        widest = width_of("000.00°00.00°", large=large)
+        gap = max(2, min(8, cells.width - 2 - widest))
         left = 1
-        start_el = put_big(cells, left, 0, az, ink, large=large) + gap
+        put_big(cells, left, 0, az.rstrip(), ink, large=large)
+        start_el = left + width_of("000.00°", large=large) + gap
         put_big(cells, start_el, 0, el, ink, large=large)
         y = 5 if large else 3
         age_s = view.position_age_s
         if position is None:
-            note, note_ink = "not known", "warn"
+            note, note_ink = "not known", "dim" if view.waiting else "warn"
         elif view.stale and age_s is not None:
             note, note_ink = f"{age_text(age_s)} old", "warn"
         else:
@@ -56,9 +65,9 @@ class PointingPane(Pane):
     def _bar(cells: Cells, y: int, view: View) -> None:
         """Draw a thin line: what has passed of the motion's time, and what is left."""
         width = max(cells.width - 2, 0)
-        progress = view.progress
+        progress = view.progress if view.link_up else None
         if progress is None:
-            cells.put(1, y, "╌" * width, "line")
+            cells.put(1, y, "─" * width, "line")
             return
         done = round(progress * width)
         cells.put(1, y, "━" * done, "accent")
@@ -74,10 +83,10 @@ class PointingPane(Pane):
             return
         turn = state.position.cable_deg if state.position is not None else None
         if cable is None or turn is None:
-            words = " turn unknown"
+            words, ink = " turn unknown", "dim" if view.waiting else "warn"
             cells.put(1, y, "cable ", "dim")
             cells.put(7, y, "▕" + "▨" * max(cells.width - 10 - len(words), 0) + "▏", "line")
-            cells.put(cells.width - 1 - len(words), y, words, "warn")
+            cells.put(cells.width - 1 - len(words), y, words, ink)
             return
         left, right = turn - cable.min_deg, cable.max_deg - turn
         x = cells.put(1, y, "cable ", "dim")
@@ -88,5 +97,5 @@ class PointingPane(Pane):
             return
         mark = min(width - 1, max(0, int(left / (left + right) * width)))
         cells.put(x, y, "▕" + "─" * width + "▏", "dim")
-        cells.put(x + 1 + mark, y, "◉", "accent")
+        cells.put(x + 1 + mark, y, "◉", "dim" if view.stale else "accent")
         cells.put(x + width + 2, y, tail, "text")

@@ -43,7 +43,7 @@ class Polar:
         reach = math.hypot(dx, dy) / self.radius
         return None if reach > 1 else (math.degrees(math.atan2(dx, -dy)) % 360, 90 * (1 - reach))
 
-    def ring(self, canvas: Braille, el_deg: float, ink: str, spacing: float) -> None:
+    def ring(self, canvas: Braille, el_deg: float, ink: str, spacing: float = 0.0) -> None:
         """Draw the circle of one elevation."""
         canvas.circle(*self.middle, self.radius * (90 - el_deg) / 90, ink, spacing)
 
@@ -55,7 +55,7 @@ class Polar:
         reach = math.ceil(outer)
         for dy in range(-reach, reach + 1):
             for dx in range(-reach, reach + 1):
-                if (dx + dy) % 6 or dx % 2:
+                if (dx + dy) % 8:
                     continue
                 if not inner <= math.hypot(dx, dy) <= outer:
                     continue

@@ -38,7 +38,7 @@ class SignalPane(Pane):
         x = cells.put(x, 0, " counts", "dim")
         if shown:
             best = max(shown, key=lambda sample: sample.value)
-            x = cells.put(x, 0, f"  peak {best.value:.0f}", "target")
+            x = cells.put(x, 0, f"  peak {best.value:.0f}", "text")
             if cells.width >= 46:
                 cells.put(x, 0, f", {age_text(view.now - best.at)} ago", "dim")
             span = f"last {width * COLUMN_S:.0f} s"

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import math
-
-from birdcage.base.geometry import shortest_turn
+from birdcage.base.geometry import separation, shortest_turn
 from birdcage.sky.geostationary import arc, slots_in_sight
 from textual import events
 
@@ -12,6 +10,13 @@ from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.polar import Polar
 from birdcage_tui.view import View
+
+QUIET = ("faint", "line", "dim")
+"""Dots that a name may cover."""
+ON_SLOT_DEG = 0.75
+"""A target closer to a slot than this points at it."""
+PATH = 120
+"""Pieces that the path of a motion is drawn in."""
 
 
 class SkyPane(Pane):
@@ -45,25 +50,25 @@ class SkyPane(Pane):
         canvas = Braille(polar.width, polar.height)
         low, high = state.el_min_deg, state.el_max_deg
         if low is not None:
-            polar.hatch(canvas, "line", 0.0, low)
+            polar.hatch(canvas, "faint", 0.0, low)
         if high is not None:
-            polar.hatch(canvas, "line", high, 90.0)
+            polar.hatch(canvas, "faint", high, 90.0)
         sector = self._sector(view)
         if sector is not None:
-            polar.hatch(canvas, "line", low or 0.0, high or 90.0, *sector)
+            polar.hatch(canvas, "faint", low or 0.0, high or 90.0, *sector)
         for az_deg in (0.0, 90.0, 180.0, 270.0):
             canvas.line(*polar.dot(az_deg, high or 88.0), *polar.dot(az_deg, low or 0.0), "line", every=4)
         for el_deg in (30.0, 60.0):
-            if low is None or high is None or low + 4 < el_deg < high - 4:
+            if low is None or high is None or low + 8 < el_deg < high - 8:
                 polar.ring(canvas, el_deg, "line", 4.0)
         for edge in (low, high):
             if edge is not None:
-                polar.ring(canvas, edge, "dim", 2.2)
-        polar.ring(canvas, 0.0, "dim", 0.7)
+                polar.ring(canvas, edge, "line")
+        polar.ring(canvas, 0.0, "dim")
         place = view.settings.place
         if place is not None:
-            for _, az_deg, el_deg in arc(place.latitude_deg, place.longitude_deg, 1.5):
-                canvas.dot(*polar.dot(az_deg, el_deg), "target")
+            points = arc(place.latitude_deg, place.longitude_deg, 1.5)
+            canvas.dotted([polar.dot(az_deg, el_deg) for _, az_deg, el_deg in points], "target", 2.6)
         self._static = (key, canvas)
         return canvas
 
@@ -85,28 +90,31 @@ class SkyPane(Pane):
             radius = polar.radius * state.beam_deg / 180
             if radius >= 1.5:
                 x, y = polar.dot(position.az_deg, position.el_deg)
-                canvas.circle(x - 0.5, y - 0.5, radius, "accent", 1.0)
+                canvas.circle(x - 0.5, y - 0.5, radius, "dim" if view.stale else "accent")
         motion = state.motion
         if motion is None:
             return
         start_az, start_el = motion.from_az_deg, motion.from_el_deg
         turn = shortest_turn(start_az, motion.to_az_deg)
-        steps = max(2, math.ceil(max(abs(turn), abs(motion.to_el_deg - start_el)) * polar.radius / 60))
-        progress = view.progress or 0.0
-        for step in range(steps + 1):
-            part = step / steps
-            if part < progress and step % 3:
-                continue  # past is dotted, future is solid
-            canvas.dot(*polar.dot(start_az + turn * part, start_el + (motion.to_el_deg - start_el) * part), "accent")
+        points = [
+            polar.dot(start_az + turn * part / PATH, start_el + (motion.to_el_deg - start_el) * part / PATH)
+            for part in range(PATH + 1)
+        ]
+        gone = round((view.progress or 0.0) * PATH)
+        ink = "accent" if view.link_up else "dim"
+        canvas.dotted(points[: gone + 1], ink, 3.5)  # past is dotted, future is solid
+        canvas.dotted(points[gone:], ink, 1.0)
 
     @staticmethod
     def _rim(cells: Cells, polar: Polar, view: View) -> None:
         state = view.state
         for az_deg, name in ((0.0, "N"), (90.0, "E"), (180.0, "S"), (270.0, "W")):
             cells.put(*polar.cell(az_deg, 0.0), name, "strong")
-        for limit, az_deg in ((state.el_min_deg, 135.0), (state.el_max_deg, 135.0)):
+        place = view.settings.place
+        away_deg = 45.0 if place is None or place.latitude_deg >= 0 else 135.0  # where the arc is not
+        for limit in (state.el_min_deg, state.el_max_deg):
             if limit is not None:
-                x, y = polar.cell(az_deg, limit)
+                x, y = polar.cell(away_deg, limit)
                 cells.put(x, y, f"{limit:.0f}°", "dim")
         position, dish = state.position, state.dish
         if position is not None and position.cable_deg is not None and dish is not None and dish.cable is not None:
@@ -117,7 +125,7 @@ class SkyPane(Pane):
     def _marks(cells: Cells, polar: Polar, view: View) -> None:
         state, position = view.state, view.state.position
         motion = state.motion
-        if motion is not None and view.progress is not None:
+        if motion is not None and view.progress is not None and view.link_up:
             turn = shortest_turn(motion.from_az_deg, motion.to_az_deg) * view.progress
             el_deg = motion.from_el_deg + (motion.to_el_deg - motion.from_el_deg) * view.progress
             cells.put(*polar.cell(motion.from_az_deg + turn, el_deg), "◌", "accent")
@@ -133,25 +141,44 @@ class SkyPane(Pane):
             words = " where it points is not known "
             cells.put(polar.width // 2 - len(words) // 2, polar.height // 2, words, "dim")
 
-    @staticmethod
-    def _slots(cells: Cells, polar: Polar, view: View) -> None:
+    def _slots(self, cells: Cells, polar: Polar, view: View) -> None:
         place, state = view.settings.place, view.state
         if place is None:
             return
         low, high = state.el_min_deg or 0.0, state.el_max_deg or 90.0
         named = cells.width >= 84
+        slots = []
         for slot, az_deg, el_deg in slots_in_sight(place.latitude_deg, place.longitude_deg, low, high):
             x, y = polar.cell(az_deg, el_deg)
-            if not cells.free(x, y, 1):
-                continue
-            cells.put(x, y, "•", "target")
-            label = f"{slot.label} {slot.name}" if named else slot.label
-            # Names stand on the outer side of the arc, where the plot is emptiest.
-            start = x + 2 if az_deg <= 180 else x - 1 - len(label)
-            for row in (y + 1, y):
-                if cells.free(start - 1, row, len(label) + 2):
-                    cells.put(start, row, label, "dim")
-                    break
+            if cells.free(x, y, 1, *QUIET, "target"):
+                cells.put(x, y, "•", "target")
+            aimed = (
+                state.target_az_deg is not None
+                and state.target_el_deg is not None
+                and separation(az_deg, el_deg, state.target_az_deg, state.target_el_deg) < ON_SLOT_DEG
+            )
+            names = (f"{slot.label} {slot.name}", slot.label) if named else (slot.label,)
+            slots.append((names, x, y, aimed))
+        middle = polar.width // 2
+        # The slot that is pointed at is named first, then the ends of the arc, which have the most room.
+        for names, x, y, aimed in sorted(slots, key=lambda slot: (not slot[3], -abs(slot[1] - middle))):
+            self._label(cells, names, x, y, x - middle, "target" if aimed else "dim")
+
+    @staticmethod
+    def _label(cells: Cells, names: tuple[str, ...], x: int, y: int, off: int, ink: str) -> None:
+        """Write a slot's name where it lies on nothing: outside the arc if possible, else not at all."""
+        for name in names:
+            length = len(name)
+            beside = x + 2 if off >= 0 else x - 1 - length
+            below = x - length // 2
+            if abs(off) > 8:
+                places = [(beside, y), (beside, y + 1), (below, y + 1)]
+            else:
+                places = [(below, y + 1), (beside, y + 1), (beside, y), (below, y - 1)]
+            for start, row in places:
+                if cells.free(start - 2, row, length + 4, *QUIET):
+                    cells.put(start, row, name, ink)
+                    return
 
     def on_mouse_move(self, event: events.MouseMove) -> None:
         """Read out the direction under the mouse."""
