@@ -17,7 +17,7 @@ class Wake:
         self._receiver.setblocking(False)
         # Reentrant: a signal handler may set it on top of the `set` that it interrupted.
         self._lock = threading.RLock()
-        self._set = False
+        self._set = self._closed = False
 
     def fileno(self) -> int:
         """Return the descriptor that becomes readable when the flag is set."""
@@ -28,20 +28,24 @@ class Wake:
         return self._set
 
     def set(self) -> None:
-        """Raise the flag; a second time does nothing."""
+        """Raise the flag; a second time, or once nobody waits any more, does nothing."""
         with self._lock:
             if not self._set:
                 self._set = True
-                self._sender.send(b"\0")
+                if not self._closed:
+                    self._sender.send(b"\0")
 
     def clear(self) -> None:
         """Lower the flag."""
         with self._lock:
             if self._set:
                 self._set = False
-                self._receiver.recv(16)
+                if not self._closed:
+                    self._receiver.recv(16)
 
     def close(self) -> None:
         """Give the descriptors back."""
-        self._receiver.close()
-        self._sender.close()
+        with self._lock:
+            self._closed = True
+            self._receiver.close()
+            self._sender.close()
