@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from birdcage.antenna.alignment import Alignment
 from birdcage.antenna.motion import STOP_LATENCY_S, DishMotion, start_motion
 from birdcage.base.clock import Clock
-from birdcage.base.errors import MotionRefused, WrongThread
+from birdcage.base.errors import CommandRefused, MotionRefused, Stopped, WrongThread
 from birdcage.base.geometry import shortest_turn, wrap_360
 from birdcage.kinematics import rest_point
 from birdcage.leapfrog import apply_leapfrog
@@ -51,6 +51,8 @@ class BirdcageAntenna:
         self._moves = 0
         self.motion: DishMotion | None = None
         """The motion under way as modelled; None at rest."""
+        self.taken = 0
+        """How many motions the dish has taken, at least in one axis."""
         self._modelling = threading.RLock()
         protocol.gate.update(floor_deg=self._config.min_elevation - self.alignment.el_offset_deg)
 
@@ -157,17 +159,28 @@ class BirdcageAntenna:
         start = gate.position
         assert start is not None, "the gate has just checked this"
         now, rate = self._clock.monotonic(), self._clock.rate
-        velocity = (0.0, 0.0)
-        if self.motion is not None:
-            velocity = self.motion.azimuth.modelled(now, rate)[1], self.motion.elevation.modelled(now, rate)[1]
+        velocity, under_way = (0.0, 0.0), self.motion
+        if under_way is not None:
+            velocity = under_way.azimuth.modelled(now, rate)[1], under_way.elevation.modelled(now, rate)[1]
         turns = gate.cable_turns(dish_az)
         cable = gate.cable_deg
         turn = turns[0] - cable if turns and cable is not None else shortest_turn(start.azimuth, dish_az)
-        self.motion = start_motion(self._protocol.model, start, turn, dish_el, now, velocity)
+        planned = start_motion(self._protocol.model, start, turn, dish_el, now, velocity)
+        taken = self.taken
+        with self._modelling:
+            # Before the first byte: a STOP that comes after that byte must know what to stop.
+            before, self.motion = self.motion, planned
         order = [(MOTOR_AZIMUTH, dish_az), (MOTOR_ELEVATION, dish_el)]
         # Alternating, so that neither axis starves on a dish that moves them in turn (document 003).
-        for motor, angle in order if self._moves % 2 == 0 else reversed(order):
-            self._protocol.move_motor(motor, angle)
+        try:
+            for motor, angle in order if self._moves % 2 == 0 else reversed(order):
+                self._protocol.move_motor(motor, angle)
+                self.taken = taken + 1
+        except (Stopped, CommandRefused, MotionRefused) as error:
+            with self._modelling:
+                if self.taken == taken and self.motion is planned and error.reason != "closing":
+                    self.motion = before  # nothing of it moves: the dish does what it did
+            raise
         self._moves += 1
 
     def stop_lines(self) -> tuple[str, ...]:

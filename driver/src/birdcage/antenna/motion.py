@@ -92,7 +92,9 @@ class AxisMotion:
             elapsed_s = (now - self.read_at) * rate
             sign = math.copysign(1.0, self.rate_deg_s)
             speed = min(axis.speed_deg_s, abs(self.rate_deg_s) + axis.acceleration_deg_s2 * elapsed_s)
-            position, velocity = self.read_deg + sign * speed * elapsed_s, sign * speed
+            # However long nothing was read, the axis is not beyond where it was sent.
+            left_deg = max(0.0, sign * (end - self.read_deg))
+            position, velocity = self.read_deg + sign * min(speed * elapsed_s, left_deg), sign * speed
         aim = rest_point(position, velocity, axis.acceleration_deg_s2, latency_s)
         return min(aim, end) if end >= position else max(aim, end)
 
