@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable
 from typing import ClassVar
@@ -68,7 +69,7 @@ class CarryoutG2Protocol(FirmwareProtocol):
         self.console.enter("mot")
 
     def get_position(self) -> Position:
-        """Read both axes with one `a` (section 7.4)."""
+        """Read both axes with one `a` (section 7.4). PositionUnknown: not homed, or released since."""
         reply = self.console.run("mot", "a")
         angles = {int(m[1]): float(m[2]) for m in map(_ANGLE.search, reply.lines) if m}
         if set(angles) != {0, 1}:
@@ -84,11 +85,15 @@ class CarryoutG2Protocol(FirmwareProtocol):
         return position
 
     def _send_move(self, motor_id: int, degrees: float) -> None:
-        reply = self.console.run("mot", self._move_line(motor_id, degrees), permit=self.permit)
+        line = self._move_line(motor_id, degrees)
+        reply = self.console.run("mot", line, permit=self.permit)
         taken = [float(m[1]) for m in map(_MOVE_TAKEN.search, reply.lines) if m]
-        if not taken or abs(taken[-1] - degrees) > 0.011:
+        if taken and abs(taken[-1] - degrees) > 0.011:
+            # It moves, and where to is not sure: no refusal.
+            raise NoReply(f"The dish answered `{line}` with an angle of {taken[-1]:.2f}°.", reason="garbage")
+        if not taken:
             raise CommandRefused(
-                f"The dish did not take `{reply.command}`; it answered {' / '.join(reply.lines)!r}.",
+                f"The dish did not take `{line}`; it answered {' / '.join(reply.lines)!r}.",
                 reason="bad_parameter",
             )
 
@@ -106,10 +111,11 @@ class CarryoutG2Protocol(FirmwareProtocol):
         self.model.axis(motor_id)
         self.gate.forget("unread")
         self.console.run("mot", f"h {motor_id}", takes_s=_HOMING_S, permit=self.permit)
+        self.gate.found_reference(motor_id)
 
     def release_motors(self) -> None:
         """Take the current off the motors (`r`): the dish may fall, and its position is then unknown."""
-        self.gate.forget("released")
+        self.gate.release()
         self.console.run("mot", "r")
 
     def enter_dvb_menu(self) -> None:
@@ -145,7 +151,7 @@ class CarryoutG2Protocol(FirmwareProtocol):
                     raise
         reply = self.console.run("os", "id")
         identity = {m[1]: m[2] for m in map(_ID_FIELD.match, reply.lines) if m}
-        limits = [float(rows[i].current) if i in rows else None for i in (MIN_ELEVATION, MAX_ELEVATION)]
+        limits = [_degrees(rows.get(i)) for i in (MIN_ELEVATION, MAX_ELEVATION)]
         return Survey(
             identity=identity,
             version=identity.get("Software"),
@@ -186,3 +192,16 @@ class CarryoutG2Protocol(FirmwareProtocol):
         """Walk `kill_search` back: NVS 20 FALSE, saved. Takes effect after a power cycle."""
         if self.read_nvs(DISABLE_TRACKER).saved != "FALSE":
             self.write_nvs(DISABLE_TRACKER, "0")
+
+
+def _degrees(row: NvsRow | None) -> float | None:
+    """Return the angle in force of a setting; None when there is no such row. NoReply when it is not a number."""
+    if row is None:
+        return None
+    try:
+        value = float(row.current)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise NoReply(f"The dish showed {row.current!r} in NVS row {row.index}, which is no angle.", reason="garbage")
+    return value

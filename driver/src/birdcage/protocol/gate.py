@@ -50,13 +50,21 @@ class MotionGate:
         self.position: Position | None = None
         self.unknown_reason = "unread"
         self.cable_deg: float | None = None
+        self.released: set[int] = set()
+        """Axes whose motors were released since they were homed: what they report may not be where they are."""
 
     def update(self, **changes: object) -> None:
         """Replace fields of the bounds."""
         self.bounds = replace(self.bounds, **changes)  # type: ignore[arg-type]
 
     def see(self, position: Position) -> None:
-        """Take in a position that was read; a counted cable turns with it (readings lie under half a turn apart)."""
+        """Take in a position that was read; a counted cable turns with it (readings lie under half a turn apart).
+
+        PositionUnknown (`released`) while an axis was not homed since its motor was released.
+        """
+        if self.released:
+            self.forget("released")
+            raise self._unknown()
         if self.cable_deg is not None and self.position is not None:
             self.cable_deg += shortest_turn(self.position.azimuth, position.azimuth)
         self.position = position
@@ -69,6 +77,15 @@ class MotionGate:
     def forget(self, reason: str) -> None:
         """Forget the position: `unread`, `unhomed`, `released`, `raw`."""
         self.position, self.unknown_reason, self.cable_deg = None, reason, None
+
+    def release(self) -> None:
+        """Take in that the motors were released: only homing tells where the axes are."""
+        self.released = {self.model.azimuth.index, self.model.elevation.index}
+        self.forget("released")
+
+    def found_reference(self, index: int) -> None:
+        """Take in that an axis was homed."""
+        self.released.discard(index)
 
     @property
     def el_min_deg(self) -> float:
