@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from birdcage.antenna.antenna import BirdcageAntenna
-from birdcage.base.errors import LinkError, NoReply
+from birdcage.base.errors import BirdcageError, LinkError, NoReply
 from birdcage.base.wake import Wake
 from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.station.board import Board
@@ -88,21 +88,20 @@ class Connection:
     def lost(self, error: LinkError) -> None:
         """The port is gone: forget what may have changed, and look for it again."""
         self._protocol.disconnect(within_s=0.0)
-        self._forget("unread")
+        self._forget()
+        self._look.forget_survey()
         self._retry_s = FIRST_RETRY_S
         self._retry_later(Link.LOST, str(error))
 
-    def silent(self, silence: NoReply) -> None:
-        """The port is there, the dish does not answer."""
-        self._forget("unread")
+    def silent(self, silence: BirdcageError) -> None:
+        """The port is there, the dish does not answer, or not what was asked."""
+        self._forget()
         self.due = self._board.clock.monotonic() + SILENT_RETRY_S
         self._set(Link.SILENT, str(silence))
 
-    def _forget(self, reason: str) -> None:
-        self._protocol.gate.forget(reason)
-        self._board.change(
-            position_lost=self._board.state.position_lost or "link", activity=Activity.UNKNOWN, menu=None
-        )
+    def _forget(self) -> None:
+        self._look.forget(self._board.state.position_lost or "link")
+        self._board.change(activity=Activity.UNKNOWN, menu=None)
 
     def note_reply(self) -> None:
         """Copy the console's own figures onto the board."""

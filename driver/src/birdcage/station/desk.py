@@ -5,8 +5,7 @@ from __future__ import annotations
 from concurrent.futures import Future
 
 from birdcage.antenna.antenna import BirdcageAntenna
-from birdcage.base.errors import BirdcageError, LinkError, MotionRefused, Stopped
-from birdcage.protocol.model import Turn
+from birdcage.base.errors import BirdcageError, LinkError, MotionRefused, PositionUnknown, Stopped
 from birdcage.station import requests as ask
 from birdcage.station.board import Board
 from birdcage.station.control import Control
@@ -32,8 +31,11 @@ class Desk:
         self._stopper, self._look, self._watches, self._vigil = stopper, look, watches, vigil
         self._search = SearchSwitch(board, antenna, look, settings)
 
-    def serve(self, request: ask.Request, future: Future[object]) -> None:
-        """Serve one request; its future is resolved now, or at arrival for a motion."""
+    def serve(self, request: ask.Request, future: Future[object], stops_seen: int) -> None:
+        """Serve one request; its future is resolved now, or at arrival for a motion.
+
+        `stops_seen` is how often STOP had been called when it was asked for.
+        """
         match request:
             case ask.Goto() | ask.Follow() | ask.Jog():
                 self._move(request, future)
@@ -41,9 +43,7 @@ class Desk:
             case ask.Home():
                 self._home(request)
             case ask.ReleaseMotors(holder):
-                self._ready(holder)
-                self._antenna.protocol.release_motors()
-                self._board.change(position=None, position_lost="released", homed=None)
+                self._release_motors(holder)
             case ask.SetSearch(holder, disabled):
                 self._ready(holder)
                 future.set_result(self._search.set(disabled=disabled))
@@ -52,7 +52,7 @@ class Desk:
                 self._stopper.call(by)
                 self._stopper.take_calls()
             case ask.Release():
-                self._control.release()
+                self._stopper.release(stops_seen)
             case ask.AcquireLease(holder, take_over):
                 self._control.take(holder, take_over=take_over)
             case ask.ReleaseLease(holder):
@@ -99,13 +99,17 @@ class Desk:
         return (base[0] + jog.d_az_deg) % 360.0, base[1] + jog.d_el_deg
 
     def _home(self, request: ask.Home) -> None:
-        self._ready(request.holder)
         protocol = self._antenna.protocol
+        axes = (protocol.model.azimuth.index, protocol.model.elevation.index)
+        if not set(request.axes) <= set(axes):
+            raise MotionRefused(f"This dish has the axes {axes} only. Nothing was sent.", reason="unsupported")
+        self._ready(request.holder)
         self._mover.fail(End.SUPERSEDED, "homing", Stopped("Homing replaced the motion."))
+        self._antenna.motion = None
         self._board.change(homed=None, position=None, position_lost="homing")
         self._stopper.homing = True
         try:
-            for motor in request.axes or (protocol.model.azimuth.index, protocol.model.elevation.index):
+            for motor in request.axes or axes:
                 self._mover.activity(Activity.HOMING, protocol.model.axis(motor).name)
                 protocol.home_motor(motor)
         finally:
@@ -114,8 +118,19 @@ class Desk:
             self._stopper.resume()
         if self._look.position() is not None and not request.axes:
             protocol.gate.count_cable()
-            self._board.change(turn=Turn.COUNTED)
             self._look.position()
+        self._mover.activity(Activity.IDLE, "")
+
+    def _release_motors(self, holder: str) -> None:
+        self._ready(holder)
+        protocol = self._antenna.protocol
+        protocol.enter_motor_menu()
+        if protocol.permit is not None:
+            protocol.permit()  # STOP may have come on the way into the menu
+        protocol.release_motors()
+        self._mover.fail(End.STOPPED, "motors released", Stopped("The motors were released."))
+        self._antenna.motion = None
+        self._look.unknown(PositionUnknown("The motors were released.", reason="released"))
         self._mover.activity(Activity.IDLE, "")
 
     def _acknowledge(self, by: str) -> None:

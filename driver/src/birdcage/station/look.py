@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from birdcage.antenna.antenna import STILL_DEG, BirdcageAntenna
-from birdcage.base.errors import PositionUnknown
+from birdcage.base.errors import CommandRefused, PositionUnknown
+from birdcage.protocol.model import Turn
 from birdcage.protocol.types import Survey
 from birdcage.station.board import Board
 from birdcage.station.events import PositionRead
@@ -23,17 +24,32 @@ class Look:
         """The dish may be another one, or have other settings: read them again when the link comes up."""
         self._surveyed = False
 
+    def forget(self, why: str) -> None:
+        """The position and the turn of the cable no longer hold; `why` is for the board."""
+        self._antenna.protocol.gate.forget("unread")
+        self._board.change(position_lost=why, turn=self._turn())
+
+    def unknown(self, unknown: PositionUnknown) -> None:
+        """The dish does not know where it is."""
+        homed = False if unknown.reason == "unhomed" else None
+        self._board.change(homed=homed, position=None, position_lost=unknown.reason, turn=self._turn())
+
+    def _turn(self) -> Turn:
+        gate = self._antenna.protocol.gate
+        return gate.model.turn if gate.cable_deg is None else Turn.COUNTED
+
     def first(self) -> None:
         """Look where the dish is, after the link came up."""
         self._antenna.protocol.enter_motor_menu()
         self.position()
 
     def position(self) -> Pointing | None:
-        """Read where the dish is; None when it does not know, because it is not homed."""
+        """Read where the dish is; None when it does not know: not homed, or released since."""
         try:
             true = self._antenna.get_position()
         except PositionUnknown as unknown:
-            self._board.change(homed=False, position=None, position_lost=unknown.reason, activity=Activity.IDLE)
+            self.unknown(unknown)
+            self._board.change(activity=Activity.IDLE)
             return None
         gate = self._antenna.protocol.gate
         dish = gate.position
@@ -42,7 +58,7 @@ class Look:
         pointing = Pointing(
             true.azimuth, true.elevation, dish.azimuth, dish.elevation, at, utc, cable_deg=gate.cable_deg
         )
-        self._board.change(position=pointing, position_lost=None, homed=True)
+        self._board.change(position=pointing, position_lost=None, homed=True, turn=self._turn())
         self._board.tell(PositionRead(at, utc, pointing))
         return pointing
 
@@ -73,7 +89,12 @@ class Look:
 
     def survey(self) -> None:
         """Read identity and limits, and come back to the motor menu."""
-        survey = self._antenna.protocol.survey()
+        try:
+            survey = self._antenna.protocol.survey()
+        except CommandRefused as refused:
+            if refused.reason == "wrong_menu":
+                raise
+            survey = Survey()  # this dish does not tell: its model's limits hold
         self._board.forget_readings()
         for name, text in (*survey.settings.items(), *survey.identity.items()):
             self._board.read(name, text)

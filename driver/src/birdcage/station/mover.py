@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import stop_power_s
-from birdcage.base.errors import BirdcageError, Stopped, Superseded
+from birdcage.base.errors import BirdcageError, CommandRefused, PositionUnknown, Stopped, Superseded
 from birdcage.base.geometry import separation
 from birdcage.station.board import Board
 from birdcage.station.events import ActivityChanged, End, MoveEnded, MoveProgress, MoveStarted
@@ -60,7 +60,7 @@ class Mover:
         stream = job.follow and self._last_follow is not None and self._last_follow[0] == job.holder
         stream = stream and self._last_follow is not None and now - self._last_follow[1] < 3.0
         start = self._board.state.position
-        commanded = self._antenna.point(job.az_deg, job.el_deg, clamp=clamp, leapfrog=leapfrog and stream)
+        commanded = self._point(job, clamp=clamp, leapfrog=leapfrog and stream)
         self._end(End.SUPERSEDED, "a newer target replaced it", Superseded("A newer target replaced this one."))
         start = self._board.state.position if start is None else start
         self._last_follow = (job.holder, now) if job.follow else None
@@ -77,6 +77,24 @@ class Mover:
         self._board.change(motion=shown, target_az_deg=commanded[0], target_el_deg=commanded[1])
         self.activity(Activity.SLEWING, "")
         self._board.tell(MoveStarted(at, utc, shown, job.holder))
+
+    def _point(self, job: Job, *, clamp: bool, leapfrog: bool) -> tuple[float, float]:
+        antenna = self._antenna
+        taken, permit = antenna.taken, antenna.protocol.permit
+        try:
+            commanded = antenna.point(job.az_deg, job.el_deg, clamp=clamp, leapfrog=leapfrog)
+        except PositionUnknown as unknown:
+            self._look.unknown(unknown)
+            raise
+        except CommandRefused:
+            if antenna.taken != taken:
+                # One axis goes to the new target and the other does not: neither motion is what anybody asked for.
+                self.fail(End.STOPPED, "a newer target was taken in part", Stopped("Half of a newer target was taken."))
+                self.activity(Activity.UNKNOWN, "")
+            raise
+        if permit is not None:
+            permit()  # STOP may have come with the last answer: it has ended this motion
+        return commanded
 
     def tick(self) -> None:
         """Read where the dish is, and judge whether it has arrived, is under way, or is stuck."""
@@ -102,12 +120,13 @@ class Mover:
             self._arrive(job, pointing)
             return
         eta = self._update_eta(now)
-        if job.still_since is not None and now > max(eta, job.still_since) + STALL_S / clock.rate:
+        if job.still_since is not None and now > max(eta, job.still_since) + max(STALL_S / clock.rate, 3 * POLL_S):
             sentence = (
                 f"The dish stands still at {pointing.az_deg:.2f}°/{pointing.el_deg:.2f}°, "
                 f"{max(off_az, off_el):.2f}° from its target."
             )
             self.fail(End.FAULT, sentence, Stopped(sentence, reason="stall"))
+            self._antenna.motion = None  # STOP must not send it to its target once more
             self.on_stall(sentence)
             return
         to_go = separation(pointing.az_deg, pointing.el_deg, job.az_deg, job.el_deg)
@@ -127,13 +146,21 @@ class Mover:
         self._job, self.due, self._antenna.motion = None, None, None
         self._board.change(motion=None)
         self.activity(Activity.IDLE, "")
-        self._board.tell(MoveEnded(*self._board.stamp(), End.ARRIVED, "arrived", pointing))
-        job.future.set_result(pointing)
+        try:
+            self._board.tell(MoveEnded(*self._board.stamp(), End.ARRIVED, "arrived", pointing))
+        finally:
+            job.future.set_result(pointing)
 
     def fail(self, end: End, sentence: str, error: BirdcageError) -> None:
         """End the motion under way, if there is one, without arrival."""
-        self.due, self.target = None, None
+        self.due = None
+        self.forget_target()
         self._end(end, sentence, error)
+
+    def forget_target(self) -> None:
+        """The dish does not go, or no longer stands, where it was sent: the next step is from where it is."""
+        self.target = None
+        self._board.change(target_az_deg=None, target_el_deg=None)
 
     def _end(self, end: End, sentence: str, error: BirdcageError) -> None:
         job, self._job = self._job, None
@@ -142,8 +169,11 @@ class Mover:
         if end is not End.SUPERSEDED:
             # The antenna keeps its model: the dish may still be on its way, and STOP needs it.
             self._board.change(motion=None)
-        self._board.tell(MoveEnded(*self._board.stamp(), end, sentence, self._board.state.position))
-        job.future.set_exception(error)
+        try:
+            self._board.tell(MoveEnded(*self._board.stamp(), end, sentence, self._board.state.position))
+        finally:
+            if not job.future.done():
+                job.future.set_exception(error)
 
     def activity(self, activity: Activity, text: str) -> None:
         """Say what the dish is doing."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from birdcage.antenna.antenna import BirdcageAntenna
-from birdcage.base.errors import ConfigError
+from birdcage.base.errors import ConfigError, StoreError
 from birdcage.base.paths import write_aside_and_rename
 from birdcage.station.board import Board
 from birdcage.station.look import Look
@@ -39,5 +39,8 @@ class SearchSwitch:
         stamp = self._board.clock.utc().strftime("%Y%m%dT%H%M%SZ")
         path = self._folder / f"nvs-{self._antenna.protocol.name}-{stamp}.txt"
         demo = "# DEMO\n" if self._board.state.demo else ""
-        write_aside_and_rename(path, (demo + "\n".join(lines) + "\n").encode())
+        try:
+            write_aside_and_rename(path, (demo + "\n".join(lines) + "\n").encode())
+        except OSError as error:
+            raise StoreError(f"The backup {path} can't be written ({error}): nothing was changed.") from error
         return path

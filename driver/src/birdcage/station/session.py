@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 from birdcage.base.clock import Clock
 from birdcage.base.errors import BirdcageError
-from birdcage.station.state import Activity, Pointing
+from birdcage.station.state import Pointing
 from birdcage.station.station import Station
 
 QUIT_S = 0.15
@@ -56,9 +56,8 @@ class Session:
 
         `leave_moving` sends no STOP: for a person who asked for a motion that outlives the program.
         """
-        state = self.station.state
-        moving = state.motion is not None or state.activity in (Activity.SLEWING, Activity.HOMING, Activity.STOPPING)
-        if moving and not leave_moving:
+        moving = not leave_moving and self.station.bar()
+        if moving:
             self.station.stop("quit")
         self.station.end()
         if self._thread is None:
@@ -66,7 +65,8 @@ class Session:
         else:
             self._thread.join(QUIT_S)
         self._on_close()
-        return farewell(self.station.state.position, state.position_lost, moving=moving and not leave_moving)
+        state = self.station.state
+        return farewell(state.position, state.position_lost, moving=moving)
 
 
 def farewell(position: Pointing | None, lost: str | None, *, moving: bool) -> str:

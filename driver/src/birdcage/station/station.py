@@ -23,7 +23,7 @@ from birdcage.station.look import Look
 from birdcage.station.mover import Mover
 from birdcage.station.requests import Request
 from birdcage.station.settings import StationSettings
-from birdcage.station.state import StationState
+from birdcage.station.state import Activity, StationState
 from birdcage.station.stopper import Stopper
 from birdcage.station.vigil import Vigil
 from birdcage.station.watches import Watches
@@ -60,7 +60,7 @@ class Station:
         )  # fmt: skip
         self._board = board = Board(clock, state)
         self._wake = Wake()
-        self._inbox: deque[tuple[Request, Future[object]]] = deque()
+        self._inbox: deque[tuple[Request, Future[object], int]] = deque()
         self._closing = threading.Event()
         self._control = Control(board)
         look = Look(board, antenna, settings)
@@ -70,7 +70,7 @@ class Station:
             board, antenna, self._control, self._mover, look, may_release=settings.stop_releases_motors
         )
         self._watches = Watches()
-        self._vigil = Vigil(board, antenna, self._control, self._mover, look, self._watches)
+        self._vigil = Vigil(board, antenna, self._control, self._mover, self._stopper, look, self._watches)
         self._connection = Connection(board, antenna, settings, look, self._wake, self._on_wake, self._vigil.on_line)
         self._desk = Desk(
             board, antenna, self._control, self._mover, self._stopper, look, self._watches, self._vigil, settings
@@ -88,7 +88,7 @@ class Station:
     def submit(self, request: Request) -> Future[object]:
         """Ask for something. The future holds its result, or a `BirdcageError` that says why not. Any thread."""
         future: Future[object] = Future()
-        self._inbox.append((request, future))
+        self._inbox.append((request, future, self._stopper.count))
         self._wake.set()
         if self._closing.is_set():
             self._drop_inbox()
@@ -98,6 +98,15 @@ class Station:
         """STOP: its first bytes are on their way when this returns. Any thread; never waits for the dish."""
         self._stopper.call(by)
         self._wake.set()
+
+    def bar(self) -> bool:
+        """Let no line out that moves the dish from now on; return whether it may be moving. Any thread."""
+        self._control.latched = True
+        # In this order: what was let through before has its model, so that STOP can aim.
+        activity = self.state.activity
+        return self._antenna.motion is not None or activity in (
+            Activity.SLEWING, Activity.HOMING, Activity.STOPPING, Activity.MOVING_UNASKED,
+        )  # fmt: skip
 
     def begin(self) -> None:
         """Open the link as soon as the loop turns."""
@@ -139,11 +148,16 @@ class Station:
 
     def shut(self) -> None:
         """Stop what moves, answer everybody, give the port back. On the station's thread, after the loop."""
+        self._closing.set()
         self._drop_inbox()
-        self._mover.fail(*self._desk.ending())
-        self._connection.close()
-        self._antenna.adopt(None)
-        self._wake.close()
+        try:
+            self._mover.fail(*self._desk.ending())
+        finally:
+            try:
+                self._connection.close()
+            finally:
+                self._antenna.adopt(None)
+                self._wake.close()
 
     def _due(self) -> float:
         if self._inbox:
@@ -174,18 +188,24 @@ class Station:
         if self._connection.attempt():
             self._vigil.look_again()
 
-    def _serve(self, request: Request, future: Future[object]) -> None:
+    def _serve(self, request: Request, future: Future[object], stops_seen: int) -> None:
         if not future.set_running_or_notify_cancel():
             return
         try:
-            self._desk.serve(request, future)
+            self._desk.serve(request, future, stops_seen)
         except LinkError as error:
             future.set_exception(error)
-            self._link_gone(error)
+            if self._connection.is_up:  # else it is the answer that there is none
+                self._link_gone(error)
         except BirdcageError as error:
             future.set_exception(error)
             if isinstance(error, NoReply) and error.reason != "no_row":
+                self._vigil.interrupted("link")
                 self._connection.silent(error)
+        except BaseException:
+            if not future.done():
+                future.set_exception(Stopped("The station has failed.", reason="closing"))
+            raise
         finally:
             self._note()
 
@@ -195,11 +215,12 @@ class Station:
             work()
         except LinkError as error:
             self._link_gone(error)
-        except NoReply as silence:
-            self._vigil.interrupted("link")
-            self._connection.silent(silence)
         except Stopped:
             pass  # STOP or the end of the station cut the exchange short; both have their own follow-up
+        except BirdcageError as silence:
+            # No answer, or one that makes no sense here: find out where the console is.
+            self._vigil.interrupted("link")
+            self._connection.silent(silence)
         finally:
             self._note()
 
@@ -229,7 +250,10 @@ class Station:
             raise Stopped("STOP is latched: the motion was not sent.")
 
     def _drop_inbox(self) -> None:
-        while self._inbox:
-            _request, future = self._inbox.popleft()
+        while True:
+            try:
+                _request, future, _stops_seen = self._inbox.popleft()
+            except IndexError:  # empty, perhaps by another thread that drops it too
+                return
             if future.set_running_or_notify_cancel():
                 future.set_exception(Stopped("The station has ended.", reason="closing"))

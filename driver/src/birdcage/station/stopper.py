@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import stop_power_s
-from birdcage.base.errors import LinkError, NoReply, Stopped
+from birdcage.base.errors import BirdcageError, Held, LinkError, NoReply, Stopped
 from birdcage.base.geometry import shortest_turn
 from birdcage.protocol.types import Position
 from birdcage.station.board import Board
@@ -47,7 +47,9 @@ class Stopper:
     ) -> None:
         self._board, self._antenna, self._control = board, antenna, control
         self._mover, self._look, self._may_release = mover, look, may_release
-        self._calls: deque[tuple[StopReport, tuple[str, ...]]] = deque()
+        self._calls: deque[tuple[StopReport, tuple[str, ...], str]] = deque()
+        self.count = 0
+        """How often STOP was called: what was asked for before the last call no longer holds."""
         # Reentrant: a signal handler may call STOP on top of the STOP that it interrupted.
         self._lock = threading.RLock()
         self._pending: Pending | None = None
@@ -58,10 +60,11 @@ class Stopper:
         """Learnt from the first STOP in motion; None until then."""
         self.due: float | None = None
 
-    def call(self, by: str) -> None:
+    def call(self, by: str, reason: str = "stop") -> None:
         """Latch, and write the first bytes. Any thread; never waits for the dish."""
         with self._lock:
             self._control.latched = True
+            self.count += 1
             now = self._board.clock.monotonic()
             if now - self._last_call < COALESCE_S:
                 return
@@ -73,21 +76,30 @@ class Stopper:
                 means, sentence = "no link", "There is no link to the dish: nothing could be sent. Cut its power."
             elif self.homing:
                 means, sentence = "none", "Homing cannot be stopped from here: cut the power of the dish."
-            elif self.retarget_works is not False and (lines := self._antenna.stop_lines()):
-                means, sentence = "retarget", "A new target just ahead of the dish was sent."
+            elif self.retarget_works is not False:
                 try:
-                    protocol.interject(lines)
+                    if lines := self._antenna.stop_lines():
+                        means, sentence = "retarget", "A new target just ahead of the dish was sent."
+                        protocol.interject(lines)
                 except LinkError as error:
                     means, sentence = "no link", str(error)
-            elif self.retarget_works is False and self._antenna.motion is not None:
+            elif self._antenna.motion is not None:
                 means, sentence = "none", "This dish takes new targets at the end of a move only: cut its power."
-            self._calls.append((StopReport(by, now, means, None, sentence), lines))
+            self._calls.append((StopReport(by, now, means, None, sentence), lines, reason))
+
+    def release(self, stops_seen: int) -> None:
+        """Let go of the latch, unless STOP was called after the release was asked for: then Held."""
+        with self._lock:
+            if self.count != stops_seen:
+                raise Held("STOP was called after this release was asked for: it holds.")
+            self._last_call = -math.inf  # the next STOP is a new one, however soon it comes
+            self._control.release()
 
     def take_calls(self) -> None:
         """Publish the STOPs that were called since, on the station's thread."""
         while self._calls:
-            report, lines = self._calls.popleft()
-            self._control.hold(report.by, "stop")
+            report, lines, reason = self._calls.popleft()
+            self._control.hold(report.by, reason)
             self._mover.fail(End.STOPPED, f"STOP by {report.by}", Stopped(f"STOP by {report.by} ended the motion."))
             self._publish(report, sent=True)
             if report.means == "no link":
@@ -109,17 +121,32 @@ class Stopper:
 
     def tick(self) -> None:
         """Wait for the answer, repeat without one, then watch the dish come to rest."""
-        pending, clock = self._pending, self._board.clock
+        pending = self._pending
         if pending is None or self.homing:
             self.due = None
             return
+        try:
+            self._follow_up(pending)
+        except BirdcageError as error:
+            if self._pending is pending and not isinstance(error, Stopped):
+                # Whoever reconnects comes first from here on; the latch holds whatever the dish does.
+                motion = self._antenna.motion
+                self._finish(pending, False, "The link failed before the dish was seen at rest: look at it.")
+                self._antenna.motion = motion
+            raise
+
+    def _follow_up(self, pending: Pending) -> None:
         if not pending.answered:
             pending.answered = self._answered()
+            if self._pending is not pending:
+                return  # STOP was called again meanwhile
             if not pending.answered:
                 self._repeat(pending)
                 return
         pointing = self._look.position()
-        now = clock.monotonic()
+        if self._pending is not pending:
+            return
+        now = self._board.clock.monotonic()
         self.due = now + POLL_S
         if pointing is None:
             self._finish(pending, None, "The dish does not know where it is: whether it stands still is not known.")

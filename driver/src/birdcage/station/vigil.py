@@ -12,6 +12,7 @@ from birdcage.station.events import End, FaultRaised, TranscriptLine
 from birdcage.station.look import Look
 from birdcage.station.mover import Mover
 from birdcage.station.state import Activity, Fault, Pointing
+from birdcage.station.stopper import Stopper
 from birdcage.station.watches import Watches
 
 CLOCK_STEP_S = 2.0
@@ -24,8 +25,10 @@ class Vigil:
     """Idle work: polls, and the alarms for motion nobody asked for, reboots, suspends and clock steps."""
 
     def __init__(
-        self, board: Board, antenna: BirdcageAntenna, control: Control, mover: Mover, look: Look, watches: Watches
-    ) -> None:
+        self, board: Board, antenna: BirdcageAntenna, control: Control, mover: Mover, stopper: Stopper, look: Look,
+        watches: Watches,
+    ) -> None:  # fmt: skip
+        self._stopper = stopper
         self._board, self._antenna, self._control = board, antenna, control
         self._mover, self._look, self._watches = mover, look, watches
         self._offset_s = self._clock_offset_s()
@@ -89,7 +92,10 @@ class Vigil:
         """At rest, two readings must agree; else the dish moves though nobody asked."""
         if after is None:
             return
-        moved = before is None or self._look.apart_deg(before, after) > UNASKED_DEG
+        if before is None:
+            self.look_again()  # one reading says nothing about motion
+            return
+        moved = self._look.apart_deg(before, after) > UNASKED_DEG
         activity = self._board.state.activity
         if not moved:
             self._antenna.motion = None
@@ -98,6 +104,7 @@ class Vigil:
         self.look_again()
         if activity is Activity.IDLE:
             self._mover.activity(Activity.MOVING_UNASKED, "")
+            self._mover.forget_target()
             self.raise_fault(
                 "moved", "The dish moves though nobody asked",
                 "Its own TV search, another program, a hand or the wind may move it.",
@@ -143,10 +150,12 @@ class Vigil:
 
     def forget(self, reason: str) -> None:
         """Drop what is known of the position."""
-        self._antenna.protocol.gate.forget("unread")
+        # A dish that starts finds its references, or says that it has none.
+        self._antenna.protocol.gate.released.clear()
         self._antenna.motion = None
         self._look.forget_survey()
-        self._board.change(position_lost=reason, homed=None)
+        self._look.forget(reason)
+        self._board.change(homed=None)
 
     def interrupted(self, reason: str) -> None:
         """The dish was out of sight: what moved is given up, and nothing moves by itself afterwards."""
@@ -157,20 +166,27 @@ class Vigil:
             End.STOPPED, f"interrupted: {reason}", Stopped(f"The motion was given up: {reason}.", reason=reason)
         )
         self._watches.end_excursion()
+        if moving:
+            self._mover.activity(Activity.UNKNOWN, "")
+            self.look_again()
         if moving or holder is not None:
             self._control.hold("birdcage", reason)
 
     def check_clock(self) -> None:
-        """Notice a suspend or a step of the clock: hold, and read the position again."""
+        """Notice a suspend or a step of the clock: stop what moves, hold, and read the position again."""
         offset_s = self._clock_offset_s()
-        if abs(offset_s - self._offset_s) <= CLOCK_STEP_S:
-            return
+        # From one look to the next: a clock that is slewed slowly does not step.
         step_s, self._offset_s = offset_s - self._offset_s, offset_s
-        self._antenna.protocol.gate.forget("unread")
-        self._board.change(position_lost="clock")
-        self._watches.position_was_read(0.0)
+        if abs(step_s) <= CLOCK_STEP_S:
+            return
+        reason = f"suspend or clock step of {step_s:+.0f} s"
+        self._look.forget("clock")
+        self.look_again()
         self._mover.fail(End.STOPPED, "the clock stepped", Stopped("The clock stepped: the motion was given up."))
-        self._control.hold("birdcage", f"suspend or clock step of {step_s:+.0f} s")
+        if self._antenna.motion is not None:
+            self._stopper.call("birdcage", reason)
+            self._stopper.take_calls()
+        self._control.hold("birdcage", reason)
 
     def _clock_offset_s(self) -> float:
         clock = self._board.clock
