@@ -11,9 +11,16 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "tui"))
 
 import picture
 import stand_in
+from birdcage.base.clock import VirtualClock
+from birdcage.base.config import Settings
+from birdcage.base.paths import throw_away_paths
+from birdcage.station.build import open_session
 from birdcage_tui.app import BirdcageApp
+from birdcage_tui.run import DEMO_PLACE, DEMO_PORT
+from birdcage_tui.settings import AppSettings
 from birdcage_tui.themes import LOOKS
 
+STEP_S = 0.1
 FONT, FONTS = "DejaVu Sans Mono", Path("/usr/share/fonts/truetype/dejavu")
 
 
@@ -37,6 +44,26 @@ def ink(png_text: str) -> int:
     return sum(not char.isspace() for char in png_text)
 
 
+async def demo(seconds: float, size: tuple[int, int], theme: str) -> tuple[str, str]:
+    """Return the SVG and the text of the real demo so many seconds after its start, on a virtual clock."""
+    with throw_away_paths() as paths:
+        session = open_session(
+            port=DEMO_PORT, firmware="g2", baud=None, settings=Settings(), paths=paths, clock=VirtualClock()
+        )
+        session.start = lambda: None  # stepped here instead of running on its thread
+        app = BirdcageApp(session, AppSettings(theme=theme, place=DEMO_PLACE, tour=True))
+        async with app.run_test(size=size) as pilot:
+            for _ in range(round(seconds / STEP_S)):
+                session.step(STEP_S)
+                await pilot.pause()
+                app._tick()  # noqa: SLF001 - its timer runs in real time
+            app.paint()
+            await pilot.pause()
+            found = to_svg(app), stand_in.text_of(app)
+        session.close()
+    return found
+
+
 async def shown(name: str, size: tuple[int, int], theme: str, keys: list[str]) -> tuple[str, str]:
     """Return the SVG and the text of the app in a state of the stand-in."""
     app = stand_in.app_in(name, theme=theme)
@@ -58,12 +85,17 @@ def main() -> int:
     parse.add_argument("--size", default="80x24")
     parse.add_argument("--theme", default="dusk")
     parse.add_argument("--keys", default="", help="keys to press first, with commas")
+    parse.add_argument("--demo", type=float, metavar="SECONDS", help="instead of states: the demo, so long after start")
     options = parse.parse_args()
     width, height = map(int, options.size.split("x"))
     options.out.mkdir(parents=True, exist_ok=True)
-    for name in options.states or stand_in.STATES:
+    names = ["demo"] if options.demo is not None else options.states or stand_in.STATES
+    for name in names:
         keys = [key for key in options.keys.split(",") if key]
-        svg, text = asyncio.run(shown(name, (width, height), options.theme, keys))
+        if options.demo is None:
+            svg, text = asyncio.run(shown(name, (width, height), options.theme, keys))
+        else:
+            svg, text = asyncio.run(demo(options.demo, (width, height), options.theme))
         stem = options.out / f"{name}-{options.size}-{options.theme}"
         stem.with_suffix(".svg").write_text(svg)
         stem.with_suffix(".png").write_bytes(to_png(svg))

@@ -222,7 +222,7 @@ def test_homing_is_asked_for_once_in_words(key, asked):
     async def home(app, pilot):
         await pilot.press("H")
         await pilot.pause()
-        text = stand_in.text_of(app)
+        text = " ".join(stand_in.text_of(app).replace("│", " ").split())
         assert "knocks at its stops" in text
         assert "12 V switch" in text
         await pilot.press(key)
@@ -303,3 +303,21 @@ def test_a_watched_dish_that_owes_an_answer_is_told_within_2_s(page, told):
     row_1, row_2 = run(wait)
     assert ("G2 ▲ 2.0s" in row_1) is told
     assert ("▲ NO REPLY" in row_2) is told
+
+
+@pytest.mark.parametrize("key", ["question_mark", "H"])
+def test_row_1_and_its_stop_stay_alive_under_a_dialog(key):
+    async def dialog(app, pilot):
+        await pilot.press(key)
+        await pilot.pause()
+        app.session.clock.advance(5.0)
+        app.paint()
+        await pilot.pause()
+        first = stand_in.text_of(app).splitlines()[0]
+        await pilot.click("StopButton")
+        return first, app.station.stops
+
+    first, stops = run(dialog)
+    assert "AZ 189.16°" in first
+    assert "12:00:05Z" in first
+    assert stops == ["you"]

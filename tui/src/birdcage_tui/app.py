@@ -107,9 +107,9 @@ class BirdcageApp(Shell):
     def ask_home(self) -> None:
         """Ask in words, then home."""
         dish = self.station.state.dish
-        takes = "" if dish is None or dish.homing_s is None else f", up to {dish.homing_s * 2:.0f} s"
+        takes = "T" if dish is None or dish.homing_s is None else f"In up to {dish.homing_s * 2:.0f} s t"
         stoppable = dish is not None and dish.homing_stoppable
-        words = f"The dish turns through its whole range and knocks at its stops{takes}. Keep its swing clear."
+        words = f"{takes}he dish turns through its whole range and knocks at its stops. Keep its swing clear."
         if not stoppable:
             words += " Homing cannot be stopped from here: keep a hand on the 12 V switch."
 

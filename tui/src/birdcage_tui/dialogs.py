@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import textwrap
+from typing import TYPE_CHECKING, TypeVar, cast
 
 from rich.text import Text
 from textual import events
@@ -14,9 +15,14 @@ from textual.screen import ModalScreen
 from textual.widgets import Input, Label, Static
 
 from birdcage_tui.commands import COMMANDS
+from birdcage_tui.status import TopRow
 from birdcage_tui.view import View
 
+if TYPE_CHECKING:
+    from birdcage_tui.shell import Shell
+
 HELP_WIDTH = 70
+Answer = TypeVar("Answer")
 
 
 def help_text(view: View) -> Text:
@@ -39,7 +45,15 @@ def help_text(view: View) -> Text:
     return text
 
 
-class HelpScreen(ModalScreen[None]):
+class Dialog(ModalScreen[Answer]):
+    """Lies over a page, and leaves row 1 alive."""
+
+    def on_mount(self) -> None:
+        """Fill row 1."""
+        cast("Shell", self.app).paint()
+
+
+class HelpScreen(Dialog[None]):
     """All keys. Any of Esc, ? or Enter closes it."""
 
     BINDINGS = [("escape,question_mark,enter", "dismiss", "close")]  # noqa: RUF012
@@ -50,6 +64,7 @@ class HelpScreen(ModalScreen[None]):
 
     def compose(self) -> ComposeResult:
         """The table, scrolled with the arrow keys."""
+        yield TopRow()
         with Vertical() as frame:
             frame.border_title = "Keys"
             frame.border_subtitle = "Esc closes"
@@ -57,7 +72,7 @@ class HelpScreen(ModalScreen[None]):
                 yield Static(help_text(self._view))
 
 
-class QuestionScreen(ModalScreen[bool]):
+class QuestionScreen(Dialog[bool]):
     """Asks once, in words that name the consequence. `y` does it; Esc, n or Enter do not."""
 
     BINDINGS = [("y", "answer(True)", "yes"), ("escape,n,enter", "answer(False)", "no")]  # noqa: RUF012
@@ -68,10 +83,15 @@ class QuestionScreen(ModalScreen[bool]):
 
     def compose(self) -> ComposeResult:
         """The words, and both answers."""
+        yield TopRow()
         with Vertical() as frame:
             frame.border_title = self._title
-            yield Static(self._words)
-            yield Static(f"\n y  {self._yes}      Esc  do nothing", markup=False)
+            yield Static(self._words, markup=False)
+            yield Static(
+                Text.assemble(
+                    "\n", (" y ", "bold reverse"), f" {self._yes}      ", (" Esc ", "bold reverse"), " do nothing"
+                )
+            )
 
     def action_answer(self, yes: bool) -> None:
         """Close with the answer."""

@@ -12,7 +12,6 @@ from birdcage.station.requests import Unwatch, Watch
 from textual import events, on
 from textual.app import App, ComposeResult
 from textual.binding import Binding
-from textual.containers import Horizontal
 from textual.driver import Driver
 from textual.timer import Timer
 from textual.widgets import ContentSwitcher, Static
@@ -27,7 +26,7 @@ from birdcage_tui.pages.plain import PlainPage
 from birdcage_tui.palette import CommandProvider
 from birdcage_tui.pane import Pane
 from birdcage_tui.settings import AppSettings
-from birdcage_tui.status import BadDayRow, StatusLine, StopButton
+from birdcage_tui.status import BadDayRow, StatusLine, StopButton, TopRow
 from birdcage_tui.stopping import focused_widget, is_stop_key, stop_first
 from birdcage_tui.themes import DEFAULT, LOOKS
 from birdcage_tui.tour import Tour
@@ -93,9 +92,7 @@ class Shell(App[None]):
 
     def compose(self) -> ComposeResult:
         """Rows 1 and 2, the pages, the footer."""
-        with Horizontal(id="top"):
-            yield StatusLine()
-            yield StopButton()
+        yield TopRow()
         yield BadDayRow()
         yield Static(
             "The terminal is smaller than 80x24: make it larger to see the pages. Space stops.", id="too-small"
@@ -152,8 +149,11 @@ class Shell(App[None]):
         view = self.view()
         base = self.screen_stack[0]
         with self.batch_update():
-            for kind in (StatusLine, StopButton, BadDayRow, KeyBar):
-                base.query_one(kind).show(view)
+            for screen in self.screen_stack:
+                for row in (*screen.query(StatusLine), *screen.query(StopButton)):
+                    row.show(view)
+            base.query_one(BadDayRow).show(view)
+            base.query_one(KeyBar).show(view)
             page = base.query_one("#pages", ContentSwitcher).visible_content
             if isinstance(page, Page):
                 page.show(view)

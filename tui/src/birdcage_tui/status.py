@@ -5,6 +5,8 @@ from __future__ import annotations
 import textwrap
 
 from textual import events
+from textual.app import ComposeResult
+from textual.containers import Horizontal
 from textual.message import Message
 
 from birdcage_tui.canvas import Cells
@@ -86,6 +88,15 @@ class StopButton(Pane):
         """Stop at once."""
         event.stop()
         self.post_message(self.Pressed())
+
+
+class TopRow(Horizontal):
+    """Row 1. Dialogs have one too: status and STOP are never covered."""
+
+    def compose(self) -> ComposeResult:
+        """What is known, and STOP."""
+        yield StatusLine()
+        yield StopButton()
 
 
 class BadDayRow(Pane):

@@ -215,7 +215,7 @@ def next_steps(view: View) -> list[tuple[str, str]]:
         steps.append(("text", "Your limits cannot be read, so it takes no motion."))
         steps.append(("text", "Next: mend the file, or Enter: accept the dish's own limits."))
     elif view.tour:
-        steps.append(("text", view.tour))
+        steps.append(("text", "Any key ends the tour. Then g goes to a direction, arrows step 1°."))
     elif not view.moving:
         steps.append(("text", "Next: g goes to a direction, arrows step 1°."))
     steps.append(("dim", "? keys   : commands   1-0 pages"))

@@ -87,7 +87,10 @@ class PlainWords(Pane):
             for index, line in enumerate(textwrap.wrap(sentence, width - 4)):
                 y += 1
                 cells.put(x + 2, y, f"{'·' if not index else ' '} {line}", "text")
-        cells.put(x, y + 2, MEANWHILE.get(self._name_of_page, "Until then: the dashboard (1) shows the dish."), "dim")
+        y += 2
+        meanwhile = MEANWHILE.get(self._name_of_page, "Until then: the dashboard (1) shows the dish.")
+        for index, line in enumerate(textwrap.wrap(meanwhile, width)):
+            cells.put(x, y + index, line, "dim")
 
 
 class PlainPage(Page):

@@ -12,7 +12,9 @@ from birdcage_tui.words import age_text
 
 LEAST_SPAN = 100.0
 """Counts between the bottom and the top of the strip at least: noise must look like noise."""
-COLUMN_S = 0.5
+SLOW_S = 6.0
+"""The tuner is asked every 5 s while the dish may move: only what is older than this is amiss."""
+COLUMN_S = 1.0
 """Seconds that one column of cells stands for."""
 
 
@@ -45,7 +47,9 @@ class SignalPane(Pane):
             if self.border_subtitle != span:  # setting it repaints the pane, equal or not
                 self.border_subtitle = span
             self._curve(cells, shown, view.now, width, height, axis)
-        cells.right(cells.width - 1, 0, f"{age_text(age_s)} old" if old else "tuner", "warn" if old else "dim")
+        cells.right(
+            cells.width - 1, 0, f"{age_text(age_s)} old" if old else "tuner", "warn" if age_s > SLOW_S else "dim"
+        )
 
     @staticmethod
     def _curve(cells: Cells, shown: list[Sample], now: float, width: int, height: int, axis: int) -> None:

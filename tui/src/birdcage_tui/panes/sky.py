@@ -88,7 +88,7 @@ class SkyPane(Pane):
         state, position = view.state, view.state.position
         if position is not None and state.beam_deg is not None:
             radius = polar.radius * state.beam_deg / 180
-            if radius >= 1.5:
+            if radius >= 3.5:  # a smaller one hides under the dish's own mark
                 x, y = polar.dot(position.az_deg, position.el_deg)
                 canvas.circle(x - 0.5, y - 0.5, radius, "dim" if view.stale else "accent")
         motion = state.motion
