@@ -120,7 +120,7 @@ def lost(clock):
     state, now = slewing(clock), clock.monotonic()
     return replace(
         state,
-        link=LinkState(Link.LOST, now - 7, now - 7.3, 0.012, "trying ttyUSB0, by-id FTDI_FT232R"),
+        link=LinkState(Link.LOST, now - 7, now - 7.3, 0.012, "/dev/ttyUSB0 is not there. Looking for it; plug it in."),
         position=replace(state.position, at=now - 7.3),
         port="/dev/ttyUSB0",
         demo=False,

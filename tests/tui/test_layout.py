@@ -2,6 +2,7 @@
 
 import asyncio
 import re
+from dataclasses import replace
 
 import pytest
 import stand_in
@@ -14,6 +15,7 @@ from birdcage_tui.panes.pointing import PointingPane
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.panes.sky import SkyPane
 from birdcage_tui.status import BadDayRow, StatusLine, StopButton
+from birdcage_tui.words import stop_text
 
 SIZES = [(80, 24), (120, 36), (160, 48), (200, 60)]
 ALWAYS = [StatusLine, StopButton, BadDayRow, KeyBar]
@@ -88,7 +90,16 @@ def test_the_geostationary_arc_names_its_slots_and_only_with_a_place():
     ("name", "words"),
     [
         ("held", ("■ HELD by you", "Gpredict 231.4/44.0 ignored x3", "Enter release")),
-        ("lost", ("LOST  ", "○ LINK LOST 00:07", "last seen AZ 201.30 EL 32.90, was moving", "by-id")),
+        (
+            "lost",
+            (
+                "LOST  ",
+                "○ LINK LOST 00:07",
+                "last seen AZ 201.30 EL 32.90, was moving",
+                "trying ttyUSB0",
+                "plug it in.",
+            ),
+        ),
         ("silent", ("◍ SILENT 00:04", "power off", "AZ ---.--°", "EL --.--°")),
         ("not-homed", ("▲ NOT HOMED", "H home it", "AZ ---.--°", "NOT HOMED  nobody")),
         ("fault", ("✖ FAULT Azimuth stalled at 203.1°.", "its steps", "Clear its swing", "Enter", "acknowledge")),
@@ -189,3 +200,17 @@ def test_names_of_slots_never_touch_each_other_or_a_mark(size):
     assert "101°W" in labels, "what is pointed at is named"
     for label in labels:
         assert re.search(rf"[^\d•◉✕]{re.escape(label)}(?: [A-Z][\w ]+?)?[ ⠀-⣿]", text), label
+
+
+@pytest.mark.parametrize("means", ["retarget", "release", "none"])
+def test_what_stop_can_do_is_never_cut_off(means):
+    async def tell(app, pilot):
+        state = app.station.state
+        motion = replace(state.motion, stop_means=means, eta=app.session.clock.monotonic() + 25)
+        app.station.state = replace(state, motion=motion)
+        app.paint()
+        await pilot.pause()
+        return stop_text(app.view()), stand_in.text_of(app)
+
+    words, text = run(tell, "slewing")
+    assert f"│ {words}" in text

@@ -59,14 +59,14 @@ def stop_text(view: View) -> str:
     """Return what STOP can do to the present motion."""
     motion = view.state.motion
     if view.waiting:
-        return "STOP reaches it once the port is open"
+        return "STOP waits for the port to open"
     if not view.link_up:
         return "STOP cannot reach it: 12 V switch"
     if motion is None:
         return "STOP holds it where it is"
     if motion.stop_means == "none" or motion.stop_power_s is None:
-        return f"no STOP: ends in {max(0.0, motion.eta - view.now):.0f} s, or cut the power"
-    means = "by releasing the motors" if motion.stop_means == "release" else "by a new target"
+        return f"no STOP: ends in {max(0.0, motion.eta - view.now):.0f} s; 12 V switch"
+    means = "by motor release" if motion.stop_means == "release" else "by a new target"
     return f"STOP in {motion.stop_power_s:.1f} s, {means}"
 
 
@@ -111,10 +111,8 @@ def bad_day(view: View) -> tuple[str, str] | None:
         words = f"✖ FAULT {fault.what} {fault.utc:%H:%M:%S}. {fault.meaning} {fault.remedy}"
         return "fault-row", f"{words}  Enter acknowledge{_tags(view, 'FAULT', 'NOT HOMED')}"
     if link.state is Link.LOST:
-        return (
-            "fault-row",
-            f"○ LINK LOST {span_text(view.now - link.since)}  {_last_seen(view)}{link.detail}{_tags(view)}",
-        )
+        trying = f"trying {state.port.rsplit('/', 1)[-1]}  {link.detail}"
+        return "fault-row", f"○ LINK LOST {span_text(view.now - link.since)}  {_last_seen(view)}{trying}{_tags(view)}"
     if link.state is Link.SILENT:
         return "warn-row", f"◍ SILENT {span_text(view.now - link.since)}  {_last_seen(view)}{link.detail}{_tags(view)}"
     if state.held is not None:
@@ -212,8 +210,7 @@ def next_steps(view: View) -> list[tuple[str, str]]:
     elif state.homed is False and state.activity is not Activity.HOMING:
         steps.append(("text", "Next: H homes it. It turns through its whole range and knocks at its stops."))
     elif state.motion_refused_because:
-        steps.append(("text", "Your limits cannot be read, so it takes no motion."))
-        steps.append(("text", "Next: mend the file, or Enter: accept the dish's own limits."))
+        steps.append(("text", "It takes no motion: mend the file, or accept the dish's own limits with Enter."))
     elif view.tour:
         steps.append(("text", "Any key ends the tour. Then g goes to a direction, arrows step 1°."))
     elif not view.moving:
