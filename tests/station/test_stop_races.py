@@ -355,3 +355,13 @@ def test_a_dish_that_refuses_the_position_query_is_no_crash(bench):
     bench.device.shell.menu = "dvb"
     bench.step(10)
     assert bench.state.link.state in (Link.UP, Link.SILENT)
+
+
+def test_a_goto_right_after_a_release_is_not_stopped_by_the_stop_before_it(bench):
+    bench.do(Goto(60, 45, "you"))
+    bench.station.stop("you")
+    bench.station.submit(Release("you"))
+    pointing = bench.do(Goto(210, 45, "you"))
+    assert pointing.az_deg == pytest.approx(210, abs=0.07)
+    assert bench.state.last_stop.confirmed is None
+    assert bench.state.fault is None

@@ -136,7 +136,7 @@ class Mover:
     def _update_eta(self, now: float) -> float:
         shown, model = self._board.state.motion, self._antenna.motion
         if shown is None or model is None:
-            return now
+            return now if shown is None else shown.eta
         eta = model.eta(self._board.clock.rate)
         if abs(eta - shown.eta) > POLL_S:
             self._board.change(motion=replace(shown, eta=eta))

@@ -94,6 +94,12 @@ class Stopper:
                 raise Held("STOP was called after this release was asked for: it holds.")
             self._last_call = -math.inf  # the next STOP is a new one, however soon it comes
             self._control.release()
+        pending, motion = self._pending, self._antenna.motion
+        if pending is not None:
+            # What moves from now on is not STOP's to judge, and not to be retargeted by it.
+            self._finish(pending, None, "Released before the dish was seen at rest.")
+            self._antenna.motion = motion
+            self._mover.activity(Activity.UNKNOWN, "")
 
     def take_calls(self) -> None:
         """Publish the STOPs that were called since, on the station's thread."""
