@@ -11,7 +11,8 @@ from birdcage_tui.view import View
 class Page(Container):
     """A page. `WATCHES` names what the station should read while somebody looks at it."""
 
-    WATCHES: frozenset[str] = frozenset()
+    WATCHES: frozenset[str] = frozenset({"position"})
+    """The status line shows the position on every page."""
     RATE_HZ = 1.0
 
     def show(self, view: View) -> None:
