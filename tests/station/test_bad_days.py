@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from birdcage.base.errors import Held, LinkError, Stopped
+from birdcage.sim.wire import Byte
 from birdcage.station.requests import AcknowledgeFault, Goto, Release
 from birdcage.station.state import Activity, Link
 
@@ -169,3 +170,40 @@ def test_ending_the_station_answers_everybody(bench):
     assert isinstance(future.exception(0), Stopped)
     assert sentence.startswith("STOP was sent. The dish was last seen at AZ")
     assert isinstance(bench.station.submit(Goto(1, 45, "you")).exception(0), Stopped)
+
+
+def test_one_reading_with_a_lost_digit_is_no_motion():
+    bench = Bench("g2?seed=1&az=-180").connect()
+    bench.watch("position", rate_hz=1)
+    bench.step(10)
+    lost = []
+
+    dropped = []
+
+    def once(byte):
+        lost.append(byte)
+        if not dropped and bytes(lost).endswith(b"Angle[0] = 1"):
+            dropped.append(byte)
+            return Byte(drop=True)
+        return Byte()
+
+    bench.device.wire.to_host.set_plan(once)
+    bench.step(20)
+    assert dropped
+    assert bench.state.fault is None
+    assert bench.state.held is None
+    assert bench.state.position.az_deg == pytest.approx(180, abs=0.1)
+
+
+def test_a_dish_that_was_just_switched_on_is_starting_not_faulty():
+    bench = Bench("g2?seed=1&boot=1")
+    bench.watch("position")
+    seen = set()
+    for _tenth in range(600):
+        bench.step(0.1)
+        seen.add(bench.state.activity)
+    assert Activity.INITIALIZING in seen
+    assert bench.state.fault is None
+    assert bench.state.held is None
+    assert bench.state.link.state is Link.UP
+    assert bench.state.activity is Activity.IDLE

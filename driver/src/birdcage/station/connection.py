@@ -101,7 +101,8 @@ class Connection:
 
     def _forget(self) -> None:
         self._look.forget(self._board.state.position_lost or "link")
-        self._board.change(activity=Activity.UNKNOWN, menu=None)
+        booting = self._board.state.activity is Activity.INITIALIZING
+        self._board.change(activity=Activity.INITIALIZING if booting else Activity.UNKNOWN, menu=None)
 
     def note_reply(self) -> None:
         """Copy the console's own figures onto the board."""

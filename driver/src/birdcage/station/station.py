@@ -164,7 +164,7 @@ class Station:
             return -math.inf
         times = [self._connection.due, self._stopper.due]
         if self._connection.is_up:
-            times += [self._mover.due, self._vigil.due(self._mover.is_moving)]
+            times += [self._mover.due, self._vigil.due()]
         return min((time for time in times if time is not None), default=math.inf)
 
     def _work(self, now: float) -> None:
@@ -186,7 +186,7 @@ class Station:
 
     def _connect(self) -> None:
         if self._connection.attempt():
-            self._vigil.look_again()
+            self._vigil.met()
 
     def _serve(self, request: Request, future: Future[object], stops_seen: int) -> None:
         if not future.set_running_or_notify_cancel():

@@ -33,11 +33,15 @@ class Vigil:
         self._mover, self._look, self._watches = mover, look, watches
         self._offset_s = self._clock_offset_s()
         self._look_again_at: float | None = None
+        self._met = False
+        """Whether the dish has answered this station before: else its boot text is the beginning, not a restart."""
+        self._doubted: Pointing | None = None
+        """Where the dish rested before a reading that says otherwise, until a second one agrees with either."""
         mover.on_stall = self._stalled
 
-    def due(self, moving: bool) -> float | None:
+    def due(self) -> float | None:
         """Return when there is something to look at; nothing else is asked for while the dish moves."""
-        if moving or self._board.state.activity not in (Activity.IDLE, Activity.UNKNOWN, Activity.MOVING_UNASKED):
+        if self._board.state.activity not in (Activity.IDLE, Activity.UNKNOWN, Activity.MOVING_UNASKED):
             return None
         if self._look.wants_survey:
             return -math.inf
@@ -95,14 +99,15 @@ class Vigil:
         if before is None:
             self.look_again()  # one reading says nothing about motion
             return
-        moved = self._look.apart_deg(before, after) > UNASKED_DEG
-        activity = self._board.state.activity
-        if not moved:
+        activity, doubted, self._doubted = self._board.state.activity, self._doubted, None
+        if self._look.apart_deg(doubted or before, after) <= UNASKED_DEG:
             self._antenna.motion = None
             self._mover.activity(Activity.IDLE, "")
             return
         self.look_again()
-        if activity is Activity.IDLE:
+        if activity is Activity.IDLE and doubted is None:
+            self._doubted = before  # a digit may have been lost on the wire: only a second reading is proof
+        elif activity is Activity.IDLE:
             self._mover.activity(Activity.MOVING_UNASKED, "")
             self._mover.forget_target()
             self.raise_fault(
@@ -110,6 +115,13 @@ class Vigil:
                 "Its own TV search, another program, a hand or the wind may move it.",
                 "Keep clear. Space stops it as far as it can be stopped; if not, cut its power.",
             )  # fmt: skip
+
+    def met(self) -> None:
+        """The dish answers: see whether it moves."""
+        self._met = True
+        if self._board.state.activity is Activity.INITIALIZING:
+            self._mover.activity(Activity.UNKNOWN, "")
+        self.look_again()
 
     def look_again(self) -> None:
         """Read the position twice in short order, to see whether the dish moves."""
@@ -135,11 +147,10 @@ class Vigil:
         self._board.tell(TranscriptLine(*self._board.stamp(), "<", line))
         if not any(mark in line for mark in self._antenna.protocol.boot_marks):
             return
-        if self._board.state.activity is Activity.INITIALIZING:
-            self._mover.activity(Activity.INITIALIZING, line.strip())
-            return
         fault = self._board.state.fault
-        if fault is None or fault.reason != "reboot":
+        if not self._met:
+            self._mover.activity(Activity.INITIALIZING, line.strip())
+        elif fault is None or fault.reason != "reboot":
             self.forget("reboot")
             self.interrupted("fault")
             self.raise_fault(
