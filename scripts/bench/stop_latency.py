@@ -111,6 +111,7 @@ def floor_row() -> list[float]:
 
 
 def main() -> None:
+    sys.setswitchinterval(0.0005)  # the relay's clock must not wait for the thread that reads the screen
     command = [str(BIN / "birdcage"), "sim", "--firmware", "g2", "--json", "-o", "az_speed=20"]
     simulator = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
     assert simulator.stdout is not None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import fcntl
+import math
 import os
 import pty
 import select
@@ -12,6 +13,9 @@ import sys
 import termios
 import time
 from collections.abc import Callable, Sequence
+
+KEPT = 100_000
+"""Bytes of output that are kept: more than two full frames."""
 
 
 class Terminal:
@@ -35,7 +39,8 @@ class Terminal:
             data = os.read(self.fd, 65536)
         except OSError:
             return b""
-        self.output += data
+        # The end is enough, and a growing buffer would be copied at every read, with all other threads waiting.
+        self.output = (self.output + data)[-KEPT:]
         return data
 
     def wait_for(self, seen: Callable[[bytes], bool], timeout_s: float = 20.0) -> float:
@@ -83,4 +88,4 @@ class Terminal:
 def percentile(values: Sequence[float], share: float) -> float:
     """Return the value below which `share` of the values lie (nearest rank)."""
     ordered = sorted(values)
-    return ordered[min(len(ordered) - 1, int(share * len(ordered)))]
+    return ordered[math.ceil(share * len(ordered)) - 1]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 from collections import deque
 from collections.abc import Callable
 from pathlib import Path
@@ -111,6 +112,9 @@ class Shell(App[None]):
         self.call_after_refresh(self._begin)
 
     def _begin(self) -> None:
+        # What the start has made lives as long as the app: a full collection would look at it all, every other thread
+        # waiting, and STOP behind it.
+        gc.freeze()
         self._unsubscribe = self.station.subscribe(self._tell)
         self.session.start()
         self._watch()
