@@ -1,0 +1,40 @@
+"""The last rung of STOP: the motors are released only if the user enabled it, and the position is unknown then."""
+
+from __future__ import annotations
+
+import pytest
+from birdcage.base.errors import PositionUnknown
+from birdcage.station.requests import Goto, Release
+
+from .conftest import Bench
+
+STUBBORN = "g2?seed=1&second_move=queue&az_speed=10"
+
+
+def stopped_in_vain(**options):
+    bench = Bench(STUBBORN, options).connect()
+    bench.do(Goto(340, 45, "you"))
+    bench.station.submit(Goto(200, 45, "you"))
+    bench.step(1)
+    bench.station.stop("you")
+    bench.step(6)
+    return bench
+
+
+def test_not_without_being_asked_for():
+    bench = stopped_in_vain()
+    assert bench.state.last_stop.confirmed is False
+    assert "r" not in bench.lines()
+    assert not bench.device.truth().released
+
+
+def test_released_when_enabled_and_the_position_forgotten():
+    bench = stopped_in_vain(stop_releases_motors=True)
+    assert bench.state.last_stop.means == "release"
+    assert bench.lines().count("r") == 1
+    assert bench.device.truth().released
+    assert bench.state.position is None
+    assert bench.state.held is not None
+    bench.do(Release("you"))
+    with pytest.raises(PositionUnknown):
+        bench.do(Goto(200, 45, "you"))
