@@ -137,3 +137,13 @@ def test_the_time_of_arrival_follows_a_slow_dish():
     bench.step(3)
     motion = bench.state.motion
     assert motion.eta - bench.clock.monotonic() == pytest.approx(7, abs=1)
+
+
+def test_a_refused_motion_takes_no_control(bench):
+    with pytest.raises(MotionRefused):
+        bench.do(go(180, 80, holder="Gpredict"))
+    assert bench.state.holder is None
+    bench.do(go(180, 45))
+    with pytest.raises(BelowFloor):
+        bench.do(go(180, 5))
+    assert bench.state.holder == "you"

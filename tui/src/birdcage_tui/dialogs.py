@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import textwrap
-from typing import TYPE_CHECKING, TypeVar, cast
+from typing import TypeVar, cast
 
 from rich.text import Text
 from textual import events
@@ -15,11 +15,9 @@ from textual.screen import ModalScreen
 from textual.widgets import Input, Label, Static
 
 from birdcage_tui.commands import COMMANDS
+from birdcage_tui.host import Host
 from birdcage_tui.status import TopRow
 from birdcage_tui.view import View
-
-if TYPE_CHECKING:
-    from birdcage_tui.shell import Shell
 
 HELP_WIDTH = 70
 Answer = TypeVar("Answer")
@@ -50,7 +48,7 @@ class Dialog(ModalScreen[Answer]):
 
     def on_mount(self) -> None:
         """Fill row 1."""
-        cast("Shell", self.app).paint()
+        cast("Host", self.app).paint()
 
 
 class HelpScreen(Dialog[None]):

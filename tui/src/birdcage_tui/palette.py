@@ -3,25 +3,23 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, cast
+from typing import cast
 
 from textual.command import DiscoveryHit, Hit, Hits, Provider
 
 from birdcage_tui.commands import COMMANDS, Command
-
-if TYPE_CHECKING:
-    from birdcage_tui.app import BirdcageApp
+from birdcage_tui.host import Host
 
 
 class CommandProvider(Provider):
     """Every command by its title; what cannot be done now stays in the list and says why."""
 
     def _line(self, command: Command) -> str:
-        reason = command.refused(cast("BirdcageApp", self.app).view())
+        reason = command.refused(cast("Host", self.app).view())
         return f"{command.shown}  {command.help}" + ("" if reason is None else f" Not now: {reason}")
 
     def _do(self, command: Command) -> None:
-        cast("BirdcageApp", self.app).action_command(command.name)
+        cast("Host", self.app).action_command(command.name)
 
     async def discover(self) -> Hits:
         """Yield all, before anything is typed."""

@@ -83,11 +83,17 @@ class Desk:
             az_deg, el_deg = self._jogged(request)
         else:
             az_deg, el_deg = request.az_deg, request.el_deg
+        had_lease = self._board.state.holder == request.holder
         self._ready(request.holder, az_deg, el_deg)
         follow = isinstance(request, ask.Follow)
         job = Job(az_deg, el_deg, request.holder, future, follow=follow)
         clamp = isinstance(request, ask.Goto) and request.clamp
-        self._mover.go(job, clamp=clamp, leapfrog=isinstance(request, ask.Follow) and request.leapfrog)
+        try:
+            self._mover.go(job, clamp=clamp, leapfrog=isinstance(request, ask.Follow) and request.leapfrog)
+        except MotionRefused:
+            if not had_lease:
+                self._control.give_back(request.holder)
+            raise
 
     def _jogged(self, jog: ask.Jog) -> tuple[float, float]:
         base = self._mover.target
