@@ -48,7 +48,7 @@ class Dialog(ModalScreen[Answer]):
 
     def on_mount(self) -> None:
         """Fill row 1."""
-        cast("Host", self.app).paint()
+        cast(Host, self.app).paint()
 
 
 class HelpScreen(Dialog[None]):

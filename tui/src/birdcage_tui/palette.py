@@ -15,11 +15,11 @@ class CommandProvider(Provider):
     """Every command by its title; what cannot be done now stays in the list and says why."""
 
     def _line(self, command: Command) -> str:
-        reason = command.refused(cast("Host", self.app).view())
+        reason = command.refused(cast(Host, self.app).view())
         return f"{command.shown}  {command.help}" + ("" if reason is None else f" Not now: {reason}")
 
     def _do(self, command: Command) -> None:
-        cast("Host", self.app).action_command(command.name)
+        cast(Host, self.app).action_command(command.name)
 
     async def discover(self) -> Hits:
         """Yield all, before anything is typed."""
