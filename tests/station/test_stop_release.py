@@ -33,6 +33,7 @@ def test_released_when_enabled_and_the_position_forgotten():
     assert bench.state.last_stop.means == "release"
     assert bench.lines().count("r") == 1
     assert bench.device.truth().released
+    assert bench.state.last_stop.confirmed is None, "nobody can tell whether it stands still"
     assert bench.state.position is None
     assert bench.state.held is not None
     bench.do(Release("you"))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from birdcage.antenna.antenna import STILL_DEG, BirdcageAntenna
 from birdcage.base.errors import CommandRefused, PositionUnknown
+from birdcage.base.geometry import shortest_turn
 from birdcage.protocol.model import Turn
 from birdcage.protocol.types import Survey
 from birdcage.station.board import Board
@@ -65,7 +66,7 @@ class Look:
     @staticmethod
     def apart_deg(one: Pointing, other: Pointing) -> float:
         """Return the larger of the two axes' differences, azimuth the short way round."""
-        turn = (one.dish_az_deg - other.dish_az_deg + 180.0) % 360.0 - 180.0
+        turn = shortest_turn(other.dish_az_deg, one.dish_az_deg)
         return max(abs(turn), abs(one.dish_el_deg - other.dish_el_deg))
 
     def is_still(self, one: Pointing, other: Pointing) -> bool:

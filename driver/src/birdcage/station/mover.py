@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import stop_power_s
 from birdcage.base.errors import BirdcageError, CommandRefused, PositionUnknown, Stopped, Superseded
-from birdcage.base.geometry import separation
+from birdcage.base.geometry import separation, shortest_turn
 from birdcage.station.board import Board
 from birdcage.station.events import ActivityChanged, End, MoveEnded, MoveProgress, MoveStarted
 from birdcage.station.look import Look
@@ -18,6 +18,8 @@ from birdcage.station.state import Activity, Motion, Pointing
 POLL_S = 0.1
 ARRIVED_DEG = 0.08
 """The rest position lies up to 0.06 deg from the command (reference section 7.4), and a step on top."""
+STREAM_S = 3.0
+"""Targets that one holder sends closer together than this are a stream (SEAMS *Public API*)."""
 STALL_S = 1.0
 """How long a dish may stand still away from its target, after the time at which it should have moved."""
 
@@ -56,9 +58,8 @@ class Mover:
 
     def go(self, job: Job, *, clamp: bool = False, leapfrog: bool = False) -> None:
         """Send a motion. What the gate refuses is raised, and the motion under way goes on."""
-        now = self._board.clock.monotonic()
-        stream = job.follow and self._last_follow is not None and self._last_follow[0] == job.holder
-        stream = stream and self._last_follow is not None and now - self._last_follow[1] < 3.0
+        now, last = self._board.clock.monotonic(), self._last_follow
+        stream = job.follow and last is not None and last[0] == job.holder and now - last[1] < STREAM_S
         start = self._board.state.position
         commanded = self._point(job, clamp=clamp, leapfrog=leapfrog and stream)
         self._end(End.SUPERSEDED, "a newer target replaced it", Superseded("A newer target replaced this one."))
@@ -114,7 +115,7 @@ class Mover:
         job.last = pointing
         job.still_since = (job.still_since or now) if still else None
         dish_az, dish_el = self._antenna.alignment.to_dish(job.az_deg, job.el_deg)
-        off_az = abs((pointing.dish_az_deg - dish_az + 180.0) % 360.0 - 180.0)
+        off_az = abs(shortest_turn(dish_az, pointing.dish_az_deg))
         off_el = abs(pointing.dish_el_deg - dish_el)
         if still and max(off_az, off_el) <= ARRIVED_DEG:
             self._arrive(job, pointing)

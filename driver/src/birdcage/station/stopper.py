@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import stop_power_s
-from birdcage.base.errors import BirdcageError, Held, LinkError, NoReply, Stopped
+from birdcage.base.errors import BirdcageError, Held, LinkError, NoReply, PositionUnknown, Stopped
 from birdcage.base.geometry import shortest_turn
 from birdcage.protocol.types import Position
 from birdcage.station.board import Board
@@ -220,9 +220,9 @@ class Stopper:
     def _release(self, pending: Pending) -> None:
         """Climb the last rung: only if the user enabled it."""
         self._antenna.protocol.release_motors()
-        self._board.change(position=None, position_lost="released", homed=None)
-        pending.report = replace(pending.report, means="release")
-        self._finish(pending, True, "The motors were released. Where the dish is, is not known: home it.")
+        self._look.unknown(PositionUnknown("STOP released the motors.", reason="released"))
+        pending.report = replace(pending.report, means="release", confirmed=None)
+        self._finish(pending, None, "The motors were released. Where the dish is, is not known: home it.")
 
     def _finish(self, pending: Pending, confirmed: bool | None, sentence: str) -> None:
         earlier = pending.report.confirmed
