@@ -19,7 +19,7 @@ POLL_S = 0.1
 ARRIVED_DEG = 0.08
 """The rest position lies up to 0.06 deg from the command (reference section 7.4), and a step on top."""
 STREAM_S = 3.0
-"""Targets that one holder sends closer together than this are a stream: only these may be leap-frogged (DESIGN section 4)."""
+"""Targets of one holder closer together than this are a stream, which may be leap-frogged (DESIGN section 4)."""
 STALL_S = 1.0
 """How long a dish may stand still away from its target, after the time at which it should have moved."""
 
