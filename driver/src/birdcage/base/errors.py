@@ -11,6 +11,7 @@
         PositionUnknown  the axis was not read, or not homed
       Held               STOP is latched
       LeaseDenied        somebody else has control
+      ConfirmationNeeded a raw line that may do harm was not confirmed
       Superseded         a newer target replaced this one
       Stopped            STOP or a loss of the link ended it
       Cancelled          the person who asked took it back
@@ -107,6 +108,12 @@ class LeaseDenied(BirdcageError):
     """Somebody else has control; the message names the holder."""
 
     reason = "lease"
+
+
+class ConfirmationNeeded(BirdcageError):
+    """A raw console line that is not harmless was sent without a person's word; the message names the consequence."""
+
+    reason = "confirm"
 
 
 class Superseded(BirdcageError):

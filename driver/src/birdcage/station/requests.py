@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from birdcage.base.config import Settings
+
 
 @dataclass(frozen=True, slots=True)
 class Goto:
@@ -62,6 +64,72 @@ class ReleaseMotors:
     """Take the current off the motors: the dish may fall under its own weight, and its position is then unknown."""
 
     holder: str
+
+
+@dataclass(frozen=True, slots=True)
+class Engage:
+    """Put the current back on the motors. Where the dish is stays unknown until it is homed."""
+
+    holder: str
+
+
+@dataclass(frozen=True, slots=True)
+class Stow:
+    """Fold the dish flat with the firmware's own command. MotionRefused unless the active feed allows it."""
+
+    holder: str
+
+
+@dataclass(frozen=True, slots=True)
+class SetSpeed:
+    """Set the greatest speed of an axis (a motor number), in deg/s, until the dish restarts."""
+
+    axis: int
+    speed_deg_s: float
+    holder: str
+
+
+@dataclass(frozen=True, slots=True)
+class Raw:
+    """One line for the dish's own console, exempt from the limits. Its future resolves with a `RawReply`.
+
+    It takes the lease (`console`). ConfirmationNeeded unless the line is harmless or `confirmed`; Held for a line that
+    moves the dish while STOP is latched. A line sent while another one still prints ends that one with a bare Enter.
+    """
+
+    line: str
+    holder: str = "console"
+    confirmed: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class ListCommands:
+    """Ask the dish for the commands of its present menu (`?`); resolves with a tuple of `MenuCommand`."""
+
+    holder: str = "console"
+
+
+@dataclass(frozen=True, slots=True)
+class ProbePort:
+    """Listen at several baud rates, the present one first; resolves with a tuple of `BaudFinding`. Moves nothing."""
+
+    bauds: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Connect:
+    """Use another port or baud rate from now on. Not while the dish moves."""
+
+    port: str
+    baud: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class ApplySettings:
+    """Take limits, alignment and feed from these settings from now on. Not while the dish moves."""
+
+    settings: Settings
+    by: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,6 +196,14 @@ Request = (
     | Release
     | Home
     | ReleaseMotors
+    | Engage
+    | Stow
+    | SetSpeed
+    | Raw
+    | ListCommands
+    | ProbePort
+    | Connect
+    | ApplySettings
     | SetSearch
     | AcquireLease
     | ReleaseLease

@@ -1,0 +1,41 @@
+"""The plain values of the raw console, for the faces, which do not look below the station."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from birdcage.protocol.hazard import Grade, Verdict
+
+__all__ = ["CONSOLE", "Grade", "MenuCommand", "RawReply", "Verdict"]
+
+CONSOLE = "console"
+"""The lease holder's name while somebody talks to the firmware."""
+
+
+@dataclass(frozen=True, slots=True)
+class RawReply:
+    """What the dish answered to one line."""
+
+    line: str
+    lines: tuple[str, ...]
+    """Neither echo nor prompt."""
+    menu: str
+    prompt: str
+    """As the dish wrote it: `MOT>`."""
+    took_s: float
+    ended_by_key: bool = False
+    """Whether it printed on until a bare Enter ended it."""
+
+
+@dataclass(frozen=True, slots=True)
+class MenuCommand:
+    """One command of a menu."""
+
+    menu: str
+    name: str
+    usage: str
+    """Its arguments as the dish or the reference writes them: `a <motor> <angle>`."""
+    help: str
+    """What it does; empty when nobody says."""
+    told_by_dish: bool
+    """Whether the dish itself listed it, rather than the reference only."""
