@@ -9,20 +9,17 @@ from concurrent.futures import Future
 
 from birdcage.station.requests import AcceptLimits, AcknowledgeFault, Goto, Home, Jog, Release, Request
 
-from birdcage_tui.commands import BY_NAME
-from birdcage_tui.dialogs import GotoLine, HelpScreen, QuestionScreen
-from birdcage_tui.footer import KeyBar
+from birdcage_tui.commands import BY_NAME, for_key
+from birdcage_tui.commands.jog import DIRECTIONS, STEPS_DEG
+from birdcage_tui.dialogs import QuestionScreen
+from birdcage_tui.goto import GotoLine
+from birdcage_tui.help import HelpScreen, help_words
+from birdcage_tui.jump import JumpScreen, Target, targets
+from birdcage_tui.messages import CommandChosen
 from birdcage_tui.shell import Shell
 from birdcage_tui.themes import LOOKS
 
 YOU = "you"
-STEP_DEG = 1.0
-STEPS = {
-    "left": (-STEP_DEG, 0.0),
-    "right": (STEP_DEG, 0.0),
-    "up": (0.0, STEP_DEG),
-    "down": (0.0, -STEP_DEG),
-}
 
 
 class BirdcageApp(Shell):
@@ -32,30 +29,49 @@ class BirdcageApp(Shell):
         """End as Ctrl+Q does when the system says so."""
         self._catch_signals()
 
+    def action_key(self, key: str) -> None:
+        """Do what the key means to what has the focus."""
+        command = for_key(key, [scope.scope for scope in self.scopes()])
+        if command is not None:
+            self.action_command(command.name)
+
     def action_command(self, name: str) -> None:
         """Do the command, or say why not."""
-        reason = BY_NAME[name].refused(self.view())
+        command = BY_NAME[name]
+        reason = command.refused(self.view())
         if reason is not None:
             self.say("" if name == "release" else reason)
             return
-        self._deed(name)()
+        for scope in self.scopes():
+            if scope.scope in command.where and scope.do(name):
+                return
+        deed = self._deed(name)
+        if deed is not None:
+            deed()
+        else:
+            # Another page's: go there, and do it.
+            self.show_page(command.where[0], then=name)
 
-    def _deed(self, name: str) -> Callable[[], object]:
+    def _deed(self, name: str) -> Callable[[], object] | None:
+        """Return what the app itself does for a command; None for what a page does."""
         if name.startswith("page-"):
             return lambda: self.show_page(name.removeprefix("page-"))
-        if name in STEPS:
-            return lambda: self.ask(Jog(*STEPS[name], YOU))
+        if name in DIRECTIONS:
+            return lambda: self.jog(*DIRECTIONS[name])
         deeds: dict[str, Callable[[], object]] = {
             "stop": self.stop_now,
             "release": self.release,
             "goto": lambda: self.query_one(GotoLine).open(),
+            "step-up": lambda: self.change_step(1),
+            "step-down": lambda: self.change_step(-1),
             "home": self.ask_home,
-            "help": lambda: self.push_screen(HelpScreen(self.view())),
+            "help": self.show_help,
+            "jump": self.show_jump,
             "palette": self.action_command_palette,
             "theme": self.next_theme,
             "quit": self.leave,
         }
-        return deeds[name]
+        return deeds.get(name)
 
     def say(self, words: str) -> None:
         """Put a sentence into row 2, where the calm line is."""
@@ -71,6 +87,16 @@ class BirdcageApp(Shell):
                 self._loop.call_soon_threadsafe(self.say, str(error))
 
         self.station.submit(request).add_done_callback(done)
+
+    def jog(self, az_steps: float, el_steps: float) -> None:
+        """Step from the last commanded target."""
+        self.ask(Jog(az_steps * self.step_deg, el_steps * self.step_deg, YOU))
+
+    def change_step(self, by: int) -> None:
+        """Make a jog step larger or smaller."""
+        index = STEPS_DEG.index(self.step_deg) + by
+        self.step_deg = STEPS_DEG[min(max(index, 0), len(STEPS_DEG) - 1)]
+        self.say(f"One step is {self.step_deg:g}°.")
 
     def stop_now(self) -> None:
         """STOP."""
@@ -119,6 +145,29 @@ class BirdcageApp(Shell):
 
         self.push_screen(QuestionScreen("Home the dish", words, "area is clear: home"), answered)
 
+    def show_help(self) -> None:
+        """Show what can be done here, and do what is chosen there."""
+
+        def chosen(name: str | None) -> None:
+            if name is not None:
+                self.action_command(name)
+
+        self.push_screen(HelpScreen(self.view(), help_words(self.screen.focused, self.page)), chosen)
+
+    def show_jump(self) -> None:
+        """Put a letter on everything that can be reached; go to the one that is chosen."""
+
+        def chosen(target: Target | None) -> None:
+            if target is None:
+                return
+            if target.command is not None:
+                self.action_command(target.command)
+            else:
+                self.screen.set_focus(target.widget)
+                self.paint()
+
+        self.push_screen(JumpScreen(targets(self.screen_stack[0])), chosen)
+
     def next_theme(self) -> None:
         """Change to the next look."""
         names = list(LOOKS)
@@ -155,7 +204,7 @@ class BirdcageApp(Shell):
         """The mouse releases or acknowledges."""
         self.release()
 
-    def on_key_bar_chosen(self, event: KeyBar.Chosen) -> None:
+    def on_command_chosen(self, event: CommandChosen) -> None:
         """The mouse does what a key does."""
         self.end_tour()
         self.action_command(event.name)

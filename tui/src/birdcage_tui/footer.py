@@ -1,12 +1,9 @@
-"""The last row: the keys of this page, each of them clickable."""
+"""The last row: the keys that hold here, each of them clickable."""
 
 from __future__ import annotations
 
-from textual import events
-from textual.message import Message
-
 from birdcage_tui.canvas import Cells
-from birdcage_tui.commands import COMMANDS
+from birdcage_tui.commands import in_force
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
 
@@ -16,39 +13,19 @@ class KeyBar(Pane):
 
     INK = "bar-dim"
 
-    class Chosen(Message):
-        """A person pressed a key's name."""
-
-        def __init__(self, name: str) -> None:
-            super().__init__()
-            self.name = name
-
-    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
-        super().__init__(id=id)
-        self.spans: list[tuple[range, str]] = []
-        """Which columns belong to which command."""
-
     def draw(self, cells: Cells, view: View) -> None:
-        """Write the keys from left to right; at the right, how to get to the pages."""
-        self.spans = []
+        """Write STOP, then the keys from the nearest scope outward; at the right, the pages."""
         pages = " 1-0 pages "
         x = 1
-        for command in COMMANDS:
+        for command in in_force(view.scopes):
             if not command.footer or x + len(command.shown) + len(command.footer) + 3 > cells.width - len(pages):
                 continue
             start = x
             dim = command.refused(view) is not None
             x = cells.put(x, 0, f" {command.shown} ", "bar-dim" if dim else "key")
             x = cells.put(x, 0, command.footer, "bar-dim" if dim else "bar")
-            self.spans.append((range(start, x), command.name))
+            self.heat(start, 0, x - start, command.name)
             x += 2
         start = cells.width - len(pages)
         cells.put(start, 0, pages, "bar")
-        self.spans.append((range(start, cells.width), "help"))
-
-    def on_click(self, event: events.Click) -> None:
-        """Do what the word under the mouse says."""
-        for columns, name in self.spans:
-            if event.x in columns:
-                event.stop()
-                self.post_message(self.Chosen(name))
+        self.heat(start, 0, len(pages), "help")

@@ -1,4 +1,4 @@
-"""How the station's events reach the app: one message each, posted from the station's thread."""
+"""What is told to the app: an event of the station (posted from its thread), or a command that the mouse chose."""
 
 from __future__ import annotations
 
@@ -6,6 +6,14 @@ from birdcage.station.events import Event, MoveProgress, PositionRead
 from textual.message import Message
 
 _TELEMETRY = (PositionRead, MoveProgress)
+
+
+class CommandChosen(Message):
+    """A person pressed a command's name, on whatever widget it is written."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__()
+        self.name = name
 
 
 class StationEvent(Message):

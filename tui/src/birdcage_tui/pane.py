@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from rich.style import Style
+from textual import events
 from textual.geometry import Region
 from textual.strip import Strip
 from textual.widget import Widget
 
 from birdcage_tui.canvas import Cells
+from birdcage_tui.commands import BY_NAME
+from birdcage_tui.messages import CommandChosen
 from birdcage_tui.themes import DEFAULT, LOOKS
 from birdcage_tui.view import View
 
@@ -22,6 +25,8 @@ class Pane(Widget):
         super().__init__(id=id, classes=classes)
         self._strips: list[Strip] = []
         self.view: View | None = None
+        self.hot: list[tuple[Region, str]] = []
+        """Where a click gives which command; filled by `draw`."""
 
     @property
     def inks(self) -> dict[str, Style]:
@@ -32,12 +37,38 @@ class Pane(Widget):
         """Draw into `cells`, which are as large as the widget's content."""
         raise NotImplementedError
 
+    def button(self, cells: Cells, x: int, y: int, command: str, view: View, text: str = "") -> int:
+        """Write a command as its key and a word, clickable; dim while it is refused. Return the column after it."""
+        known = BY_NAME[command]
+        dim = known.refused(view) is not None
+        start = x
+        x = cells.put(x, y, f" {known.shown} ", "bar-dim" if dim else "key")
+        x = cells.put(x, y, text or known.title, "dim" if dim else "text") + 1
+        self.heat(start, y, x - start - 1, command)
+        return x + 1
+
+    def heat(self, x: int, y: int, width: int, command: str) -> None:
+        """Let a click on these cells give a command."""
+        self.hot.append((Region(x, y, width, 1), command))
+
+    def on_click(self, event: events.Click) -> None:
+        """Do what stands under the mouse."""
+        offset = event.get_content_offset(self)
+        if offset is None:
+            return
+        for region, command in self.hot:
+            if region.contains_point(offset):
+                event.stop()
+                self.post_message(CommandChosen(command))
+                return
+
     def show(self, view: View) -> None:
         """Draw `view`, and repaint the rows in which it differs from what stands there."""
         self.view = view
         if not self.size or not self.is_attached:
             return
         cells = Cells(self.size.width, self.size.height, self.INK)
+        self.hot = []
         self.draw(cells, view)
         strips = cells.strips(self.inks)
         changed = [

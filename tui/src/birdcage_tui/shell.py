@@ -13,19 +13,21 @@ from birdcage.station.requests import Unwatch, Watch
 from textual import events, on
 from textual.app import App, ComposeResult
 from textual.binding import Binding
+from textual.containers import Container
 from textual.driver import Driver
 from textual.timer import Timer
 from textual.widgets import ContentSwitcher, Static
 
 from birdcage_tui import commands
-from birdcage_tui.dialogs import GotoLine
 from birdcage_tui.footer import KeyBar
+from birdcage_tui.goto import GotoLine
 from birdcage_tui.messages import StationEvent
 from birdcage_tui.pages.dashboard import DashboardPage
 from birdcage_tui.pages.page import Page
-from birdcage_tui.pages.plain import PlainPage
+from birdcage_tui.pages.register import make_page
 from birdcage_tui.palette import CommandProvider
 from birdcage_tui.pane import Pane
+from birdcage_tui.scope import Scope, scopes_of
 from birdcage_tui.settings import AppSettings
 from birdcage_tui.status import BadDayRow, StatusLine, StopButton, TopRow
 from birdcage_tui.stopping import focused_widget, is_stop_key, stop_first
@@ -51,18 +53,9 @@ class Shell(App[None]):
     AUTO_FOCUS = None
     COMMANDS = {CommandProvider}  # noqa: RUF012
     BINDINGS = [  # noqa: RUF012
-        Binding(
-            ",".join(c.keys),
-            f"command({c.name!r})",
-            c.title,
-            show=False,
-            id=c.name,
-            tooltip=c.help,
-            priority=c.priority,
-        )
-        for c in commands.COMMANDS
-        if c.keys
+        Binding(key, f"key({key!r})", show=False, priority=priority) for key, priority in commands.KEYS.items()
     ]
+    """One for each key of the table: what it does depends on what has the focus."""
 
     def __init__(self, session: Session, settings: AppSettings | None = None) -> None:
         super().__init__()
@@ -71,6 +64,8 @@ class Shell(App[None]):
         self.station = session.station
         self.stopped_keys: deque[events.Key] = deque(maxlen=16)
         """Keys that have stopped the dish already, on the thread that read them."""
+        self.step_deg = 1.0
+        """What one press of a jog key is."""
         self._signal: deque[Sample] = deque(maxlen=KEPT_SAMPLES)
         self._note = ""
         self._tour = Tour(self.station.submit)
@@ -98,7 +93,7 @@ class Shell(App[None]):
         yield Static(
             "The terminal is smaller than 80x24: make it larger to see the pages. Space stops.", id="too-small"
         )
-        with ContentSwitcher(initial="page-dashboard", id="pages"):
+        with Container(id="stage"), ContentSwitcher(initial="page-dashboard", id="pages"):
             yield DashboardPage(id="page-dashboard")
         yield GotoLine()
         yield KeyBar()
@@ -144,6 +139,8 @@ class Shell(App[None]):
             "" if crash is None else f"{type(crash).__name__}: {crash}",
             self._note,
             self._watching is not None,
+            tuple(scope.scope for scope in self.scopes()),
+            self.step_deg,
         )
 
     def paint(self) -> None:
@@ -221,20 +218,43 @@ class Shell(App[None]):
 
     # Pages.
 
-    def show_page(self, name: str) -> None:
-        """Show a page; it is composed on its first visit."""
-        self.run_worker(self._show_page(name), group="page", exclusive=False)
+    def show_page(self, name: str, then: str | None = None) -> None:
+        """Show a page; it is composed on its first visit. `then` is one of its commands, to be done there."""
+        self.run_worker(self._show_page(name, then), group="page", exclusive=False)
 
-    async def _show_page(self, name: str) -> None:
+    async def _show_page(self, name: str, then: str | None) -> None:
         pages = self.screen_stack[0].query_one("#pages", ContentSwitcher)
         page_id = f"page-{name}"
         if not pages.query(f"#{page_id}"):
-            page = PlainPage(name)
+            page = make_page(name)
             page.display = False
             await pages.mount(page)
-        pages.current = page_id
+        if pages.current != page_id:
+            pages.current = page_id
+            self._arrive(pages)
         self._watch()
         self.call_after_refresh(self.paint)
+        if then is not None:
+            self.page.do(then)
+
+    def _arrive(self, pages: ContentSwitcher) -> None:
+        """Give the focus to what the page wants it on; never to a text field."""
+        page = pages.visible_content
+        first = page.FIRST_FOCUS if isinstance(page, Page) else None
+        self.screen_stack[0].set_focus(page.query_one(first) if page is not None and first is not None else None)
+
+    @property
+    def page(self) -> Page:
+        """The page that is seen."""
+        page = self.screen_stack[0].query_one("#pages", ContentSwitcher).visible_content
+        assert isinstance(page, Page), "the switcher holds pages only"
+        return page
+
+    def scopes(self) -> tuple[Scope, ...]:
+        """Return whose commands hold now, innermost first."""
+        if not self.screen_stack:
+            return ()
+        return scopes_of(self.screen_stack[0].focused, [self.page])
 
     def _watch(self) -> None:
         """Ask the station to read what the visible page shows, and nothing else."""

@@ -10,7 +10,7 @@ from textual.containers import Horizontal
 from textual.message import Message
 
 from birdcage_tui.canvas import Cells
-from birdcage_tui.commands import can_release
+from birdcage_tui.commands.table import can_release
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
 from birdcage_tui.words import ACTIVITY, LATE, LINK, age_text, bad_day, calm

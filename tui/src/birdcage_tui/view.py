@@ -43,6 +43,10 @@ class View:
     """What the last command did, in one sentence."""
     watched: bool = False
     """Whether the visible page has the station ask the dish all the time."""
+    scopes: tuple[str, ...] = ()
+    """Whose commands hold, innermost first: the widget that has the focus, what it lies in, the page."""
+    step_deg: float = 1.0
+    """What one press of a jog key is."""
 
     @property
     def position_age_s(self) -> float | None:

@@ -214,7 +214,7 @@ def next_steps(view: View) -> list[tuple[str, str]]:
     elif view.tour:
         steps.append(("text", "Any key ends the tour. Then g goes to a direction, arrows step 1°."))
     elif not view.moving:
-        steps.append(("text", "Next: g goes to a direction, arrows step 1°."))
+        steps.append(("text", f"Next: g goes to a direction, arrows step {view.step_deg:g}°."))
     steps.append(("dim", "? keys   : commands   1-0 pages"))
     return steps
 

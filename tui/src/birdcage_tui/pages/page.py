@@ -14,8 +14,19 @@ class Page(Container):
     WATCHES: frozenset[str] = frozenset({"position"})
     """The status line shows the position on every page."""
     RATE_HZ = 1.0
+    FIRST_FOCUS: str | None = None
+    """The selector of what has the focus on arrival; never a text field. None: nothing has."""
+
+    @property
+    def scope(self) -> str:
+        """The page's name, which its commands have in `where`."""
+        return (self.id or "").removeprefix("page-")
 
     def show(self, view: View) -> None:
         """Hand the view to every pane."""
         for pane in self.query(Pane):
             pane.show(view)
+
+    def do(self, command: str) -> bool:  # noqa: ARG002 - a page without commands of its own
+        """Carry out a command of this page; return False for one that it does not know."""
+        return False

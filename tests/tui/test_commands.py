@@ -1,0 +1,109 @@
+"""The one table: no key means two things in one place, and what a page does is done there."""
+
+import asyncio
+
+import pytest
+import stand_in
+from birdcage.station.requests import Jog
+from birdcage_tui.commands import COMMANDS, PAGES, for_key, in_force
+from birdcage_tui.commands.jog import STEPS_DEG
+from birdcage_tui.jump import targets
+from textual.widgets import ContentSwitcher, OptionList
+
+
+def run(test, name="idle", size=(80, 24), **options):
+    async def body():
+        app = stand_in.app_in(name, **options)
+        async with app.run_test(size=size) as pilot:
+            await pilot.pause()
+            return await test(app, pilot)
+
+    return asyncio.run(body())
+
+
+def test_no_key_means_two_things_in_one_scope():
+    taken = {}
+    for command in COMMANDS:
+        for scope in command.where or ("everywhere",):
+            for key in command.keys:
+                assert (scope, key) not in taken, f"{key}: {command.name} and {taken[scope, key]}"
+                taken[scope, key] = command.name
+
+
+def test_space_ctrl_c_and_esc_belong_to_stop_alone():
+    for command in COMMANDS:
+        assert not {"space", "ctrl+c", "escape"} & set(command.keys), command.name
+
+
+def test_safety_stands_first_and_jog_keys_hold_where_the_dish_is_shown():
+    assert in_force(["control"])[0].name == "stop"
+    assert for_key("l", ["dashboard"]).name == "right"
+    assert for_key("l", ["camera"]) is None
+
+
+@pytest.mark.parametrize("key", ["left", "h"])
+def test_ten_presses_of_a_jog_key_are_ten_steps(key):
+    async def jog(app, pilot):
+        await pilot.press("minus", *[key] * 10)
+        return app.station.asked_for(Jog)
+
+    asked = run(jog)
+    assert [(jog.d_az_deg, jog.d_el_deg) for jog in asked] == [(-0.5, 0.0)] * 10
+
+
+def test_the_step_goes_from_a_hundredth_to_ten_degrees_and_no_further():
+    async def change(app, pilot):
+        await pilot.press(*["minus"] * 20)
+        small = app.step_deg
+        await pilot.press(*["plus"] * 30)
+        return small, app.step_deg
+
+    assert run(change) == (STEPS_DEG[0], STEPS_DEG[-1]) == (0.01, 10.0)
+
+
+def test_help_does_what_is_chosen():
+    async def choose(app, pilot):
+        await pilot.press("question_mark")
+        await pilot.pause()
+        rows = app.screen.query_one(OptionList)
+        rows.highlighted = rows.get_option_index("page-system")
+        await pilot.press("enter")
+        await pilot.pause()
+        await pilot.pause()
+        return app.query_one("#pages", ContentSwitcher).current
+
+    assert run(choose) == "page-system"
+
+
+def test_jump_reaches_every_control_on_the_screen():
+    async def jump(app, pilot):
+        app.paint()
+        places = targets(app.screen)
+        assert {place.command for place in places} >= {"goto", "help", "home"}
+        letter = next(place.letter for place in places if place.command == "help")
+        await pilot.press("semicolon")
+        await pilot.pause()
+        shown = stand_in.text_of(app)
+        await pilot.press(letter)
+        await pilot.pause()
+        await pilot.pause()
+        return shown, letter, stand_in.text_of(app)
+
+    shown, letter, text = run(jump)
+    assert f" {letter} " in shown.splitlines()[-1]
+    assert "Help" in text
+
+
+def test_space_stops_while_letters_are_shown():
+    async def stop(app, pilot):
+        await pilot.press("semicolon")
+        await pilot.pause()
+        await pilot.press("space")
+        return app.station.stops
+
+    assert run(stop) == ["you"]
+
+
+def test_pages_have_a_key_each():
+    keys = {for_key(key, ["dashboard"]).name for number in range(1, 11) for key in (f"f{number}", str(number % 10))}
+    assert keys == {f"page-{name}" for name, _, _ in PAGES}

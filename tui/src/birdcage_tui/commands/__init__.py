@@ -1,0 +1,50 @@
+"""The one table of commands: it makes the keys, the footer, the palette, the help and the mouse targets."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from birdcage_tui.commands.console import CONSOLE
+from birdcage_tui.commands.control import CONTROL
+from birdcage_tui.commands.everywhere import APP, MOTION, PAGE_COMMANDS, PAGES, SAFETY
+from birdcage_tui.commands.jog import JOG
+from birdcage_tui.commands.setup import SETUP
+from birdcage_tui.commands.table import Command
+
+__all__ = ["BY_NAME", "COMMANDS", "KEYS", "PAGES", "Command", "for_key", "in_force"]
+
+COMMANDS: tuple[Command, ...] = (*SAFETY, *JOG, *CONTROL, *CONSOLE, *SETUP, *MOTION, *APP, *PAGE_COMMANDS)
+BY_NAME = {command.name: command for command in COMMANDS}
+KEYS: dict[str, bool] = {
+    key: any(command.priority for command in COMMANDS if key in command.keys)
+    for command in COMMANDS
+    for key in command.keys
+}
+"""Every key that any command has, and whether it is taken before the focused widget sees it."""
+
+
+def _rank(command: Command, scopes: Sequence[str]) -> int | None:
+    """Return how near the command is to what has the focus; None when it is not in force there."""
+    if not command.where:
+        return len(scopes)
+    return next((rank for rank, scope in enumerate(scopes) if scope in command.where), None)
+
+
+def for_key(key: str, scopes: Sequence[str]) -> Command | None:
+    """Return what a key does in these scopes, innermost first; None when it does nothing there."""
+    found = [(rank, command) for command in COMMANDS if key in command.keys
+             and (rank := _rank(command, scopes)) is not None]  # fmt: skip
+    return min(found, key=lambda pair: pair[0])[1] if found else None
+
+
+def in_force(scopes: Sequence[str]) -> tuple[Command, ...]:
+    """Return the commands that hold in these scopes: safety, then nearest first; one under a nearer key is left out."""
+    ranked = sorted(
+        ((-1 if command in SAFETY else rank, command) for command in COMMANDS
+         if (rank := _rank(command, scopes)) is not None),
+        key=lambda pair: pair[0],
+    )  # fmt: skip
+    return tuple(
+        command for _, command in ranked
+        if not command.keys or any(for_key(key, scopes) is command for key in command.keys)
+    )  # fmt: skip

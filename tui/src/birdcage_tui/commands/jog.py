@@ -1,0 +1,31 @@
+"""Steps by hand, on the pages that show where the dish points."""
+
+from __future__ import annotations
+
+from birdcage_tui.commands.table import Command, can_move
+
+WHERE = ("dashboard", "control", "pocket")
+STEPS_DEG = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
+"""What one press of a jog key may be, in degrees."""
+DIRECTIONS = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "up": (0.0, 1.0), "down": (0.0, -1.0)}
+"""Azimuth and elevation of one press, in steps."""
+
+JOG = (
+    Command(
+        "left", ("left", "h"), "← h", "Step counterclockwise", "One step of azimuth, counterclockwise.", "Jog",
+        can_move, where=WHERE,
+    ),
+    Command(
+        "right", ("right", "l"), "→ l", "Step clockwise", "One step of azimuth, clockwise.", "Jog", can_move,
+        where=WHERE,
+    ),
+    Command("up", ("up", "k"), "↑ k", "Step up", "One step of elevation, up.", "Jog", can_move, where=WHERE),
+    Command("down", ("down", "j"), "↓ j", "Step down", "One step of elevation, down.", "Jog", can_move, where=WHERE),
+    Command(
+        "step-down", ("minus",), "-", "Smaller step", "From 10° down to 0.01°.", "Jog", where=WHERE,
+    ),
+    Command(
+        "step-up", ("plus", "equals_sign"), "+", "Larger step", "From 0.01° up to 10°.", "Jog", where=WHERE,
+        footer="step",
+    ),
+)  # fmt: skip

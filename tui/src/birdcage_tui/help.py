@@ -1,0 +1,79 @@
+"""Help for what has the focus, from the table of commands: each line a key, and a target for mouse and Enter."""
+
+from __future__ import annotations
+
+import textwrap
+
+from rich.text import Text
+from textual.app import ComposeResult
+from textual.containers import Vertical
+from textual.widget import Widget
+from textual.widgets import OptionList, Static
+from textual.widgets.option_list import Option
+
+from birdcage_tui.commands import Command, in_force
+from birdcage_tui.dialogs import Dialog
+from birdcage_tui.status import TopRow
+from birdcage_tui.view import View
+
+WIDTH = 70
+ALWAYS = "Ctrl+C stops in text fields and dialogs too. Esc stops while anything moves, and closes a layer at rest."
+
+
+def help_words(focused: Widget | None, page: Widget) -> str:
+    """Return what the nearest widget says of itself in `HELP`, from the focus outward, and last the page."""
+    for widget in (*(() if focused is None else (focused, *focused.ancestors)), page):
+        words = getattr(widget, "HELP", None)
+        if isinstance(widget, Widget) and words:
+            return str(words)
+    return ""
+
+
+def line_of(command: Command, view: View) -> Text:
+    """Return a command's key and words; what cannot be done now says why."""
+    title = command.title if command.title.endswith("…") else f"{command.title}."
+    reason = command.refused(view)
+    why = "" if reason is None else f" Not now: {reason}"
+    rows = textwrap.wrap(f"{title} {command.help}{why}", WIDTH - 11)
+    return Text.assemble((f"{command.shown:>8}  ", "bold"), (f"\n{'':10}".join(rows), "dim" if reason else ""))
+
+
+class HelpScreen(Dialog[str | None]):
+    """What can be done here. Enter or a click does it; Esc or ? closes."""
+
+    BINDINGS = [("escape,question_mark", "dismiss", "close")]  # noqa: RUF012
+
+    def __init__(self, view: View, words: str) -> None:
+        super().__init__()
+        self._view, self._words = view, words
+
+    def compose(self) -> ComposeResult:
+        """The widget's own words, the commands in force from the nearest outward, and what always holds."""
+        yield TopRow()
+        with Vertical() as frame:
+            frame.border_title = "Help"
+            frame.border_subtitle = "Enter does it, Esc closes"
+            if self._words:
+                yield Static(self._words, markup=False)
+            yield OptionList(*self._options())
+
+    def on_mount(self) -> None:
+        """Give the keys to the list."""
+        super().on_mount()
+        self.query_one(OptionList).focus()
+
+    def _options(self) -> list[Option]:
+        options: list[Option] = []
+        group = ""
+        for command in in_force(self._view.scopes):
+            if command.group != group:
+                group = command.group
+                options.append(Option(Text(group, "bold underline"), disabled=True))
+            options.append(Option(line_of(command, self._view), id=command.name))
+        options.append(Option(Text(f"Always\n{ALWAYS}"), disabled=True))
+        return options
+
+    def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
+        """Close, and have it done."""
+        event.stop()
+        self.dismiss(event.option.id)
