@@ -1,7 +1,9 @@
-"""`birdcage.toml`: the schema of every section as data, and reading it without ever touching it."""
+"""`birdcage.toml`: the schema of every section as data, reading it, and writing single keys of it."""
 
+from birdcage.base.config.edit import edit
 from birdcage.base.config.feeds import STOCK_FEED, FeedProfile, FeedSettings
 from birdcage.base.config.load import load
+from birdcage.base.config.progress import Kept, SetupSettings
 from birdcage.base.config.schema import Row, rows
 from birdcage.base.config.sections import (
     AlignmentSettings,
@@ -21,6 +23,7 @@ __all__ = [
     "DishSettings",
     "FeedProfile",
     "FeedSettings",
+    "Kept",
     "LinkSettings",
     "MotionSettings",
     "NoGoSector",
@@ -28,6 +31,8 @@ __all__ = [
     "Problem",
     "Row",
     "Settings",
+    "SetupSettings",
+    "edit",
     "load",
     "rows",
 ]

@@ -12,6 +12,7 @@ from typing import TypeVar
 from birdcage.base.config.document import Document, read_document
 from birdcage.base.config.feeds import BUILT_IN, FeedProfile, FeedSettings
 from birdcage.base.config.field import Section
+from birdcage.base.config.progress import SetupSettings
 from birdcage.base.config.schema import SECTIONS, Row, rows_of
 from birdcage.base.config.sections import (
     AlignmentSettings,
@@ -68,6 +69,7 @@ class _Reader:
             feed=feed,
             feeds=feeds,
             app=self._plain(AppSettings),
+            setup=self._plain(SetupSettings),
             problems=tuple(self._problems),
             sources=MappingProxyType(self._sources),
         )

@@ -10,6 +10,7 @@ from typing import Any, Literal
 
 from birdcage.base.config.feeds import FeedProfile, FeedSettings
 from birdcage.base.config.field import Declared, Section
+from birdcage.base.config.progress import SetupSettings
 from birdcage.base.config.sections import (
     AlignmentSettings,
     AppSettings,
@@ -28,6 +29,7 @@ SECTIONS: tuple[type[Section], ...] = (
     FeedSettings,
     FeedProfile,
     AppSettings,
+    SetupSettings,
 )
 """In the order in which they are shown."""
 

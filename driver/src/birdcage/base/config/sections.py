@@ -98,6 +98,15 @@ class AlignmentSettings(Section):
 
     az_offset_deg: float = setting(0.0, "Added to the dish's azimuth.", minimum=-360.0, maximum=360.0)
     el_offset_deg: float = setting(0.0, "Added to the dish's elevation.", minimum=-90.0, maximum=90.0)
+    pitch_deg: float | None = setting(
+        None,
+        "How far the base leans back, its front up. Kept; pointing does not use it yet.",
+        minimum=-45.0,
+        maximum=45.0,
+    )
+    roll_deg: float | None = setting(
+        None, "How far its right side is down. Kept; pointing does not use it yet.", minimum=-45.0, maximum=45.0
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,6 +119,10 @@ class PlaceSettings(Section):
     latitude_deg: float | None = setting(None, "North is positive.", minimum=-90.0, maximum=90.0)
     longitude_deg: float | None = setting(None, "East is positive.", minimum=-180.0, maximum=180.0)
     height_m: float = setting(0.0, "Above the ellipsoid.", minimum=-500.0, maximum=9000.0)
+    declination_deg: float | None = setting(
+        None, "Magnetic declination there, east positive; not set: by the World Magnetic Model.",
+        minimum=-180.0, maximum=180.0,
+    )  # fmt: skip
 
     def complaints(self) -> Iterator[Complaint]:
         """Yield half a place."""

@@ -9,6 +9,7 @@ from types import MappingProxyType
 from typing import Literal
 
 from birdcage.base.config.feeds import BUILT_IN, FeedProfile, FeedSettings
+from birdcage.base.config.progress import SetupSettings
 from birdcage.base.config.sections import (
     AlignmentSettings,
     AppSettings,
@@ -56,6 +57,7 @@ class Settings:
     feeds: Mapping[str, FeedProfile] = field(default_factory=lambda: BUILT_IN)
     """Every profile by name, the built-in ones among them."""
     app: AppSettings = field(default_factory=AppSettings)
+    setup: SetupSettings = field(default_factory=SetupSettings)
     problems: tuple[Problem, ...] = ()
     sources: Mapping[str, Source] = field(default_factory=lambda: MappingProxyType({}))
     """Where a value came from, by its dotted key; what is not in here has its default."""

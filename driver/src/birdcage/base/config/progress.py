@@ -1,0 +1,85 @@
+"""`[setup]`: how far the setup is, one line a step, so that it can be left and gone on with."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, fields
+from typing import ClassVar, NamedTuple
+
+from birdcage.base.config.field import Complaint, Section, setting
+
+_LINE = re.compile(r"(done|skipped) (\d{4}-\d\d-\d\dT\d\d:\d\dZ)(?:: (.*))?")
+_CLOCK = re.compile(
+    r"(?:compared (\d{4}-\d\d-\d\dT\d\d:\d\dZ): ([+-]\d+(?:\.\d+)?) s|trusted \d{4}-\d\d-\d\dT\d\d:\d\dZ)"
+)
+
+
+class Kept(NamedTuple):
+    """One step as the file keeps it."""
+
+    done: bool
+    """Done, or else skipped."""
+    when: str
+    """UTC, `2026-03-20T12:00Z`."""
+    evidence: str
+
+    @property
+    def text(self) -> str:
+        """The line for the file."""
+        word = "done" if self.done else "skipped"
+        return f"{word} {self.when}: {self.evidence}" if self.evidence else f"{word} {self.when}"
+
+    @classmethod
+    def read(cls, text: str) -> Kept | None:
+        """Read a line of the file; None when it is none."""
+        found = _LINE.fullmatch(text)
+        return None if found is None else cls(found[1] == "done", found[2], found[3] or "")
+
+
+@dataclass(frozen=True, slots=True)
+class SetupSettings(Section):
+    """What `birdcage setup` has done, and what it has seen. Take a line away to have its step asked again."""
+
+    section: ClassVar[str] = "setup"
+
+    link: str | None = setting(None, "Step 1, the link: `done` or `skipped`, when, and the evidence.")
+    dish: str | None = setting(None, "Step 2, which dish it is.")
+    search: str | None = setting(None, "Step 3, the TV search.")
+    home: str | None = setting(None, "Step 4, homing: only whether it was skipped, as the dish itself knows the rest.")
+    feed: str | None = setting(None, "Step 5, the feed.")
+    limits: str | None = setting(None, "Step 6, the limits.")
+    direction: str | None = setting(None, "Step 7, which way the axes turn.")
+    level: str | None = setting(None, "Step 8, whether the base is level.")
+    place: str | None = setting(None, "Step 9, place and clock.")
+    north: str | None = setting(None, "Step 10, north.")
+    first: str | None = setting(None, "Step 11, the first satellite.")
+    clock: str | None = setting(
+        None, "The clock of this machine: `compared WHEN: +1 s` against a watch, or `trusted WHEN`."
+    )
+
+    def kept(self, step: str) -> Kept | None:
+        """Return what is kept of a step; None for nothing. AttributeError when there is no such step."""
+        text = getattr(self, step)
+        return None if text is None else Kept.read(text)
+
+    @property
+    def begun(self) -> bool:
+        """Whether anything is kept at all."""
+        return any(getattr(self, field.name) is not None for field in fields(self))
+
+    @property
+    def clock_offset_s(self) -> float | None:
+        """How far this machine's clock was ahead of a watch, 0 where it is trusted; None when nobody looked."""
+        found = _CLOCK.fullmatch(self.clock or "")
+        if found is None:
+            return None
+        return float(found[2]) if found[2] else 0.0
+
+    def complaints(self) -> Iterator[Complaint]:
+        """Yield lines that say neither done nor skipped."""
+        for field in fields(self):
+            text = getattr(self, field.name)
+            good = _CLOCK.fullmatch(text or "") if field.name == "clock" else Kept.read(text or "")
+            if text is not None and good is None:
+                yield field.name, f"is {text[:60]!r}, which the setup did not write; take the line away to do it again"

@@ -1,0 +1,28 @@
+"""How far a compass needle points off true north."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime
+
+BEGINS, ENDS = 2025.0, 2030.0
+"""The years for which this model is made."""
+_MODEL = datetime(2025, 1, 1, tzinfo=UTC)
+
+
+def declination_deg(when: datetime, latitude_deg: float, longitude_deg: float, height_m: float = 0.0) -> float | None:
+    """Return the magnetic declination in degrees, east positive, by the World Magnetic Model (WMM2025, NOAA and BGS).
+
+    It is good to about 0.4 degrees; iron nearby is not in it. None outside the years 2025 to 2029, and near the
+    magnetic poles, where a needle does not show a direction. ValueError for no place.
+    """
+    if not (abs(latitude_deg) <= 90.0 and abs(longitude_deg) <= 360.0):
+        raise ValueError(f"no place on Earth: latitude {latitude_deg}, longitude {longitude_deg}")
+    from pygeomag import GeoMag, decimal_year_from_date  # type: ignore[import-untyped]
+
+    year = decimal_year_from_date(when.date())
+    if not BEGINS <= year <= ENDS:
+        return None
+    model = GeoMag(base_year=_MODEL)
+    east = (longitude_deg + 180.0) % 360.0 - 180.0
+    field = model.calculate(glat=latitude_deg, glon=east, alt=height_m / 1000.0, time=year)
+    return None if field.in_blackout_zone else float(field.d)
