@@ -113,7 +113,7 @@ def test_a_value_where_a_section_belongs_is_left_alone(file):
 
 def test_a_folder_that_cannot_be_written_says_so(tmp_path):
     (tmp_path / "blocked").write_text("no folder")
-    with pytest.raises(ConfigError, match="can't be written|cannot be read"):
+    with pytest.raises(ConfigError, match=r"can't be written|cannot be read"):
         edit(tmp_path / "blocked" / "birdcage.toml", {"dish.port": "COM4"})
 
 

@@ -30,11 +30,11 @@ def sun(when: datetime, latitude_deg: float, longitude_deg: float) -> tuple[floa
     sidereal_h = 6.697096103 + 6.570984737e-2 * days + hour
     latitude = math.radians(latitude_deg)
     hour_angle = math.radians(sidereal_h * 15.0 + longitude_deg) - right_ascension
-    up = math.sin(latitude) * math.sin(declination) + math.cos(latitude) * math.cos(declination) * math.cos(hour_angle)
+    sin_lat, cos_lat = math.sin(latitude), math.cos(latitude)
+    along = math.cos(declination) * math.cos(hour_angle)
+    up = sin_lat * math.sin(declination) + cos_lat * along
     east = -math.cos(declination) * math.sin(hour_angle)
-    north = math.cos(latitude) * math.sin(declination) - math.sin(latitude) * math.cos(declination) * math.cos(
-        hour_angle
-    )
+    north = cos_lat * math.sin(declination) - sin_lat * along
     az_deg = math.degrees(math.atan2(east, north)) % 360.0
     el_deg = math.degrees(math.atan2(up, math.hypot(east, north)))
     parallax_deg = math.degrees(_EARTH_RADIUS_KM / _ASTRONOMICAL_UNIT_KM) * math.cos(math.radians(el_deg))

@@ -9,10 +9,9 @@ from typing import ClassVar, NamedTuple
 
 from birdcage.base.config.field import Complaint, Section, setting
 
-_LINE = re.compile(r"(done|skipped) (\d{4}-\d\d-\d\dT\d\d:\d\dZ)(?:: (.*))?")
-_CLOCK = re.compile(
-    r"(?:compared (\d{4}-\d\d-\d\dT\d\d:\d\dZ): ([+-]\d+(?:\.\d+)?) s|trusted \d{4}-\d\d-\d\dT\d\d:\d\dZ)"
-)
+_WHEN = r"\d{4}-\d\d-\d\dT\d\d:\d\dZ"
+_LINE = re.compile(rf"(done|skipped) ({_WHEN})(?:: (.*))?")
+_CLOCK = re.compile(rf"compared {_WHEN}: ([+-]\d+(?:\.\d+)?) s|trusted {_WHEN}")
 
 
 class Kept(NamedTuple):
@@ -74,7 +73,7 @@ class SetupSettings(Section):
         found = _CLOCK.fullmatch(self.clock or "")
         if found is None:
             return None
-        return float(found[2]) if found[2] else 0.0
+        return float(found[1]) if found[1] else 0.0
 
     def complaints(self) -> Iterator[Complaint]:
         """Yield lines that say neither done nor skipped."""
