@@ -38,8 +38,8 @@ class Served:
         self._control.connect(self.info["control"])
         self._lines = self._control.makefile("rw")
 
-    def open(self) -> serial.SerialBase:
-        return serial.serial_for_url(self.info["port"], baudrate=115200, timeout=5)
+    def open(self, baud=115200) -> serial.SerialBase:
+        return serial.serial_for_url(self.info["port"], baudrate=baud, timeout=5)
 
     def do(self, what, **fields):
         self._lines.write(json.dumps({"do": what, **fields}) + "\n")
@@ -140,6 +140,19 @@ def test_speed_pacing_and_options(served):
         while sim.do("truth")["truth"]["moving"]:
             pass
         assert b"Angle[0] = 1" in ask(port, b"a")
+
+
+def test_a_program_at_another_rate_meets_silence(served):
+    sim = served()
+    with sim.open(57600) as port:
+        port.timeout = 0.3
+        assert ask(port, b"mot") == b""
+        port.baudrate = 115200
+        port.timeout = 5
+        assert ask(port, b"mot") == b"mot\r\nMOT>"
+    with sim.open(1000000) as port:
+        port.timeout = 0.3
+        assert ask(port, b"a") == b""
 
 
 def test_faults_through_the_control_socket(served):

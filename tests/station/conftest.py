@@ -35,7 +35,7 @@ class Bench:
 
     def _open(self, port, baud):
         try:
-            sim = SimPort(self.device, port)
+            sim = SimPort(self.device, port, baud=baud)
         except ConnectionError as error:
             raise LinkError(str(error), reason="missing") from error
         self.opened.append(sim)

@@ -46,6 +46,8 @@ class Axis:
         self.homed = False
         self.stalled = False
         self.released = False
+        self.orders = 0
+        """How many motions it was given."""
         self._slips = False
         self._rng = rng
         self._count: list[Motion] = [at_rest(0.0, position_deg)]
@@ -93,6 +95,11 @@ class Axis:
         self._settle_play(now_s)
         self._count = []
         self._append(now_s, position, rate, target_deg, rate_deg_s)
+
+    def brake(self, now_s: float) -> None:
+        """Come to rest as soon as it can."""
+        position, rate = _along(self._count, now_s)
+        self.retarget(now_s, stopping_point(position, rate, self.data.accel_deg_s2))
 
     def queue(self, now_s: float, target_deg: float) -> None:
         """Go to another target after those already ordered."""
@@ -165,6 +172,7 @@ class Axis:
         self, start_s: float, position: float, rate: float, target_deg: float, highest_deg_s: float | None = None
     ) -> None:
         self._target_deg = target_deg
+        self.orders += 1
         if self.released or (self.stalled and not self._slips):
             self._count.append(at_rest(start_s, position))
             return

@@ -26,6 +26,9 @@ class Channel(Protocol):
     def receive(self, descriptor: int) -> bytes:
         """Return what a client sent, after `descriptor` became readable."""
 
+    def baud(self) -> int | None:
+        """Return the rate at which the client speaks; None where there is no such thing."""
+
     def send(self, data: bytes) -> None:
         """Send to the client; without one the bytes are lost, as on a wire."""
 

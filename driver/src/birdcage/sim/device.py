@@ -49,7 +49,7 @@ class Device:
         """Take bytes that the program sends."""
         with self.lock:
             self.machine.run()
-            for time_s, piece in self.wire.to_dish.carry(self.machine.now, data):
+            for time_s, piece in self.wire.carry(self.wire.to_dish, self.machine.now, data):
                 self._deliver(time_s, piece)
             self.machine.run()
 
@@ -122,7 +122,7 @@ class Device:
 
     def _send(self, data: bytes) -> None:
         if self.wire.plugged:
-            self.inbox.extend(self.wire.to_host.carry(self.machine.now, data))
+            self.inbox.extend(self.wire.carry(self.wire.to_host, self.machine.now, data))
 
     def _echo(self, data: bytes) -> None:
         if not self.wire.echo_loss:

@@ -21,18 +21,20 @@ _named_lock = threading.Lock()
 class SimPort:
     """Bytes to and from a simulated dish, in memory. Methods may be called from different threads at the same time.
 
-    Once the adapter was pulled out, or the port closed, every call raises `ConnectionError`.
+    Once the adapter was pulled out, or the port closed, every call raises `ConnectionError`. `baud` is the rate at
+    which the program speaks: any other than the dish's own meets what setting `wrong_baud` says; None always fits.
     """
 
     demo = True
 
-    def __init__(self, device: Device, name: str) -> None:
+    def __init__(self, device: Device, name: str, *, baud: int | None = None) -> None:
         self.device = device
         self.name = name
         self._session = device.session
         self._closed = False
         if not device.wire.plugged:
             raise ConnectionError(f"{name}: the adapter is not there")
+        self.set_baud(baud)
         self.read()  # what came while nobody had the port open is lost, as on a real one
 
     @property
@@ -51,6 +53,12 @@ class SimPort:
         with self.device.lock:
             self.device.machine.run()
             return list(self.device.shell.received)
+
+    def set_baud(self, baud: int | None) -> None:
+        """Speak at this rate from now on."""
+        with self.device.lock:
+            self.device.machine.run()
+            self.device.wire.baud = baud
 
     def fileno(self) -> int | None:
         """Return None: there is no descriptor, but a timetable."""
@@ -131,8 +139,8 @@ def open_device(address: str, *, clock: Clock) -> Device:
         return _named[settings.id]
 
 
-def open_port(address: str, *, clock: Clock) -> SimPort:
-    """Open a port to the dish that `address` (what follows `sim:`) describes.
+def open_port(address: str, *, clock: Clock, baud: int | None = None) -> SimPort:
+    """Open a port to the dish that `address` (what follows `sim:`) describes, at a rate that the dish may not share.
 
     Raises:
         ValueError: as `open_device`.
@@ -140,4 +148,4 @@ def open_port(address: str, *, clock: Clock) -> SimPort:
 
     """
     device = open_device(address, clock=clock)
-    return SimPort(device, f"sim:{address.partition('?')[0]}")
+    return SimPort(device, f"sim:{address.partition('?')[0]}", baud=baud)

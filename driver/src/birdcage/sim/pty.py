@@ -5,10 +5,19 @@ from __future__ import annotations
 import contextlib
 import os
 import pty
+import termios
 import tty
 from pathlib import Path
 
 from birdcage.sim.channel import LONGEST_BACKLOG
+
+RATES = {
+    getattr(termios, f"B{rate}"): rate
+    for rate in (1200, 2400, 4800, 9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600)
+    if hasattr(termios, f"B{rate}")
+}
+UNUSUAL_BAUD = 0
+"""Stands for any rate that is not in the table: the dish does not share it."""
 
 
 class PtyChannel:
@@ -33,6 +42,10 @@ class PtyChannel:
         """
         self._master, self._slave = pty.openpty()
         tty.setraw(self._slave)
+        # A program that sets no rate (`cat`, a script) meets the dish at the dish's own.
+        modes = termios.tcgetattr(self._slave)
+        modes[4] = modes[5] = termios.B115200
+        termios.tcsetattr(self._slave, termios.TCSANOW, modes)
         os.set_blocking(self._master, False)
         self.path = os.ttyname(self._slave)
         try:
@@ -65,6 +78,10 @@ class PtyChannel:
         with contextlib.suppress(BlockingIOError):
             return os.read(descriptor, 4096)
         return b""
+
+    def baud(self) -> int | None:
+        """Return the rate that the last client has set."""
+        return RATES.get(termios.tcgetattr(self._slave)[5], UNUSUAL_BAUD) if self._slave >= 0 else None
 
     def send(self, data: bytes) -> None:
         """Write as much as fits and keep the rest."""

@@ -30,6 +30,7 @@ class Server:
     def serve(self, stop: Wake) -> None:
         """Work until `stop` is set."""
         while not stop.is_set():
+            self._tune()
             self._forward()
             readable = [stop.fileno(), *self.control.descriptors(), *self.channel.descriptors()]
             ready, writable, _ = select.select(readable, self.channel.backlog(), [], self._wait_s())
@@ -39,6 +40,7 @@ class Server:
                 if descriptor in self.channel.descriptors():
                     data = self.channel.receive(descriptor)
                     if data and self._port is not None:
+                        self._tune()
                         self._port.write(data)
                 elif descriptor != stop.fileno():
                     self.control.handle(descriptor)
@@ -47,6 +49,11 @@ class Server:
         """Close the channel and the control socket."""
         self.channel.close()
         self.control.close()
+
+    def _tune(self) -> None:
+        """Take over the rate that the client has set: nothing tells when it does."""
+        if self._port is not None:
+            self._port.set_baud(self.channel.baud())
 
     def _forward(self) -> None:
         if self._port is not None and self._port.pending():

@@ -21,8 +21,11 @@ CHOICES = {
     "out_of_range": ("error", "clamp"),
     "unhomed_move": ("error", "deadlock"),
     "stall": ("stop", "slip"),
+    "unhomed_scan": ("deadlock", "error"),
     "line_end": ("crlf", "lf", "cr"),
     "lf_after_cr": ("ignore", "line"),
+    "stream_key": ("swallow", "keep"),
+    "wrong_baud": ("silent", "garbage"),
 }
 LINE_ENDS = {"crlf": b"\r\n", "lf": b"\n", "cr": b"\r"}
 
@@ -43,7 +46,12 @@ class Settings:
     """Saved value of NVS 20, *Disable Tracker Proc?* ([V]; factory default FALSE): 1, so it does not move by itself.
 
     With 0 it homes and searches for a satellite after every power-on; a dish that starts without `boot` has found one.
+    A fresh dish out of its box is `boot=1&nvs20=0`: it boots, homes by itself and searches. One that has booted and
+    was not able to home, its search on, is `boot=1&nvs20=0&home_fails=1`, or at once `unhomed=1&nvs20=0`: an unhomed
+    dish does not search ([I]), and works once a person homes it.
     """
+    home_fails: bool = False
+    """Whether homing at power-on fails, as with a dish still strapped for transport; later homing works. [I]"""
     lat: float = 39.1
     """Latitude of the dish in degrees north; what it hears depends on it."""
     lon: float = -95.7
@@ -61,6 +69,10 @@ class Settings:
     """What ends a line that the dish sends. [I]"""
     lf_after_cr: str = "ignore"
     """Whether the LF of a CRLF is an empty second line. [open]"""
+    stream_key: str = "swallow"
+    """Whether the `q` or Enter that ends a stream ([S1]: `q` or another command does) is gone, or read as input. [I]"""
+    wrong_baud: str = "silent"
+    """What a program at another rate than 115200 meets: silence ([S1] at 9600 to 57600), or garbage both ways. [I]"""
     latency_min: float = 0.005
     latency_max: float = 0.02
     """How long the shell takes to answer anything. [I]"""
@@ -78,6 +90,8 @@ class Settings:
     """How `a` prints an axis that is not homed: INT_MAX [S1], its format [I]."""
     unhomed_move: str = "error"
     """What `a` does to an unhomed axis: `Step to Position EL angle error: 2147483647` [S1 text], or a deadlock."""
+    unhomed_scan: str = "deadlock"
+    """What the `scan` of the ADC menu does unhomed: hang for good ([S1]), or print the text of `unhomed_move`."""
     signed: str = "relative"
     """Whether `a 0 -0.5` and `a 0 +0.5` are relative moves ([S1]) or absolute angles (what section 2.8 assumes)."""
 
@@ -103,6 +117,12 @@ class Settings:
     """Whether released motors count as not homed. [I]"""
     release_sag: float = 3.0
     """How far the elevation sinks when the motors are released. [I]"""
+    stow_az: float = 0.0
+    """Cable angle to which `stow` turns. [I]"""
+    stow_el: float = 17.5
+    """Elevation to which `stow` folds: the lower stop. [I]"""
+    stow_blocks: bool = False
+    """Whether `stow` keeps the shell busy until it is done. [open]"""
     stall: str = "stop"
     """Whether the firmware notices a blocked axis and stops, or goes on counting steps that are lost. [I]"""
 
@@ -114,6 +134,12 @@ class Settings:
     """Counts of the empty sky high up (section 7.6, one unit; another has 500)."""
     rssi_noise: float = 1.0
     """Standard deviation of one reading in counts (section 7.6)."""
+    adc_floor: float = 235.0
+    """Raw counts of the empty sky in the ADC menu (section 7.3: 233 to 238, [S1])."""
+    adc_scale: float = 0.5
+    """Raw counts of the ADC menu for each count of `rssi`. [I]"""
+    stream_s: float = 0.5
+    """Time between two lines of a stream. [I]"""
     pace_baud: int = 0
     """Bytes cross the wire at this baud rate, 8N1; 0 for at once. In real seconds whatever the clock's rate."""
     drop: float = 0.0

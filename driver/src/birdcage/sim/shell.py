@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Generator, Mapping
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -23,6 +23,13 @@ class Pause:
 
 
 @dataclass(frozen=True, slots=True)
+class Listen:
+    """A stream waits for a key, `seconds` of dish time at most; the script is told whether one came."""
+
+    seconds: float
+
+
+@dataclass(frozen=True, slots=True)
 class Enter:
     """Go to another menu."""
 
@@ -34,9 +41,11 @@ class Die:
     """The shell's task ends, or never comes back from this command: only a power cycle helps."""
 
 
-Step = str | Pause | Enter | Die
+Step = str | Pause | Listen | Enter | Die
 """What a command yields: text (with LF line ends), or one of the above."""
-Script = Iterator[Step]
+Script = Generator[Step, bool | None, None]
+KEYS_THAT_END = b"q\r\n"
+"""What a stream takes for itself when it ends (setting `stream_key`); any other byte begins the next command."""
 
 
 class Menu(Protocol):
@@ -72,6 +81,7 @@ class Shell:
         self._line = bytearray()
         self._after_cr = False
         self._script: Script | None = None
+        self._listening = False
         self._run = 0
 
     def feed(self, data: bytes) -> None:
@@ -94,12 +104,14 @@ class Shell:
         self._input.clear()
         self._line.clear()
         self._after_cr = False
-        self._script = None
+        self._script, self._listening = None, False
         self._run += 1
         self.menu = "root"
         self.alive = alive
 
     def _read(self) -> None:
+        if self._listening and self._input:
+            self._end_stream()
         while self._input and self._script is None and self.alive:
             byte = self._input.pop(0)
             after_cr, self._after_cr = self._after_cr, byte == 0x0D
@@ -111,6 +123,13 @@ class Shell:
             else:
                 self._line.append(byte)
                 self._echo(bytes((byte,)))
+
+    def _end_stream(self) -> None:
+        if self._input[0] in KEYS_THAT_END and self._settings.stream_key == "swallow":
+            self._after_cr = self._input.pop(0) == 0x0D
+        self._listening = False
+        self._run += 1
+        self._advance(key=True)
 
     def _start(self) -> None:
         line = self._line.decode("latin-1")
@@ -124,15 +143,16 @@ class Shell:
         if words:
             yield from self._menus[self.menu].run(words)
 
-    def _advance(self) -> None:
+    def _advance(self, *, key: bool | None = None) -> None:
         run = self._run
         while self._script is not None:
             try:
-                step = next(self._script)
+                step = self._script.send(key)
             except StopIteration:
                 self._script = None
                 self.say(self._menus[self.menu].prompt)
                 return
+            key = None
             if run != self._run:
                 return  # the command rebooted the board: what it would have done next is gone
             if isinstance(step, str):
@@ -143,6 +163,9 @@ class Shell:
                 self.reset(alive=False)
             else:
                 self._resume_in(step.seconds)
+                if isinstance(step, Listen):
+                    self._listening = True
+                    self._read()
                 return
 
     def _resume_in(self, seconds: float) -> None:
@@ -150,6 +173,7 @@ class Shell:
 
         def resume() -> None:
             if run == self._run:
+                self._listening = False
                 self._advance()
                 self._read()
 

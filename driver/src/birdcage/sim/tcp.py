@@ -60,6 +60,10 @@ class TcpChannel:
             self._drop()
         return data
 
+    def baud(self) -> int | None:
+        """Return None: TCP has no rate."""
+        return None
+
     def send(self, data: bytes) -> None:
         """Send as much as fits and keep the rest."""
         if self._client is None:

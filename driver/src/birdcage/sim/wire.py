@@ -22,6 +22,9 @@ class Byte:
     """Bytes that arrive before it."""
 
 
+DISH_BAUD = 115200
+"""The rate at which the dish speaks (reference section 7.2)."""
+
 PASS, DROP, DOUBLE = Byte(), Byte(drop=True), Byte(double=True)
 Plan = Iterable[Byte] | Callable[[int], Byte]
 """Actions byte by byte (when it runs out, bytes pass), or a function of the byte's value."""
@@ -104,6 +107,18 @@ class Wire:
         """Whether the adapter is there. `Device.unplug` and `Device.plug` change it."""
         self.echo_loss = False
         """Half-duplex adapter: what the dish echoes is lost, as the program is still sending."""
+        self.baud: int | None = None
+        """The rate at which the program speaks; None where there is no such thing, as on TCP."""
+        self._wrong_baud = settings.wrong_baud
+        self._noise = seeded("wrong baud", settings.seed)
+
+    def carry(self, lane: Lane, now: float, data: bytes) -> list[tuple[float, bytes]]:
+        """Return what arrives of `data`, sent at `now`, and when; nothing sensible at a wrong rate."""
+        if self.baud not in (None, DISH_BAUD):
+            if self._wrong_baud == "silent":
+                return []
+            data = bytes(self._noise.randrange(256) for _ in data)
+        return lane.carry(now, data)
 
     @property
     def lanes(self) -> tuple[Lane, Lane]:

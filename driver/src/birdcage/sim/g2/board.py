@@ -12,6 +12,11 @@ from birdcage.sim.machine import Machine
 from birdcage.sim.settings import Settings
 from birdcage.sim.sky import Sky
 
+INT_MAX = 2147483647
+"""What an axis reports, and `scan` aims at, until it is homed (section 7.2, [S1])."""
+GAINS = 250.0, 50.0
+"""Kp and Kv of the stepper menu after power-on (section 7.3, [S1])."""
+
 
 class Board:
     """The G2's processor board, as far as its console shows it."""
@@ -43,6 +48,8 @@ class Board:
         """Read the settings memory and go by it from now on."""
         self.nvram.power_on()
         row = self.nvram.active
+        self.gains = GAINS
+        self.lnb_volts = 18.0
         self.dish.set_speeds(row[80], row[81], row[85], row[103])
 
 

@@ -21,15 +21,26 @@ BEFORE_HOMING = (
 )
 
 
+def fail_to_home(board: Board) -> Script:
+    """Time out on both axes (setting `home_fails`)."""
+    for index in (1, 0):
+        data = board.dish.axes[index].data
+        yield Pause(data.homing_timeout_s)
+        yield f"{data.name} Motor Home Failure\n"
+
+
 def boot_log(board: Board, tracker: Tracker) -> Script:
     """Play the log; home and start the TV search unless NVS 20 is TRUE. The shell prints its prompt afterwards."""
     for seconds, line in BEFORE_HOMING:
         yield Pause(seconds)
         yield f"{line}\n"
     if not board.nvram.active[20]:
-        yield from home(board, 1)
-        yield from home(board, 0)
-        yield "Antenna Facing Front\n"
+        if board.settings.home_fails:
+            yield from fail_to_home(board)
+        else:
+            yield from home(board, 1)
+            yield from home(board, 0)
+            yield "Antenna Facing Front\n"
     yield Pause(0.2)
     yield "Boot Complete\nLoc Startup: IDU NOT Present\n"
     tracker.start()

@@ -1,13 +1,16 @@
-"""The motor menu, `MOT>` (reference section 7.4). Commands whose reply no source quotes are not there."""
+"""The motor menu, `MOT>` (reference section 7.4). Most commands whose reply no source quotes are not there.
+
+The lines of `p`, `v`, `ma`, `l` and `life` are [I], made like those of `a` and `mv`.
+"""
 
 from __future__ import annotations
 
 from birdcage.sim.axis import Axis
-from birdcage.sim.g2.board import Board, number
+from birdcage.sim.g2.board import INT_MAX, Board, number
 from birdcage.sim.g2.menu import G2Menu
 from birdcage.sim.shell import Die, Pause, Script
 
-INT_MAX = 2147483647
+NAMES = ("AZIMUTH", "ELEVATION")
 
 
 class Mot(G2Menu):
@@ -20,9 +23,14 @@ class Mot(G2Menu):
         "e",
         "elminmaxhome",
         "h <motor>",
+        "l",
+        "life",
+        "ma",
         "mv",
+        "p",
         "q",
         "r",
+        "v",
     )
 
     def __init__(self, board: Board) -> None:
@@ -32,7 +40,12 @@ class Mot(G2Menu):
             "h": self._home,
             "e": self._engage,
             "r": self._release,
+            "l": self._list,
+            "life": self._life,
+            "ma": self._max_acceleration,
             "mv": self._max_velocity,
+            "p": self._steps,
+            "v": self._velocity,
             "elminmaxhome": self._el_limits,
         }
 
@@ -121,6 +134,32 @@ class Mot(G2Menu):
             return
         for index, axis in enumerate(self.board.dish.axes):
             yield f"Max Vel [{index}] = {axis.data.max_rate_deg_s:.2f}\n"
+
+    def _max_acceleration(self, args: list[str]) -> Script:
+        if args:
+            yield from self.bad_parameter()
+            return
+        for index, axis in enumerate(self.board.dish.axes):
+            yield f"Max Accel [{index}] = {axis.data.accel_deg_s2:.2f}\n"
+
+    def _steps(self, args: list[str]) -> Script:  # noqa: ARG002
+        for index, axis in enumerate(self.board.dish.axes):
+            steps = round(axis.count(self.board.now_s)[0] / axis.step_deg) if axis.homed else INT_MAX
+            yield f"Position[{index}] = {steps}\n"
+
+    def _velocity(self, args: list[str]) -> Script:  # noqa: ARG002
+        for index, axis in enumerate(self.board.dish.axes):
+            yield f"Velocity[{index}] = {axis.count(self.board.now_s)[1]:.2f}\n"
+
+    def _list(self, args: list[str]) -> Script:  # noqa: ARG002
+        for index, axis in enumerate(self.board.dish.axes):
+            moving = axis.moving(self.board.now_s)
+            state = "RELEASED" if axis.released else "MOVING" if moving else "HOLDING"
+            yield f"{index}={NAMES[index]} {state}\n"
+
+    def _life(self, args: list[str]) -> Script:  # noqa: ARG002
+        for index, axis in enumerate(self.board.dish.axes):
+            yield f"{NAMES[index]} moves: {axis.orders}\n"
 
     def _el_limits(self, args: list[str]) -> Script:  # noqa: ARG002
         row = self.board.nvram.active

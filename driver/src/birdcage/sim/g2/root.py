@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from birdcage.sim.g2.board import Board
+from birdcage.sim.g2.board import INT_MAX, Board
 from birdcage.sim.g2.menu import G2Menu
-from birdcage.sim.shell import Die, Enter, Script
+from birdcage.sim.shell import Die, Enter, Pause, Script
 
 SUBMENUS = {
+    "adc": "Analog Inputs",
     "dvb": "DVB Tuner",
     "mot": "Motor Control",
     "nvs": "Non-Volatile Storage",
     "os": "OS",
+    "step": "Stepper Control",
 }
 """The line of `dvb` is verbatim [B]; the others are made like it [I]."""
 
@@ -23,12 +25,13 @@ class Root(G2Menu):
         "help [<command>]",
         *(f"Enter <{name}> - {what}" for name, what in SUBMENUS.items()),
         "reboot",
+        "stow",
         "q",
     )
 
     def __init__(self, board: Board) -> None:
         super().__init__(board)
-        self.commands |= {"q": self._quit, "reboot": self._reboot}
+        self.commands |= {"q": self._quit, "reboot": self._reboot, "stow": self._stow}
 
     def run(self, words: list[str]) -> Script:
         """Carry out one line; the name of a submenu enters it."""
@@ -47,3 +50,16 @@ class Root(G2Menu):
     def _reboot(self, args: list[str]) -> Script:  # noqa: ARG002
         self.board.reboot()
         yield ""
+
+    def _stow(self, args: list[str]) -> Script:  # noqa: ARG002
+        """Fold: what it prints, and whether it waits, no source says."""
+        az, el = self.board.dish.axes
+        for axis in (az, el):
+            if not axis.homed:
+                yield f"Step to Position {axis.data.name} angle error: {INT_MAX}\n"
+                return
+        settings, now = self.board.settings, self.board.now_s
+        az.retarget(now, settings.stow_az)
+        el.retarget(now, settings.stow_el)
+        if settings.stow_blocks:
+            yield Pause(max(az.end_s(), el.end_s()) - now)

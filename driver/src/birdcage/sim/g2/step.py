@@ -1,0 +1,108 @@
+"""The stepper menu, `STEP>` (reference section 7.3): microsteps, microsteps/s, microsteps/s/ms."""
+
+from __future__ import annotations
+
+from birdcage.sim.axis import Axis
+from birdcage.sim.g2.board import Board, number
+from birdcage.sim.g2.menu import G2Menu
+from birdcage.sim.shell import Script
+
+
+class Step(G2Menu):
+    """Below the angles: no limits, no homing asked for. What is set holds until the power goes or it reboots."""
+
+    prompt = "STEP>"
+    help_lines = (
+        "help [<command>]",
+        "e",
+        "ma [<motor> <ustep/sec/ms>]",
+        "mv [<motor> <ustep/sec>]",
+        "p <motor> <steps>",
+        "pid [<motor> <Kp> <Kv>]",
+        "q",
+        "r",
+        "v <motor> <ustep/sec>",
+    )
+
+    def __init__(self, board: Board) -> None:
+        super().__init__(board)
+        self.commands |= {
+            "e": self._engage,
+            "ma": self._acceleration,
+            "mv": self._velocity,
+            "p": self._position,
+            "pid": self._gains,
+            "r": self._release,
+            "v": self._spin,
+        }
+
+    def _engage(self, args: list[str]) -> Script:  # noqa: ARG002
+        self.board.dish.engage(self.board.now_s)
+        yield ""
+
+    def _release(self, args: list[str]) -> Script:  # noqa: ARG002
+        self.board.dish.release(self.board.now_s)
+        yield ""
+
+    def _velocity(self, args: list[str]) -> Script:
+        axes = self.board.dish.axes
+        if args:
+            motor = self._motor(args)
+            if motor is None or motor[1] <= 0:
+                yield from self.bad_parameter()
+                return
+            motor[0].data.max_rate_deg_s = motor[1] * motor[0].step_deg
+        for index, axis in enumerate(axes):
+            # Rounded down: NVS 80 says 65.00 deg/s, which is 7222.2, and the dish prints 7222.
+            yield f"Max Vel [{index}] = {int(axis.data.max_rate_deg_s / axis.step_deg + 1e-6)}\n"
+
+    def _acceleration(self, args: list[str]) -> Script:
+        axes = self.board.dish.axes
+        if args:
+            motor = self._motor(args)
+            if motor is None or motor[1] <= 0:
+                yield from self.bad_parameter()
+                return
+            motor[0].data.accel_deg_s2 = motor[1] * 1000.0 * motor[0].step_deg
+        for index, axis in enumerate(axes):
+            yield f"Accel[{index}] = {axis.data.accel_deg_s2 / axis.step_deg / 1000.0:.0f}\n"
+
+    def _position(self, args: list[str]) -> Script:
+        motor = self._motor(args)
+        if motor is None:
+            yield from self.bad_parameter()
+            return
+        axis, steps = motor
+        axis.retarget(self.board.now_s, _between_stops(axis, steps * axis.step_deg))
+
+    def _spin(self, args: list[str]) -> Script:
+        motor = self._motor(args)
+        if motor is None:
+            yield from self.bad_parameter()
+            return
+        axis, rate = motor[0], motor[1] * motor[0].step_deg
+        now = self.board.now_s
+        if rate == 0:
+            axis.brake(now)
+        else:
+            end = axis.data.high_deg if rate > 0 else axis.data.low_deg
+            axis.retarget(now, end, rate_deg_s=abs(rate))
+
+    def _gains(self, args: list[str]) -> Script:
+        if args:
+            if len(args) != 3 or args[0] not in ("0", "1") or None in (number(args[1]), number(args[2])):
+                yield from self.bad_parameter()
+                return
+            self.board.gains = float(args[1]), float(args[2])  # what they do to the motion is not modelled
+        yield "Kp={:g} Kv={:g}\n".format(*self.board.gains)
+
+    def _motor(self, args: list[str]) -> tuple[Axis, float] | None:
+        """Return the axis and the number of `<motor> <number>`; None when it is not that."""
+        value = number(args[1]) if len(args) == 2 else None
+        if value is None or args[0] not in ("0", "1"):
+            return None
+        return self.board.dish.axes[int(args[0])], value
+
+
+def _between_stops(axis: Axis, angle_deg: float) -> float:
+    return min(max(angle_deg, axis.data.low_deg), axis.data.high_deg)
