@@ -10,6 +10,12 @@ _GARBAGE_SHARE = 0.3
 _QUOTED = 60
 
 
+def is_garbage(seen: bytes) -> bool:
+    """Return whether so many of these bytes are unprintable that they are no text."""
+    bad = sum(1 for byte in seen if not (0x20 <= byte < 0x7F or byte in b"\r\n\t"))
+    return bad > _GARBAGE_SHARE * len(seen)
+
+
 def no_reply(port: str, command: str, seen: bytes, waited_s: float) -> NoReply:
     """Judge `seen`, what arrived within `waited_s` after `command` was sent.
 
@@ -19,14 +25,13 @@ def no_reply(port: str, command: str, seen: bytes, waited_s: float) -> NoReply:
     asked = f"`{command}`" if command else "Enter"
     text = "".join(chr(byte) if 0x20 <= byte < 0x7F else "." for byte in seen.strip())
     quoted = text if len(text) <= _QUOTED else "…" + text[-_QUOTED:]
-    bad = sum(1 for byte in seen if not (0x20 <= byte < 0x7F or byte in b"\r\n\t"))
     if not seen:
         return NoReply(
             f"The dish is silent: {asked} on {port} brought nothing in {waited_s:.1f} s. Its power is off, the cable "
             "is out at the dish, the baud rate is wrong, or its shell is deadlocked, which only a power cycle ends.",
             reason="silent",
         )
-    if bad > _GARBAGE_SHARE * len(seen):
+    if is_garbage(seen):
         return NoReply(
             f"What arrives on {port} cannot be read ({len(seen)} bytes after {asked}): the baud rate is wrong, the "
             "two wires of the receiving pair are swapped, or something else is connected.",

@@ -54,7 +54,7 @@ def open_session(
             firmware=firmware,
             baud=baud,
             open_link=open_port,
-            find_port=_finder(settings.link.usb_identity, ports),
+            find_port=_finder(port, settings.link.usb_identity, ports),
             delay_s=settings.link.delay_s,
             alignment=Alignment(
                 settings.alignment.az_offset_deg + feed.az_offset_deg,
@@ -85,19 +85,20 @@ def open_session(
     return Session(clock, station, on_close=close)
 
 
-def _finder(identity: str | None, ports: PortLister) -> Callable[[str], str | None]:
+def _finder(first: str, identity: str | None, ports: PortLister) -> Callable[[str], str | None]:
     """Return what finds a port: where it was, or where the adapter with the same USB identity is now.
 
-    The identity is the configured one, or the one that the port had when it was last seen.
+    The identity is the configured one, of the port that was asked for `first`, or the one that the port had when it
+    was last seen.
     """
-    seen = identity
+    seen = {first: identity}
 
     def find(port: str) -> str | None:
-        nonlocal seen
         here = identify(port, ports)
-        if seen is None:
-            seen = here
+        known = seen.get(port)
+        if known is None:
+            known = seen[port] = here
         # Another adapter may have taken the path since: it is not this dish's.
-        return port if here == seen else find_again(seen or "", ports)
+        return port if here == known else find_again(known or "", ports)
 
     return find

@@ -32,12 +32,18 @@ class Connection:
         self._board, self._antenna, self._settings, self._look = board, antenna, settings, look
         self._wake, self._on_wake, self._on_line = wake, on_wake, on_line
         self._retry_s = FIRST_RETRY_S
+        self._port, self._baud = settings.port, settings.baud
         self.due: float | None = None
         """When to try to open, or to wake the silent dish; None while all is well."""
 
     @property
     def _protocol(self) -> FirmwareProtocol:
         return self._antenna.protocol
+
+    @property
+    def baud(self) -> int:
+        """The present rate: as asked for, or the firmware's own."""
+        return self._baud or self._protocol.model.baud
 
     @property
     def is_up(self) -> bool:
@@ -47,7 +53,11 @@ class Connection:
     def begin(self) -> None:
         """Open as soon as the loop turns."""
         self.due = self._board.clock.monotonic()
-        self._set(Link.OPENING, f"opening {self._settings.port}")
+        self.tell_opening(f"opening {self._port}")
+
+    def tell_opening(self, detail: str) -> None:
+        """Say what is being tried."""
+        self._set(Link.OPENING, detail)
 
     def attempt(self) -> bool:
         """Try once to come up; return whether the dish answers."""
@@ -69,12 +79,12 @@ class Connection:
         return True
 
     def _open(self) -> bool:
-        port = self._settings.find_port(self._settings.port)
+        port = self.find()
         if port is None:
-            self._retry_later(Link.LOST, f"{self._settings.port} is not there. Looking for it; plug it in.")
+            self._retry_later(Link.LOST, f"{self._port} is not there. Looking for it; plug it in.")
             return False
         try:
-            link = self._settings.open_link(port, self._settings.baud or self._protocol.model.baud)
+            link = self._settings.open_link(port, self.baud)
         except LinkError as error:
             self._retry_later(Link.LOST, str(error))
             return False
@@ -85,12 +95,25 @@ class Connection:
         self._board.change(port=port, demo=link.demo)
         return True
 
-    def lost(self, error: LinkError) -> None:
-        """The port is gone: forget what may have changed, and look for it again."""
+    def find(self) -> str | None:
+        """Return where the port is now; None while it is gone."""
+        return self._settings.find_port(self._port)
+
+    def use(self, port: str, baud: int | None) -> None:
+        """Speak over this port at this rate from the next `begin` on; None is the firmware's own."""
+        self._port, self._baud = port, baud
+        self._board.change(port=port)
+
+    def let_go(self) -> None:
+        """Close the port with nothing sent, and forget what may change meanwhile."""
         self._protocol.disconnect(within_s=0.0)
         self._forget()
         self._look.forget_survey()
         self._retry_s = FIRST_RETRY_S
+
+    def lost(self, error: LinkError) -> None:
+        """The port is gone: forget what may have changed, and look for it again."""
+        self.let_go()
         self._retry_later(Link.LOST, str(error))
 
     def silent(self, silence: BirdcageError) -> None:

@@ -12,6 +12,7 @@ from birdcage.station.control import Control
 from birdcage.station.events import End, FaultAcknowledged
 from birdcage.station.look import Look
 from birdcage.station.mover import Job, Mover
+from birdcage.station.rewire import Rewire
 from birdcage.station.search import SearchSwitch
 from birdcage.station.settings import StationSettings
 from birdcage.station.state import Activity, Link
@@ -25,10 +26,11 @@ class Desk:
 
     def __init__(
         self, board: Board, antenna: BirdcageAntenna, control: Control, mover: Mover, stopper: Stopper, look: Look,
-        watches: Watches, vigil: Vigil, settings: StationSettings,
+        watches: Watches, vigil: Vigil, rewire: Rewire, settings: StationSettings,
     ) -> None:  # fmt: skip
         self._board, self._antenna, self._control, self._mover = board, antenna, control, mover
         self._stopper, self._look, self._watches, self._vigil = stopper, look, watches, vigil
+        self._rewire = rewire
         self._search = SearchSwitch(board, antenna, look, settings)
 
     def serve(self, request: ask.Request, future: Future[object], stops_seen: int) -> None:
@@ -44,6 +46,11 @@ class Desk:
                 self._home(request)
             case ask.ReleaseMotors(holder):
                 self._release_motors(holder)
+            case ask.ProbePort(bauds):
+                future.set_result(self._rewire.probe(bauds))
+                return
+            case ask.Connect(port, baud):
+                self._rewire.connect(port, baud)
             case ask.SetSearch(holder, disabled):
                 self._ready(holder)
                 future.set_result(self._search.set(disabled=disabled))

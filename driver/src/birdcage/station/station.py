@@ -22,6 +22,7 @@ from birdcage.station.desk import Desk
 from birdcage.station.look import Look
 from birdcage.station.mover import Mover
 from birdcage.station.requests import Request
+from birdcage.station.rewire import Rewire
 from birdcage.station.settings import StationSettings
 from birdcage.station.state import Activity, StationState
 from birdcage.station.stopper import Stopper
@@ -72,9 +73,13 @@ class Station:
         self._watches = Watches()
         self._vigil = Vigil(board, antenna, self._control, self._mover, self._stopper, look, self._watches)
         self._connection = Connection(board, antenna, settings, look, self._wake, self._on_wake, self._vigil.on_line)
-        self._desk = Desk(
-            board, antenna, self._control, self._mover, self._stopper, look, self._watches, self._vigil, settings
+        rewire = Rewire(
+            board, antenna, settings, self._connection, self._stopper, look, self._vigil, self._wake, self._on_wake
         )
+        self._desk = Desk(
+            board, antenna, self._control, self._mover, self._stopper, look, self._watches, self._vigil, rewire,
+            settings,
+        )  # fmt: skip
 
     @property
     def state(self) -> StationState:

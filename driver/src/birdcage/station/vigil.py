@@ -168,6 +168,12 @@ class Vigil:
         self._look.forget(reason)
         self._board.change(homed=None)
 
+    def expect_another_dish(self) -> None:
+        """What answers next may be another dish: drop what is known of this one."""
+        self._met, self._doubted = False, None
+        self._mover.forget_target()
+        self.forget("link")
+
     def interrupted(self, reason: str) -> None:
         """The dish was out of sight: what moved is given up, and nothing moves by itself afterwards."""
         state = self._board.state

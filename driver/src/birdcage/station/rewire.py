@@ -1,0 +1,112 @@
+"""Which port, which rate: looks at a port that does not answer, and changes over to another."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.base.errors import BirdcageError, LinkError, Stopped
+from birdcage.base.wake import Wake
+from birdcage.console.probe import USUAL_BAUDS, BaudFinding, Saw, probe
+from birdcage.link.opening import has_speed
+from birdcage.protocol.registry import FIRMWARE_REGISTRY
+from birdcage.protocol.types import Survey
+from birdcage.station.board import Board
+from birdcage.station.connection import Connection
+from birdcage.station.look import Look
+from birdcage.station.settings import StationSettings
+from birdcage.station.state import Activity, Link, Search
+from birdcage.station.stopper import Stopper
+from birdcage.station.vigil import Vigil
+
+PROBE_DEADLINE_S = 20.0
+"""No further rate is tried after this: `rfc2217://` may take 3 s to open, each time."""
+
+_MOVING = (Activity.SLEWING, Activity.STOPPING, Activity.HOMING, Activity.MOVING_UNASKED)
+
+
+class Rewire:
+    """Serves `ProbePort` and `Connect`. The port is closed for both, so neither is done while the dish moves."""
+
+    def __init__(
+        self, board: Board, antenna: BirdcageAntenna, settings: StationSettings, connection: Connection,
+        stopper: Stopper, look: Look, vigil: Vigil, wake: Wake, on_wake: Callable[[], None],
+    ) -> None:  # fmt: skip
+        self._board, self._antenna, self._settings = board, antenna, settings
+        self._connection, self._stopper, self._look, self._vigil = connection, stopper, look, vigil
+        self._wake, self._on_wake = wake, on_wake
+
+    def probe(self, bauds: tuple[int, ...] = ()) -> tuple[BaudFinding, ...]:
+        """Listen at the present rate, then at `bauds` or the usual ones, until one shows a prompt.
+
+        At each, one bare Enter is sent and nothing else. Afterwards the station tries again as before. A port whose
+        rate is not ours to set (`socket://`) is heard once. Raises LinkError when the port cannot be opened or is
+        lost, BirdcageError (`moving`) while the dish moves, Stopped when STOP or the end of the station came first.
+        """
+        self._refuse_while_moving("The port is not probed")
+        port = self._connection.find()
+        if port is None:
+            raise LinkError(f"{self._board.state.port} is not there: plug it in.", reason="missing")
+        present = self._connection.baud
+        rates = dict.fromkeys((present, *(bauds or USUAL_BAUDS))) if has_speed(port) else (present,)
+        self._connection.let_go()
+        try:
+            return self._listen(port, rates)
+        finally:
+            self._connection.begin()
+
+    def _listen(self, port: str, rates: Iterable[int]) -> tuple[BaudFinding, ...]:
+        clock, stops_before = self._board.clock, self._stopper.count
+        tokens = {token for each in FIRMWARE_REGISTRY.values() for token in each.dialect.prompts.values()}
+        until = clock.monotonic() + PROBE_DEADLINE_S
+        findings: list[BaudFinding] = []
+
+        def on_wake() -> None:
+            self._on_wake()
+            if self._stopper.count != stops_before:
+                raise Stopped("STOP ended the look at the port.")
+
+        for baud in rates:
+            if findings and clock.monotonic() >= until:
+                break
+            on_wake()
+            self._connection.tell_opening(f"listening on {port} at {baud} baud")
+            link = self._settings.open_link(port, baud)
+            try:
+                findings.append(probe(link, clock, baud, tokens=tokens, wake=self._wake, on_wake=on_wake))
+            finally:
+                link.close()
+            if findings[-1].saw is Saw.PROMPT:
+                break
+        return tuple(findings)
+
+    def connect(self, port: str, baud: int | None) -> None:
+        """Use this port and rate from now on (None: the firmware's own). Returns before it is open.
+
+        What answers there may be another dish: what is known of this one is forgotten. BirdcageError (`moving`) while
+        the dish moves.
+        """
+        self._refuse_while_moving("The port is not changed")
+        self._connection.let_go()
+        self._connection.use(port, baud)
+        self._vigil.expect_another_dish()
+        self._stopper.retarget_works = None
+        self._look.limit(Survey())
+        self._board.forget_readings()
+        self._board.change(position=None, search=Search.UNKNOWN, firmware_version=None)
+        self._connection.begin()
+
+    def _refuse_while_moving(self, so: str) -> None:
+        if self._is_moving():
+            raise BirdcageError(f"{so} while the dish moves: STOP would not reach it meanwhile.", reason="moving")
+
+    def _is_moving(self) -> bool:
+        state, motion = self._board.state, self._antenna.motion
+        match state.link.state:
+            case Link.UP:
+                return motion is not None or state.activity in _MOVING
+            case Link.SILENT:
+                # STOP may still reach it. Nobody will see it arrive: its motion counts until it must have ended.
+                clock = self._board.clock
+                return motion is not None and clock.monotonic() < motion.eta(clock.rate)
+        return False
