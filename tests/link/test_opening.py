@@ -6,15 +6,15 @@ import threading
 import pytest
 from birdcage.base.clock import Outcome, RealClock, VirtualClock
 from birdcage.base.errors import LinkError
-from birdcage.link.opening import open_link
+from birdcage.link.opening import has_speed, open_link
 
 
 class StandIn:
     name = "sim:g2"
     demo = True
 
-    def __init__(self, address="", clock=None):
-        self.address, self.clock = address, clock
+    def __init__(self, address="", clock=None, baud=None):
+        self.address, self.clock, self.baud = address, clock, baud
         self.written = b""
 
     def fileno(self):
@@ -68,17 +68,17 @@ def server():
     listener.close()
 
 
-def test_a_registered_scheme_gets_its_address_and_the_clock(register):
+def test_a_registered_scheme_gets_its_address_the_clock_and_the_rate(register):
     made = []
 
-    def opener(address, *, clock):
-        made.append(StandIn(address, clock))
+    def opener(address, *, clock, baud):
+        made.append(StandIn(address, clock, baud))
         return made[-1]
 
     register(opener)
     clock = VirtualClock()
     link = open_link("sim:g2?seed=3", baud=115200, clock=clock)
-    assert (made[0].address, made[0].clock) == ("g2?seed=3", clock)
+    assert (made[0].address, made[0].clock, made[0].baud) == ("g2?seed=3", clock, 115200)
     assert link.demo
     assert link.next_event() == 5.0
     link.write(b"q")
@@ -102,7 +102,7 @@ def test_an_unknown_scheme_names_what_there_is(register):
     ],
 )
 def test_what_a_scheme_refuses_is_passed_on_in_its_words(register, error, reason):
-    def opener(address, *, clock):
+    def opener(address, *, clock, baud):
         raise error
 
     register(opener)
@@ -177,9 +177,36 @@ def test_no_port_given():
     assert refused.value.reason == "missing"
 
 
-def test_1200_baud_is_refused_on_a_cdc_port(monkeypatch):
-    monkeypatch.setattr("birdcage.link.opening.Path.resolve", lambda self: self)
+@pytest.mark.parametrize(
+    ("url", "device"),
+    [
+        ("/dev/ttyACM0", "/dev/ttyACM0"),
+        ("/dev/serial/by-id/usb-Winegard_SK2DISH-if00", "/dev/ttyACM3"),
+        ("/dev/cu.usbmodem14201", "/dev/cu.usbmodem14201"),
+    ],
+)
+def test_1200_baud_is_refused_on_a_cdc_port(monkeypatch, url, device):
+    monkeypatch.setattr("birdcage.link.opening.Path.resolve", lambda self: type(self)(device))
     monkeypatch.setattr("birdcage.link.opening.Path.stat", lambda self: type("S", (), {"st_mode": 0o020660}))
     monkeypatch.setattr("birdcage.link.opening.Path.exists", lambda self: True)
-    with pytest.raises(LinkError, match="1200 baud"):
-        open_link("/dev/ttyACM0", baud=1200, clock=VirtualClock())
+    with pytest.raises(LinkError, match="1200 baud") as refused:
+        open_link(url, baud=1200, clock=VirtualClock())
+    assert refused.value.reason == "unsupported"
+    # Any other rate is tried, and fails only because there is no such device here.
+    with pytest.raises(LinkError) as tried:
+        open_link(url, baud=9600, clock=VirtualClock())
+    assert tried.value.reason == "missing"
+
+
+@pytest.mark.parametrize(
+    ("url", "ours"),
+    [
+        ("/dev/ttyUSB0", True),
+        ("COM4", True),
+        ("rfc2217://host:2000", True),
+        ("sim:g2", True),
+        ("socket://host:2000", False),
+    ],
+)
+def test_whose_the_rate_is(url, ours):
+    assert has_speed(url) is ours

@@ -14,9 +14,12 @@ from birdcage.link.port import Port
 from birdcage.link.transcript import Transcript
 
 ENTRY_POINTS = "birdcage.link"
-"""Packages register further kinds of port here: name = scheme, value = callable(address, clock=clock) -> Port."""
+"""Packages register further kinds of port here: name = scheme, value = callable(address, *, clock, baud) -> Port."""
 
 PYSERIAL_SCHEMES = ("loop", "rfc2217")
+
+CDC_NAMES = ("ttyACM", "cu.usbmodem", "tty.usbmodem")
+"""What a device is called on Linux and macOS whose USB speaks CDC ACM. Windows does not tell."""
 
 _SCHEME = re.compile(r"([A-Za-z][A-Za-z0-9+._-]+):(.+|)")
 
@@ -26,23 +29,33 @@ def open_link(url: str, *, baud: int, clock: Clock, transcript: Transcript | Non
 
     `url` is a device (`/dev/ttyUSB0`, `COM4`, a pseudo terminal, a link to one), `socket://host:port`,
     `rfc2217://host:port`, `loop://`, or a scheme that a package registered, such as `sim:g2`. `baud` counts for
-    serial ports only. The transcript starts with the first byte.
+    serial ports and simulated dishes. The transcript starts with the first byte.
 
     Raises LinkError with a sentence that says what to do. Reasons: missing, busy, permission, unsupported, failed.
     Opening `socket://` or `rfc2217://` may take 3 s: call it on a thread that may wait.
     """
-    return Link(_open_port(url, baud, clock), clock, transcript)
+    port, remark = _open_port(url, baud, clock)
+    link = Link(port, clock, transcript)
+    if remark is not None:
+        link.remark(remark)
+    return link
 
 
-def _open_port(url: str, baud: int, clock: Clock) -> Port:
+def _open_port(url: str, baud: int, clock: Clock) -> tuple[Port, str | None]:
+    """Return the open port, and what is worth a remark about it."""
     if not url:
         raise LinkError("No port is given: name one with --port; `birdcage ports` lists them.", reason="missing")
     scheme = _scheme(url)
     if scheme == "socket":
-        return _open_socket(url)
+        return _open_socket(url), None
     if scheme is None or scheme in PYSERIAL_SCHEMES:
         return _open_serial(url, baud, clock, is_device=scheme is None)
-    return _open_registered(url, scheme, clock)
+    return _open_registered(url, scheme, baud, clock), None
+
+
+def has_speed(url: str) -> bool:
+    """Return whether the baud rate of this port is ours to set: on TCP it is the server's, a loop has none."""
+    return _scheme(url) not in ("socket", "loop")
 
 
 def _scheme(url: str) -> str | None:
@@ -53,7 +66,7 @@ def _scheme(url: str) -> str | None:
     return found.group(1).lower()
 
 
-def _open_registered(url: str, scheme: str, clock: Clock) -> Port:
+def _open_registered(url: str, scheme: str, baud: int, clock: Clock) -> Port:
     from importlib.metadata import entry_points
 
     registered = {each.name: each for each in entry_points(group=ENTRY_POINTS)}
@@ -65,7 +78,7 @@ def _open_registered(url: str, scheme: str, clock: Clock) -> Port:
         )
     address = url.split(":", 1)[1]
     try:
-        port: Port = registered[scheme].load()(address, clock=clock)
+        port: Port = registered[scheme].load()(address, clock=clock, baud=baud)
     except LinkError:
         raise
     except (ValueError, LookupError) as error:
@@ -102,10 +115,11 @@ def _open_socket(url: str) -> Port:
         ) from error
 
 
-def _open_serial(url: str, baud: int, clock: Clock, *, is_device: bool) -> Port:
+def _open_serial(url: str, baud: int, clock: Clock, *, is_device: bool) -> tuple[Port, str | None]:
     import serial
 
-    from birdcage.link import trouble
+    from birdcage.link import lines, trouble
+    from birdcage.link.latency import lower_latency
     from birdcage.link.serial_port import WRITE_TIMEOUT_S, SerialPort
 
     if is_device:
@@ -119,13 +133,15 @@ def _open_serial(url: str, baud: int, clock: Clock, *, is_device: bool) -> Port:
             write_timeout=WRITE_TIMEOUT_S,
             exclusive=True if is_device else None,
         )
-        # The kernel raises both lines on opening; to say the same beforehand keeps pyserial from pulsing them.
-        opened.dtr = True
-        opened.rts = True
+        lines.leave_up(opened)
         opened.open()
     except (OSError, ValueError) as error:
         raise trouble.explain(url, baud, error, is_device=is_device) from error
-    return SerialPort(opened, url, clock)
+    remark = None
+    if is_device:
+        lines.stay_up(opened)
+        remark = lower_latency(opened, url)
+    return SerialPort(opened, url, clock), remark
 
 
 def _check_device(url: str, baud: int) -> None:
@@ -138,7 +154,7 @@ def _check_device(url: str, baud: int) -> None:
         raise LinkError(
             f"{url} is no serial port but {_kind(mode)}; `birdcage ports` lists the ports.", reason="unsupported"
         )
-    if baud == 1200 and path.name.startswith(("ttyACM", "cu.usbmodem")):
+    if baud == 1200 and path.name.startswith(CDC_NAMES):
         raise LinkError(
             f"{url} is a USB CDC port: opening it at 1200 baud restarts many boards into their loader, "
             "so it is not done; give another --baud.",

@@ -11,6 +11,8 @@ from pathlib import Path
 from birdcage.base.errors import LinkError
 from birdcage.link.ports import list_ports
 
+PROC = Path("/proc")
+
 _MISSING = {errno.ENOENT, errno.ENODEV, errno.ENXIO, errno.ENOTDIR}
 _BUSY = {errno.EAGAIN, errno.EWOULDBLOCK, errno.EBUSY}
 _FORBIDDEN = {errno.EACCES, errno.EPERM}
@@ -77,23 +79,39 @@ def _remedy(url: str) -> str:
     return f"it belongs to the group {group}; run `sudo usermod -aG {group} $USER`, then log out and in again."
 
 
+def other_program(url: str, proc: Path = PROC) -> str | None:
+    """Return which other program has this port open, `screen (process 4711)`; None where none can be seen.
+
+    Only programs that this user may look into, and those that locked the port, can be seen; Linux only.
+    """
+    pid = _holder_pid(url, proc, but=os.getpid())
+    return None if pid is None else _program(pid, proc)
+
+
 def _holder(url: str) -> str:
-    pid = _lock_owner(url) or _opener(url)
+    pid = _holder_pid(url, PROC)
     if pid is None:
         return "another program"
-    if pid == os.getpid():
-        return "this program itself"
+    return "this program itself" if pid == os.getpid() else _program(pid, PROC)
+
+
+def _holder_pid(url: str, proc: Path, *, but: int | None = None) -> int | None:
+    owner = _lock_owner(url, proc)
+    return owner if owner not in (None, but) else _opener(url, proc, but)
+
+
+def _program(pid: int, proc: Path) -> str:
     try:
-        return f"{Path(f'/proc/{pid}/comm').read_text().strip()} (process {pid})"
+        return f"{(proc / str(pid) / 'comm').read_text().strip()} (process {pid})"
     except OSError:
         return f"process {pid}"
 
 
-def _lock_owner(url: str) -> int | None:
+def _lock_owner(url: str, proc: Path) -> int | None:
     """Return who holds the exclusive lock, from /proc/locks: `1: FLOCK ADVISORY WRITE 4711 00:05:123 0 EOF`."""
     try:
         node = Path(url).stat()
-        lines = Path("/proc/locks").read_text().splitlines()
+        lines = (proc / "locks").read_text().splitlines()
     except OSError:
         return None
     wanted = (os.major(node.st_dev), os.minor(node.st_dev), node.st_ino)
@@ -107,10 +125,12 @@ def _lock_owner(url: str) -> int | None:
     return None
 
 
-def _opener(url: str) -> int | None:
+def _opener(url: str, proc: Path, but: int | None) -> int | None:
     """Return a process that has the device open, as far as we may look."""
     device = str(Path(url).resolve())
-    for folder in Path("/proc").glob("[0-9]*/fd"):
+    for folder in proc.glob("[0-9]*/fd"):
+        if folder.parent.name == str(but):
+            continue
         with contextlib.suppress(OSError):
             for descriptor in folder.iterdir():
                 with contextlib.suppress(OSError):
