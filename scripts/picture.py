@@ -7,20 +7,19 @@ from html import escape
 from itertools import groupby
 from typing import TYPE_CHECKING
 
+from marks import HIGH, WIDE, mark
+
 if TYPE_CHECKING:
     from rich.style import Style
 
-WIDE, HIGH = 10, 21
-"""One cell, in pixels."""
-FONT = "'DejaVu Sans Mono', Menlo, Consolas, monospace"
-FONT_SIZE = WIDE / 0.602
+FONT = "'IBM Plex Mono', Menlo, Consolas, monospace"
+FONT_SIZE = WIDE / 0.6
 MARGIN = 14
 _ARMS = {"─": "LR", "━": "LR", "│": "UD", "├": "UDR", "┤": "UDL", "┬": "LRD", "┴": "LRU", "┼": "LRUD"}
 _ARMS |= {"┌": "RD", "┐": "LD", "└": "RU", "┘": "LU", "╶": "R", "╴": "L", "╷": "D", "╵": "U"}
 _ROUND = {"╭": "RD", "╮": "LD", "╰": "RU", "╯": "LU"}
 _EDGE = {"L": (0, HIGH / 2), "R": (WIDE, HIGH / 2), "U": (WIDE / 2, 0), "D": (WIDE / 2, HIGH)}
 _DOTS = ((0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2), (0, 3), (1, 3))
-_BARS = {"▏": 0.0, "▕": WIDE - 1.5}
 
 
 def _colours(style: Style | None, ground: str) -> tuple[str, str, bool]:
@@ -45,8 +44,6 @@ def _shape(char: str, x: float, y: float, ink: str) -> str | None:
         bend = by + (HIGH / 2 - by) * 0.52
         path = f"M{x + ax} {y + ay}Q{middle[0]} {middle[1]} {x + bx} {y + bend}L{x + bx} {y + by}"
         return f'<path d="{path}" {stroke}/>'
-    if char in _BARS:
-        return f'<rect x="{x + _BARS[char]}" y="{y}" width="1.5" height="{HIGH}" fill="{ink}"/>'
     if "\u2800" <= char <= "\u28ff":
         bits = ord(char) - 0x2800
         return "".join(
@@ -55,7 +52,7 @@ def _shape(char: str, x: float, y: float, ink: str) -> str | None:
             for bit, (column, row) in enumerate(_DOTS)
             if bits >> bit & 1
         )
-    return None
+    return mark(char, x, y, ink)
 
 
 def svg(rows: Sequence[Iterable[tuple[str, Style | None]]], ground: str) -> str:
@@ -98,3 +95,12 @@ def svg(rows: Sequence[Iterable[tuple[str, Style | None]]], ground: str) -> str:
             "</g></svg>\n",
         )
     )
+
+
+def png(picture: str) -> bytes:
+    """Return an SVG as pixels. Its text needs a font, which comes with the development tools."""
+    import fontpkg_ibm_plex_mono as plex
+    import resvg_py
+
+    files = [str(plex.ROOT / "files" / f"IBMPlexMono-{weight}.ttf") for weight in ("Regular", "Bold")]
+    return bytes(resvg_py.svg_to_bytes(svg_string=picture, font_files=files, font_family=plex.FAMILY))

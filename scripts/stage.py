@@ -1,0 +1,84 @@
+"""The real demo on a virtual clock, driven key by key: what pictures are taken of."""
+
+from __future__ import annotations
+
+import asyncio
+import sys
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from datetime import UTC, datetime
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "tui"))
+
+import picture
+import stand_in
+from birdcage.base.clock import VirtualClock
+from birdcage.base.config import Settings
+from birdcage.base.paths import throw_away_paths
+from birdcage.station.build import open_session
+from birdcage_tui.app import BirdcageApp
+from birdcage_tui.run import DEMO_PLACE, DEMO_PORT
+from birdcage_tui.settings import AppSettings
+from birdcage_tui.themes import LOOKS
+from textual.pilot import Pilot
+
+STEP_S = 0.1
+START = datetime(2026, 3, 20, 15, 30, tzinfo=UTC)
+"""When every picture begins: the same sky each time."""
+Rows = list[list[tuple[str, object]]]
+
+
+def rows_of(app: BirdcageApp) -> Rows:
+    """Return what stands on the screen, cell by cell."""
+    strips = app.screen._compositor.render_strips()  # noqa: SLF001 - the only way to the cells
+    return [[(segment.text, segment.style) for segment in strip] for strip in strips]
+
+
+class Stage:
+    """One app, its dish, and the keys pressed on it."""
+
+    def __init__(self, app: BirdcageApp, pilot: Pilot[None]) -> None:
+        self.app, self.pilot = app, pilot
+
+    async def wait(self, seconds: float) -> None:
+        """Let so much time of the dish pass."""
+        for _ in range(max(1, round(seconds / STEP_S))):
+            self.app.session.step(STEP_S)
+            await self.pilot.pause()
+            self.app._tick()  # noqa: SLF001 - its timer runs in real time
+        self.app.paint()
+        await self.pilot.pause()
+
+    async def press(self, *keys: str) -> None:
+        """Press keys, and let what they ask for begin."""
+        for key in keys:
+            await self.pilot.press(key)
+            await self.wait(STEP_S)
+
+    async def type(self, text: str) -> None:
+        """Type into what has the focus."""
+        await self.pilot.press(*("space" if char == " " else char for char in text))
+        await self.pilot.pause()
+
+    def svg(self) -> str:
+        """Return the picture of the screen."""
+        return picture.svg(rows_of(self.app), LOOKS[self.app.theme].ground)
+
+    def text(self) -> str:
+        """Return what a person reads."""
+        return stand_in.text_of(self.app)
+
+
+@asynccontextmanager
+async def demo(size: tuple[int, int], theme: str = "dusk", *, tour: bool = False) -> AsyncIterator[Stage]:
+    """Open the demo at a size; nothing of yours is touched."""
+    with throw_away_paths() as paths:
+        clock = VirtualClock(START)
+        session = open_session(port=DEMO_PORT, firmware="g2", baud=None, settings=Settings(), paths=paths, clock=clock)
+        session.start = lambda: None  # stepped here instead of running on its thread
+        app = BirdcageApp(session, AppSettings(theme=theme, place=DEMO_PLACE, tour=tour))
+        async with app.run_test(size=size) as pilot:
+            yield Stage(app, pilot)
+        session.close()
+        await asyncio.sleep(0)
