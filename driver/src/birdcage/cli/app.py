@@ -19,6 +19,7 @@ COMMANDS = {
     "home": "Find the reference by running into the stops.",
     "status": "Print all that is known of the dish.",
     "ports": "List the serial ports of this machine.",
+    "wiring": "Print which wire goes where.",
     "sim": "Simulate a dish that any program can talk to.",
     "config": "Show and check birdcage.toml.",
     "paths": "Print where files are kept.",

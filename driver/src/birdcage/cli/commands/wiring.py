@@ -1,0 +1,35 @@
+"""`birdcage wiring`."""
+
+from __future__ import annotations
+
+import click
+
+from birdcage.cli.exits import EPILOG
+from birdcage.cli.options import flags, global_options
+
+WIDTH = 80
+
+
+@click.command("wiring", epilog=EPILOG)
+@click.argument("plug", required=False, type=click.Choice(["g2", "travler", "pro"]))
+@global_options("json", "verbose")
+def command(plug: str | None) -> None:
+    """Print which wire goes where, and what a wrong one looks like. No dish is needed, and no port is opened."""
+    from dataclasses import asdict
+
+    from birdcage.cli.say import tell, tell_json
+    from birdcage.setup import wiring
+    from birdcage.setup.wiring_text import wiring_lines
+
+    connectors = wiring.CONNECTORS if plug is None else (wiring.connector(plug),)
+    if flags().json:
+        tell_json(
+            {
+                "plugs": [{**asdict(each), "drawing": each.drawing.value} for each in connectors],
+                "cautions": wiring.CAUTIONS,
+                "symptoms": [{**asdict(each), "saw": each.saw.value} for each in wiring.SYMPTOMS],
+            }
+        )
+        return
+    for line in wiring_lines(connectors, WIDTH):
+        tell(line)

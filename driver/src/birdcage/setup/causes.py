@@ -1,0 +1,82 @@
+"""Why a port does not answer: from what was seen to what may be wrong, likeliest first. Pure.
+
+What each observation speaks for is in the reference, sections 1.1 (swapped pairs), 7.2 (silence at other rates) and
+7.8 (deadlock), and in `birdcage.setup.wiring`, which draws the plugs.
+"""
+
+from __future__ import annotations
+
+from birdcage.setup import wire_causes as wire
+from birdcage.setup.case import Case, Cause, describe
+from birdcage.station.finding import Saw
+from birdcage.station.known import Hindrance
+from birdcage.station.state import Link
+
+__all__ = ["Case", "Cause", "describe", "find_causes"]
+
+
+def find_causes(case: Case) -> tuple[Cause, ...]:
+    """Return what may be wrong, the likely ones first, each set in the order in which to look."""
+    found = [*_of_the_system(case), *_of_the_port(case)] if case.link.state is Link.LOST else _of_the_wire(case)
+    return tuple(sorted(found, key=lambda cause: not cause.likely))
+
+
+def _of_the_port(case: Case) -> list[Cause]:
+    """The port itself cannot be opened."""
+    here = [each.device for each in case.ports]
+    if case.port in here or (case.system is not None and case.system.may_open is not None):
+        return [
+            Cause(
+                "The port does not open", case.link.detail, "Unplug the adapter, plug it in again, and try once more.",
+                likely=not _of_the_system(case),
+            )
+        ]  # fmt: skip
+    others = f"There is {', '.join(here)}: choose that one." if here else "No serial port is plugged in."
+    return [
+        Cause("The adapter is out", case.link.detail, f"Plug it in, or try its cable. {others}", likely=True),
+    ]
+
+
+def _of_the_system(case: Case) -> list[Cause]:
+    """What this machine holds against the port. A slow adapter answers all the same: it is no cause."""
+    if case.system is None:
+        return []
+    titles = {
+        "group": "You may not open it", "login": "You may not open it yet", "busy": "Another program has it",
+        "modemmanager": "ModemManager meddles", "brltty": "brltty takes the adapter",
+    }  # fmt: skip
+    return [
+        Cause(titles[each.name], each.what, _mend(each), _meddles(each, case), command=each.command)
+        for each in case.system.hindrances
+        if each.name in titles
+    ]
+
+
+def _mend(hindrance: Hindrance) -> str:
+    run = f"Run `{hindrance.command}`." if hindrance.command else ""
+    return " ".join(part for part in (run, hindrance.then) if part)
+
+
+def _meddles(hindrance: Hindrance, case: Case) -> bool:
+    """Return whether this hindrance explains what was seen, and not only might."""
+    match hindrance.name:
+        case "modemmanager":
+            return any("AT" in each.sample for each in case.findings if each.saw is Saw.TEXT)
+        case "brltty":
+            return case.link.state is Link.LOST and not case.ports
+    return True
+
+
+def _of_the_wire(case: Case) -> list[Cause]:
+    """The port is open: what came over the wire speaks."""
+    if case.rates(Saw.PROMPT):
+        found = wire.prompt(case)
+    elif case.rates(Saw.TEXT):
+        found = wire.text(case)
+    elif case.rates(Saw.GARBAGE):
+        found = wire.garbage(case)
+    elif case.rates(Saw.ECHO):
+        found = wire.echo(case)
+    else:
+        found = wire.silence(case)
+    return [*found, *_of_the_system(case)]

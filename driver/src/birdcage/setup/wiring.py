@@ -1,0 +1,163 @@
+"""Which wire goes where: plugs, cautions and symptoms as data (reference section 1.1), with who says so.
+
+TX is from the computer to the dish, RX from the dish to the computer; TA, TB, RA and RB are the terminals of an RS-422
+adapter, A being plus.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+from birdcage.station.finding import Saw
+
+
+class Drawing(Enum):
+    """How the plug is drawn."""
+
+    CLIP_AWAY = "clip pointed away from you, contacts listed from top to bottom"
+    TIP_UP = "pin side towards you, tip up, contacts from left to right"
+    USB = "a USB A socket"
+
+
+@dataclass(frozen=True, slots=True)
+class Pin:
+    """One contact."""
+
+    number: int
+    signal: str
+    """As the source names it: `TX-`, `T/R-`, `GND`."""
+    terminal: str
+    """Where it goes at a 4-wire RS-422 adapter: `TB`; empty where nowhere."""
+    wire: str = ""
+    """The colour in the source's drawing; cables differ."""
+
+
+@dataclass(frozen=True, slots=True)
+class Connector:
+    """One kind of plug, and what is known of it."""
+
+    key: str
+    """`g2`, `travler`, `pro`: what `birdcage wiring` takes."""
+    dishes: str
+    plug: str
+    drawing: Drawing
+    line: str
+    """The kind of line and its speed."""
+    pins: tuple[Pin, ...]
+    supported_by: str
+    """Where the order of the pins comes from."""
+    notes: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Symptom:
+    """What a fault of the wires looks like from the computer."""
+
+    saw: Saw
+    cause: str
+    remedy: str
+    supported_by: str
+
+
+_G2_DISAGREEMENT = (
+    "Sources disagree: an earlier project lists pin 2 as TX+ and 3 as TX-, 4 as RX+ and 5 as RX-. It took the rows of "
+    "a README's table for pins, and the drawing speaks against it. If your dish stays silent with the order above, "
+    "swap the TX pair; if what it says is garbled, swap the RX pair."
+)
+_TRAVLER_DISAGREEMENT = (
+    "Sources disagree: an earlier project has it that pins 2 and 3 are enough (half duplex). Both READMEs wire five "
+    "contacts, the T/R pair and the RXD pair: use a 4-wire adapter and connect both."
+)
+
+CONNECTORS = (
+    Connector(
+        "g2",
+        "Carryout G2",
+        "RJ-12 (6P6C)",
+        Drawing.CLIP_AWAY,
+        "RS-422, two pairs, 115200 baud 8N1",
+        (
+            Pin(1, "GND", "GND", "white"),
+            Pin(2, "TX-", "TB", "black"),
+            Pin(3, "TX+", "TA", "red"),
+            Pin(4, "RX-", "RB", "green"),
+            Pin(5, "RX+", "RA", "yellow"),
+            Pin(6, "not used", "", "blue"),
+        ),
+        "The drawing of Chris Davidson, who runs a G2 with it (winegard-sky-scan, docs/wiring_guide.png). The Trav'ler "
+        "has the same order.",
+        (
+            _G2_DISAGREEMENT,
+            "At 9600, 19200, 38400 and 57600 baud a G2 is silent.",
+        ),
+    ),
+    Connector(
+        "travler",
+        "Trav'ler (LG-2112), Carryout of 2003",
+        'RJ-25 (6P6C), on the Trav\'ler the port "Factory Only" of the indoor unit',
+        Drawing.TIP_UP,
+        "RS-485/422, two pairs, 57600 baud 8N1",
+        (
+            Pin(1, "GND", "GND"),
+            Pin(2, "T/R-", "TB"),
+            Pin(3, "T/R+", "TA"),
+            Pin(4, "RXD-", "RB"),
+            Pin(5, "RXD+", "RA"),
+            Pin(6, "not used", ""),
+        ),
+        "The READMEs of Gabe Emerson KL1FI for both dishes (Travler_Rotor, Carryout-Rotor), which agree.",
+        (
+            _TRAVLER_DISAGREEMENT,
+            "The Carryout's socket is on the control board, under the radome.",
+        ),
+    ),
+    Connector(
+        "pro",
+        "Trav'ler Pro (SK2DISH)",
+        "USB A, at the rear of the indoor unit; cable USB A to A",
+        Drawing.USB,
+        "USB CDC (/dev/ttyACM0); the baud rate does not count",
+        (),
+        "The README of Gabe Emerson KL1FI (Travler-Pro-Rotor).",
+        (
+            "The rear socket only.",
+            "No adapter, no pairs to swap: what a wrong wire does elsewhere does not happen here.",
+            "birdcage never opens such a port at 1200 baud: many boards restart into their loader at that rate.",
+        ),
+    ),
+)
+
+CAUTIONS = (
+    "Level: if the converter can be set to several TTL levels, set 5 V (the READMEs).",
+    "TX is from the computer to the dish, RX from the dish to the computer.",
+    "Count contacts, not colours: cables differ. A meter tells which contact is which.",
+    "A is plus here, and B minus. Not every adapter agrees: either pair may need its two wires swapped.",
+    "Switch the dish off before you change a wire.",
+)
+
+SYMPTOMS = (
+    Symptom(
+        Saw.SILENCE, "no power at the dish, plug out, shell deadlocked, or the dish is still starting",
+        "look at 12 V and at the plug; switch off and on; wait three minutes", "several owners",
+    ),
+    Symptom(Saw.SILENCE, "TX+ and TX- are swapped", "swap the two wires of the TX pair", "an earlier project, on a G2"),
+    Symptom(Saw.SILENCE, "wrong baud rate", "listen at the other rates", "an earlier project, on a G2"),
+    Symptom(
+        Saw.GARBAGE, "at the right rate: RX+ and RX- are swapped", "swap the two wires of the RX pair",
+        "an earlier project, on a G2",
+    ),
+    Symptom(Saw.GARBAGE, "wrong baud rate", "listen at the other rates", "as on any serial line"),
+    Symptom(
+        Saw.ECHO, "the adapter hears itself: two wires, half duplex", "use a 4-wire RS-422 adapter",
+        "both READMEs wire four",
+    ),
+)  # fmt: skip
+
+
+def connector(key: str) -> Connector:
+    """Return the plug called `key`; KeyError names those that there are."""
+    for each in CONNECTORS:
+        if each.key == key:
+            return each
+    raise KeyError(f"no plug {key!r} here; known: {', '.join(each.key for each in CONNECTORS)}")
