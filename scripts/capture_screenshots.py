@@ -1,0 +1,81 @@
+"""Take every picture of the README from the demo, each time the same: `capture_screenshots.py [NAME ...]`.
+
+Writes SVG and PNG into `screenshots/`. A scene in which what must be readable is not fails.
+"""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import re
+import sys
+from pathlib import Path
+
+import picture
+import scenes
+import stage
+
+FOLDER = Path(__file__).resolve().parents[1] / "screenshots"
+GAP = 24
+
+
+async def take(scene: scenes.Scene) -> str:
+    """Play a scene and return its picture."""
+    async with stage.demo(scene.size, scene.theme, tour=scene.tour) as on:
+        await scene.play(on)
+        text = on.text()
+        missing = [words for words in scene.seen if words not in text]
+        if missing:
+            sys.exit(f"{scene.name}: {', '.join(missing)} cannot be read in this picture:\n{text}")
+        return on.svg()
+
+
+def size_of(svg: str) -> tuple[int, int]:
+    """Return width and height in pixels."""
+    found = re.search(r'width="(\d+)" height="(\d+)"', svg)
+    assert found is not None, "ours have both"
+    return int(found[1]), int(found[2])
+
+
+def collage(svgs: list[str]) -> str:
+    """Return four pictures as one, two in a row, each scaled to the same width."""
+    width = max(size_of(svg)[0] for svg in svgs)
+    heights = [size_of(svg)[1] * width / size_of(svg)[0] for svg in svgs]
+    rows = [max(heights[i : i + 2]) for i in range(0, len(svgs), 2)]
+    wide, high = 2 * width + 3 * GAP, sum(rows) + (len(rows) + 1) * GAP
+    parts, y = [], GAP
+    for index, svg in enumerate(svgs):
+        place = f'x="{GAP + index % 2 * (width + GAP)}" y="{y:g}" width="{width}" height="{heights[index]:g}"'
+        parts.append(re.sub(r'width="\d+" height="\d+"', place, svg, count=1))
+        if index % 2:
+            y += rows[index // 2] + GAP
+    head = (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{wide}" height="{high:.0f}" viewBox="0 0 {wide} {high:.0f}">'
+    )
+    return "\n".join((head, '<rect width="100%" height="100%" fill="#20262d"/>', *parts, "</svg>\n"))
+
+
+def write(name: str, svg: str) -> None:
+    """Write both forms."""
+    FOLDER.mkdir(exist_ok=True)
+    FOLDER.joinpath(f"{name}.svg").write_text(svg)
+    pixels = picture.png(svg)
+    FOLDER.joinpath(f"{name}.png").write_bytes(pixels)
+    print(f"{name}: {len(pixels) // 1024} kB")
+
+
+def main() -> None:
+    parse = argparse.ArgumentParser(description=__doc__)
+    names = [scene.name for scene in scenes.SCENES]
+    parse.add_argument("names", nargs="*", help=", ".join(names))
+    wanted = parse.parse_args().names or names
+    taken = {scene.name: asyncio.run(take(scene)) for scene in scenes.SCENES if scene.name in wanted}
+    for name, svg in taken.items():
+        write(name, svg)
+    if set(scenes.COLLAGE) <= set(taken):
+        write("tui-collage", collage([taken[name] for name in scenes.COLLAGE]))
+    print("not built yet, so no picture:", ", ".join(scenes.NOT_BUILT))
+
+
+if __name__ == "__main__":
+    main()

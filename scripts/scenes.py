@@ -1,0 +1,82 @@
+"""What each picture of the README shows: a page, and the keys that lead there."""
+
+from __future__ import annotations
+
+from collections.abc import Awaitable, Callable
+from dataclasses import dataclass
+
+from stage import Stage
+
+SIZE = (120, 36)
+
+
+@dataclass(frozen=True)
+class Scene:
+    """One picture: its name in the source document, what is done for it, and what must then be readable."""
+
+    name: str
+    play: Callable[[Stage], Awaitable[None]]
+    seen: tuple[str, ...]
+    size: tuple[int, int] = SIZE
+    theme: str = "dusk"
+    tour: bool = False
+
+
+async def dashboard(on: Stage) -> None:
+    """The demo's tour, a minute after its start, in the middle of a slew along the arc."""
+    await on.wait(58.3)
+
+
+async def control(on: Stage) -> None:
+    """On its way by hand: a go-to, and a step more."""
+    await on.wait(9)
+    await on.press("f2", "g")
+    await on.type("205 38")
+    await on.press("enter")
+    await on.wait(4)
+    await on.press("g")
+    await on.type("148 44")
+    await on.press("enter")
+    await on.wait(0.4)
+
+
+async def console(on: Stage) -> None:
+    """Talking to the firmware over the dashboard; the last line is not sent yet, and warned of."""
+    await on.wait(12)
+    await on.press("f5")
+    for line in ("dvb", "rssi 5", "q", "mot", "a", "elminmaxhome"):
+        await on.press("i")
+        await on.type(line)
+        await on.press("enter")
+        await on.wait(0.4)
+    await on.press("i")
+    await on.type("a 0 9999")
+    await on.wait(0.2)
+
+
+async def setup(on: Stage) -> None:
+    """The eleven steps, as far as the simulated dish is known."""
+    await on.wait(9)
+    await on.press("f8")
+    await on.wait(1)
+
+
+async def pocket(on: Stage) -> None:
+    """On a phone, at the dish."""
+    await on.wait(9)
+    await on.press("g")
+    await on.type("205 38")
+    await on.press("enter")
+    await on.wait(0.5)
+
+
+SCENES = (
+    Scene("tui-dashboard", dashboard, ("Pointing", "Signal", "Health"), (160, 48), tour=True),
+    Scene("tui-control", control, ("SLEWING", "Cable")),
+    Scene("tui-console", console, ("Reads:5", "9999")),
+    Scene("tui-setup", setup, ("TV search", "North")),
+    Scene("tui-pocket", pocket, ("S  T  O  P",), (40, 12), "daylight"),
+)
+NOT_BUILT = ("tui-craft-search", "tui-craft-tracking", "tui-signal", "tui-system", "tui-camera")
+"""Pictures of the source document whose pages this version does not have."""
+COLLAGE = ("tui-dashboard", "tui-control", "tui-console", "tui-setup")
