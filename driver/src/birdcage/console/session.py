@@ -14,6 +14,7 @@ from birdcage.base.wake import Wake
 from birdcage.console.diagnosis import no_reply
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.events import Reply
+from birdcage.console.raw import Typed
 from birdcage.console.wire import LineSink, Wire
 from birdcage.link.port import Port
 
@@ -108,13 +109,8 @@ class Console:
         """
         self._check(command)
         if self._wire.is_hazard(command):
-            menu = self._prove_submenu()
-            if menu == self.dialect.root:
-                raise CommandRefused(
-                    f"`{command}` was not sent: the dish is at its root menu, where a `{self.dialect.leave}` may end "
-                    "its shell until a power cycle.",
-                    reason="wrong_menu",
-                )
+            if self._prove_submenu() == self.dialect.root:
+                raise self._root_hazard(command)
         else:
             self._resume()
         reply = self._transact(command.strip(), takes_s, on_line, permit)
@@ -122,6 +118,26 @@ class Console:
         if refusal is not None:
             raise refusal
         return reply
+
+    def type_line(
+        self, line: str, *, takes_s: float = 0.0, permit: Callable[[], None] | None = None, at_root: bool = False
+    ) -> Typed:
+        """Send a line that a person typed, as it is; the owner goes on, and collects the reply.
+
+        A line that could leave a menu goes out from a proven submenu only, unless a person wants it `at_root` too.
+        """
+        self._check(line)
+        if not self._wire.is_hazard(line):
+            self._resume()
+        elif self._prove_submenu() == self.dialect.root and not at_root:
+            raise self._root_hazard(line)
+        return Typed(self._wire, line, takes_s, permit)
+
+    def find_menu(self) -> str:
+        """Return the menu that the dish is in; asked by a bare Enter only when it is not known."""
+        self._resume()
+        assert self.menu is not None, "a prompt named it"
+        return self.menu
 
     def refusal(self, reply: Reply) -> CommandRefused | None:
         """Return what the firmware's error in `reply` means, or None when it holds none."""
@@ -264,6 +280,13 @@ class Console:
         return self._wire.pump(until)
 
     # How it is done: nothing below is called from outside.
+
+    def _root_hazard(self, line: str) -> CommandRefused:
+        return CommandRefused(
+            f"`{line}` was not sent: the dish is at its root menu, where a `{self.dialect.leave}` may end "
+            "its shell until a power cycle.",
+            reason="wrong_menu",
+        )
 
     def _check(self, line: str) -> None:
         if not (line.isascii() and line.isprintable()):

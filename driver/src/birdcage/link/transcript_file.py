@@ -8,24 +8,17 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TextIO
 
+from birdcage.link.transcript_join import LineJoiner
 from birdcage.link.transcript_line import Entry, Header, format_line
 
 FILE_LIMIT = 4_000_000
 TOTAL_LIMIT = 40_000_000
-LINE_LIMIT = 200
-"""Bytes after which a line is cut even though the wire shows no end of it."""
-
 RETRY_S = 10.0
 """How long to leave a disk alone that refused."""
 
 
 class TranscriptFiles:
-    """Joins chunks into lines, one a line of the dish's, and writes them.
-
-    Chunks arrive as the system hands them out, a few bytes each; a line a person can grep needs them joined. A line
-    ends at a newline, where the direction changes, after 200 bytes, or when the wire is quiet; its time is its first
-    byte's. The bytes are the same, in the same order.
-    """
+    """Joins chunks into lines, one a line of the dish's, and writes them."""
 
     def __init__(self, folder: Path, *, file_limit: int = FILE_LIMIT, total_limit: int = TOTAL_LIMIT) -> None:
         self.path: Path | None = None
@@ -36,7 +29,7 @@ class TranscriptFiles:
         self._file: TextIO | None = None
         self._written = 0
         self._header = b""
-        self._open_line: Entry | None = None
+        self._joiner = LineJoiner()
         self._retry_at = 0.0
         self._lost = 0
 
@@ -44,12 +37,12 @@ class TranscriptFiles:
         """Take what came, and how many events did not fit into the queue; with nothing, end the unfinished line."""
         lines: list[Entry] = []
         if dropped:
-            lines += self._finish()
+            lines += self._joiner.finish()
             lines.append(Entry(_now(), "#", b"%d events are missing here: the disk was too slow" % dropped))
         for item in items:
-            lines += self._join(item)
+            lines += self._joiner.join(item)
         if not items:
-            lines += self._finish()
+            lines += self._joiner.finish()
         if lines:
             self._put(lines)
 
@@ -58,25 +51,6 @@ class TranscriptFiles:
         if self._file is not None:
             self._file.close()
             self._file = None
-
-    def _join(self, entry: Entry) -> list[Entry]:
-        if entry.direction == "#":
-            return [*self._finish(), entry]
-        started = self._open_line
-        if started is not None and started.direction != entry.direction:
-            return [*self._finish(), *self._join(entry)]
-        utc = started.utc if started is not None else entry.utc
-        rest = (started.data if started is not None else b"") + entry.data
-        lines = []
-        while (end := _line_length(rest)) is not None:
-            lines.append(Entry(utc, entry.direction, rest[:end]))
-            rest, utc = rest[end:], entry.utc
-        self._open_line = Entry(utc, entry.direction, rest) if rest else None
-        return lines
-
-    def _finish(self) -> list[Entry]:
-        line, self._open_line = self._open_line, None
-        return [line] if line is not None else []
 
     def _put(self, lines: list[Entry]) -> None:
         if time.monotonic() < self._retry_at:
@@ -138,13 +112,6 @@ class TranscriptFiles:
                 file.close()
             except OSError:
                 return  # It said so already: what was in the buffer is among the lost.
-
-
-def _line_length(data: bytes) -> int | None:
-    newline = data.find(b"\n", 0, LINE_LIMIT)
-    if newline >= 0:
-        return newline + 1
-    return LINE_LIMIT if len(data) >= LINE_LIMIT else None
 
 
 def _free_name(folder: Path, utc: datetime) -> Path:

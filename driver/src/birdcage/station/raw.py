@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from birdcage.link.transcript_join import LineJoiner
+from birdcage.link.transcript_line import Entry
 from birdcage.protocol.hazard import Grade, Verdict
 
-__all__ = ["CONSOLE", "Grade", "MenuCommand", "RawReply", "Verdict"]
+__all__ = ["CONSOLE", "Entry", "Grade", "LineJoiner", "MenuCommand", "RawReply", "Verdict"]
 
 CONSOLE = "console"
 """The lease holder's name while somebody talks to the firmware."""

@@ -1,0 +1,47 @@
+"""Joins the chunks of a wire into lines, for files and for screens."""
+
+from __future__ import annotations
+
+from birdcage.link.transcript_line import Entry
+
+LINE_LIMIT = 200
+"""Bytes after which a line is cut even though the wire shows no end of it."""
+
+
+class LineJoiner:
+    """Chunks arrive as the system hands them out, a few bytes each; a line that a person can read needs them joined.
+
+    A line ends at a newline, where the direction changes, after 200 bytes, or when `finish` is called because the wire
+    is quiet (a prompt has no line end); its time is its first byte's. The bytes are the same, in the same order.
+    """
+
+    def __init__(self) -> None:
+        self._open_line: Entry | None = None
+
+    def join(self, entry: Entry) -> list[Entry]:
+        """Take in a chunk, and return the lines that it completes."""
+        if entry.direction == "#":
+            return [*self.finish(), entry]
+        started = self._open_line
+        if started is not None and started.direction != entry.direction:
+            return [*self.finish(), *self.join(entry)]
+        utc = started.utc if started is not None else entry.utc
+        rest = (started.data if started is not None else b"") + entry.data
+        lines = []
+        while (end := _line_length(rest)) is not None:
+            lines.append(Entry(utc, entry.direction, rest[:end]))
+            rest, utc = rest[end:], entry.utc
+        self._open_line = Entry(utc, entry.direction, rest) if rest else None
+        return lines
+
+    def finish(self) -> list[Entry]:
+        """Return the line that has no end yet, as it is; empty when there is none."""
+        line, self._open_line = self._open_line, None
+        return [line] if line is not None else []
+
+
+def _line_length(data: bytes) -> int | None:
+    newline = data.find(b"\n", 0, LINE_LIMIT)
+    if newline >= 0:
+        return newline + 1
+    return LINE_LIMIT if len(data) >= LINE_LIMIT else None

@@ -1,0 +1,96 @@
+"""What a raw line leaves behind: a remark in the transcript, a modelled motion, and what no longer holds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.motion import DishMotion, start_motion
+from birdcage.base.geometry import shortest_turn
+from birdcage.protocol.hazard import Grade, Verdict
+from birdcage.protocol.types import MOTOR_AZIMUTH, Position
+from birdcage.station.board import Board
+from birdcage.station.events import TranscriptLine
+from birdcage.station.mover import Mover
+from birdcage.station.state import Activity, Search
+
+LOST = "raw command"
+"""Why the position does not hold, on the board."""
+
+
+class RawEffects:
+    """Keeps board, gate and model true while somebody types past them."""
+
+    def __init__(self, board: Board, antenna: BirdcageAntenna, mover: Mover, remark: Callable[[str], None]) -> None:
+        self._board, self._antenna, self._mover, self._remark = board, antenna, mover, remark
+        self.moved = False
+        """Whether a line since the last `clear` may have moved the dish."""
+        self.resurvey = False
+        """Whether one may have changed what a survey reads."""
+
+    def clear(self) -> None:
+        """A new talk begins."""
+        self.moved = self.resurvey = False
+
+    def say(self, text: str) -> None:
+        """Put a remark into the transcript, in plain ASCII, and tell it to listeners."""
+        text = text.replace("°", " deg")
+        self._remark(text)
+        self._board.tell(TranscriptLine(*self._board.stamp(), "#", text))
+
+    def announce(self, line: str, verdict: Verdict, holder: str, *, confirmed: bool) -> None:
+        """Mark a raw line before its bytes go out."""
+        about = [verdict.grade.name]
+        if verdict.grade > Grade.HARMLESS and confirmed:
+            about.append("confirmed")
+        if not verdict.listed:
+            about.append("not in the hazard table")
+        notes = ", ".join(about) + (f"; {verdict.limit}" if verdict.limit else "")
+        self.say(f"raw by {holder}: {line or 'Enter'} ({notes})")
+
+    def modelled(self, verdict: Verdict) -> DishMotion | None:
+        """Return the model of the motion that a line begins; None when where it leads cannot be foreseen.
+
+        Another axis that is still on its way goes on in it.
+        """
+        if verdict.motion is None or verdict.limit or verdict.grade is not Grade.MOVES:
+            return None
+        antenna, gate, clock = self._antenna, self._antenna.protocol.gate, self._board.clock
+        (axis, angle), under_way = verdict.motion, antenna.motion
+        start, velocity, now = gate.position, (0.0, 0.0), clock.monotonic()
+        if under_way is not None:
+            azimuth, elevation = (each.modelled(now, clock.rate) for each in (under_way.azimuth, under_way.elevation))
+            start, velocity = Position(azimuth[0], elevation[0]), (azimuth[1], elevation[1])
+        if start is None:
+            return None
+        if axis != MOTOR_AZIMUTH:
+            begun = start_motion(antenna.protocol.model, start, 0.0, angle, now, velocity)
+            return begun if under_way is None else DishMotion(under_way.azimuth, begun.elevation)
+        turns, cable = gate.cable_turns(angle), gate.cable_deg
+        turn = turns[0] - cable if turns and cable is not None else shortest_turn(start.azimuth, angle)
+        begun = start_motion(antenna.protocol.model, start, turn, start.elevation, now, velocity)
+        return begun if under_way is None else DishMotion(begun.azimuth, under_way.elevation)
+
+    def take_in(self, verdict: Verdict) -> None:
+        """Forget what a line that has gone out may have changed."""
+        forgets, gate = verdict.forgets, self._antenna.protocol.gate
+        if verdict.grade >= Grade.MOVES:
+            self.moved = True
+            self._mover.forget_target()
+            self._mover.activity(Activity.UNKNOWN, LOST)
+        if "position" in forgets:
+            cable_deg = gate.cable_deg
+            gate.forget("raw")
+            if "turn" not in forgets:
+                gate.cable_deg = cable_deg
+            self._board.change(position_lost=LOST, turn=self._board.state.turn if gate.cable_deg else gate.model.turn)
+        if "homed" in forgets:
+            self._board.change(homed=None)
+            if verdict.restarts:
+                gate.released.clear()  # a dish that starts finds its references, or says that it has none
+            elif not verdict.homes:
+                gate.release()  # what it reports from now on may not be where it is
+                self._board.change(position_lost=LOST)
+        if "search" in forgets:
+            self._board.change(search=Search.UNKNOWN)
+        self.resurvey = self.resurvey or bool(forgets & {"limits", "search", "settings"})
