@@ -17,6 +17,7 @@ COMMANDS = {
     "move": "Point the dish, and wait until it is there.",
     "stop": "Stop the dish, whichever program drives it.",
     "home": "Find the reference by running into the stops.",
+    "setup": "Go from wires to the first satellite, step by step.",
     "status": "Print all that is known of the dish.",
     "ports": "List the serial ports of this machine.",
     "wiring": "Print which wire goes where.",

@@ -5,6 +5,23 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import Enum
 
+from birdcage.base.errors import BirdcageError, MotionRefused
+
+NAMES = ("link", "dish", "search", "home", "feed", "limits", "direction", "level", "place", "north", "first")
+"""The steps, in order."""
+
+
+class AreaNotClear(MotionRefused):
+    """Nothing that moves is taken before a person has said that the area is clear."""
+
+    reason = "area"
+
+
+class NoSuchChoice(BirdcageError):
+    """What was answered is not among the choices, or what was typed can't be used; the message says what can."""
+
+    reason = "choice"
+
 
 class Mark(Enum):
     """How far a step is."""
@@ -32,7 +49,10 @@ class Field:
 
 @dataclass(frozen=True, slots=True)
 class Choice:
-    """One answer. Its key is a single letter or digit, or `enter` for the one that is most often right."""
+    """One answer. Its key is a single letter or digit, or `enter` for the one that is most often right.
+
+    `s`, `b`, `o`, `l` and `q` are never among the keys: a face needs them for skip, back, open, list and quit.
+    """
 
     name: str
     key: str
@@ -50,7 +70,7 @@ class StepView:
     number: int
     """1 to 11."""
     name: str
-    """`link`, `dish`, `search`, `home`, `feed`, `limits`, `direction`, `level`, `place`, `north`, `first`."""
+    """One of `NAMES`."""
     title: str
     mark: Mark
     evidence: str

@@ -1,0 +1,97 @@
+"""`birdcage setup`."""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import click
+
+from birdcage.cli.exits import EPILOG
+from birdcage.cli.options import Wanted, flags, global_options, wanted
+from birdcage.setup.step import NAMES
+
+if TYPE_CHECKING:
+    from birdcage.setup.engine import Setup
+    from birdcage.station.session import Session
+
+HOLDER = "birdcage setup"
+
+
+@click.command("setup", epilog=EPILOG)
+@click.option("--list", "listing", is_flag=True, help="Print the steps and how they are, and end. The port stays shut.")
+@click.option("--step", type=click.Choice(NAMES), help="Begin with this step.")
+@global_options()
+def command(listing: bool, step: str | None) -> None:
+    """Go from wires to the first satellite, step by step, and keep what is found in birdcage.toml.
+
+    Leave at any time, and go on later: it begins with the first step that is open. Nothing moves before you have said
+    that the area is clear. Ctrl+C stops the dish. --list and --json print how far it is.
+    """
+    from birdcage.cli.dish import open_dish
+    from birdcage.cli.say import say
+    from birdcage.cli.talk import Answers, Talk
+
+    dish_wanted = _with_firmware(wanted())
+    if listing or flags().json:
+        _print(dish_wanted)
+        return
+    if not sys.stdin.isatty():
+        raise click.UsageError("The setup asks questions, and there is no terminal to answer on. --list needs none.")
+    with open_dish(dish_wanted, moves=True) as dish:
+        setup = _setup(dish.session, dish_wanted)
+        if step is not None:
+            setup.go(step)
+        try:
+            finished = Talk(setup, dish, Answers(sys.stdin)).run()
+        finally:
+            setup.close()
+        say("The setup is complete." if finished else "Left. Run `birdcage setup` again to go on where it was.")
+
+
+def _with_firmware(dish: Wanted) -> Wanted:
+    """Take the only firmware there is, when none was named: a new user can't know its name."""
+    from birdcage.base.errors import ConfigError
+    from birdcage.station.known import list_firmwares
+
+    if dish.firmware_given:
+        return dish
+    known = list_firmwares()
+    if len(known) > 1:
+        raise ConfigError(f"Say which firmware the dish has: --firmware with one of {', '.join(known)}.")
+    return replace(dish, firmware=known[0], firmware_given=True)
+
+
+def _setup(session: Session, dish: Wanted) -> Setup:
+    from birdcage.setup.engine import Setup
+
+    given = flags()
+    over = {f"dish.{name}": given.get(name) for name in ("port", "firmware", "baud")}
+    return Setup(session, dish.settings, dish.paths, flags=over, holder=HOLDER)
+
+
+def _print(dish: Wanted) -> None:
+    """Print the steps as the file has them; what only the dish knows is not known here."""
+    from birdcage.base.clock import RealClock
+    from birdcage.cli.say import tell, tell_json
+    from birdcage.cli.talk import list_lines
+    from birdcage.station.build import open_session
+
+    session = open_session(
+        port=dish.port, firmware=dish.firmware, baud=dish.baud, settings=dish.settings, paths=dish.paths,
+        clock=RealClock(),
+    )  # fmt: skip
+    try:
+        setup = _setup(session, dish)
+        if flags().json:
+            tell_json([
+                {"number": each.number, "name": each.name, "title": each.title, "state": each.mark.value,
+                 "evidence": each.evidence or None}
+                for each in setup.steps()
+            ])  # fmt: skip
+            return
+        for line in list_lines(setup):
+            tell(line)
+    finally:
+        session.close()

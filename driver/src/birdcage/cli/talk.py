@@ -1,0 +1,185 @@
+"""The setup in plain lines: says a step, takes an answer, and looks at the dish meanwhile."""
+
+from __future__ import annotations
+
+import queue
+import threading
+from typing import TYPE_CHECKING, TextIO
+
+from birdcage.base.errors import BirdcageError
+from birdcage.cli.dish import Dish
+from birdcage.cli.say import say
+
+if TYPE_CHECKING:
+    from birdcage.setup.engine import Setup
+    from birdcage.setup.step import Choice, Field, StepView
+
+KEYS = "s skip   b back   l list   q leave (all that is done is kept)   Ctrl+C stops the dish"
+CLEARED = "-"
+"""What is typed to empty a field that has a value."""
+
+
+class Answers:
+    """Lines that a person types, read on a thread of their own: waiting for one never keeps STOP waiting."""
+
+    def __init__(self, stream: TextIO) -> None:
+        self._stream = stream
+        self._lines: queue.SimpleQueue[str | None] = queue.SimpleQueue()
+        threading.Thread(target=self._read, name="answers", daemon=True).start()
+
+    def _read(self) -> None:
+        for line in iter(self._stream.readline, ""):
+            self._lines.put(line.strip())
+        self._lines.put(None)
+
+    def next(self) -> str | None:
+        """Return a line that was typed; None at the end of the input. queue.Empty while there is none."""
+        return self._lines.get_nowait()
+
+
+class Left(Exception):
+    """The person has left the setup."""
+
+
+class Talk:
+    """One conversation. `run` returns when all steps are done, or the person has left."""
+
+    def __init__(self, setup: Setup, dish: Dish, answers: Answers) -> None:
+        self._setup, self._dish, self._answers = setup, dish, answers
+        self._said: object = None
+
+    def run(self) -> bool:
+        """Talk; return whether every step is done, skipped or for later."""
+        say(KEYS)
+        try:
+            while not self._done():
+                self._turn()
+        except Left:
+            return self._setup.finished
+        return True
+
+    def _done(self) -> bool:
+        # The last step is never done by itself: its words are worth reading.
+        return self._setup.finished and self._setup.current == "first" and self._said is not None
+
+    def _turn(self) -> None:
+        view = self._settle()
+        if self._shape(view) != self._said:
+            self._said = self._shape(view)
+            _say_step(view)
+        answer = self._line(f"{view.number} {view.title}> ", watch=True)
+        if answer is not None:
+            self._said = None
+            self._answer(view, answer)
+
+    @staticmethod
+    def _shape(view: StepView) -> object:
+        """Return what makes a step worth saying again."""
+        return view.name, view.mark, tuple((each.name, each.label) for each in view.choices)
+
+    def _look(self) -> None:
+        self._dish.look()
+        self._setup.tick()
+
+    def _settle(self) -> StepView:
+        """Wait until nothing is under way, and say how the step is that it was under way in."""
+        before = self._setup.current
+        waited = False
+        while self._setup.busy:
+            waited = True
+            self._dish.progress.show(f"… {self._setup.busy}")
+            self._look()
+        self._dish.progress.clear()
+        self._setup.tick()
+        if waited or before != self._setup.current:
+            _say_result(self._setup.step(before))
+        return self._setup.step(self._setup.current)
+
+    def _line(self, prompt: str, *, watch: bool = False) -> str | None:
+        """Return what is typed; None when the step has changed meanwhile and `watch` is set."""
+        say(prompt)
+        while True:
+            try:
+                line = self._answers.next()
+            except queue.Empty:
+                before = self._setup.current
+                self._look()
+                if watch and before != self._setup.current:
+                    _say_result(self._setup.step(before))
+                if watch and self._shape(self._setup.step(self._setup.current)) != self._said:
+                    return None
+                continue
+            if line is None:
+                raise Left
+            return line
+
+    def _answer(self, view: StepView, answer: str) -> None:
+        word = answer.lower()
+        try:
+            match word:
+                case "q":
+                    raise Left
+                case "s":
+                    self._setup.skip(view.name)
+                case "b":
+                    self._setup.back()
+                case "l":
+                    for line in list_lines(self._setup):
+                        say(line)
+                case _:
+                    self._choose(view, word or "enter")
+        except BirdcageError as error:
+            say(str(error))
+
+    def _choose(self, view: StepView, key: str) -> None:
+        choice = next((each for each in view.choices if key in (each.key, each.name)), None)
+        if choice is None:
+            say("There is no such answer here." if view.choices else "There is nothing to answer here yet: wait.")
+            return
+        if choice.moves and not self._setup.area_clear and not self._cleared():
+            say("Nothing was moved.")
+            return
+        values = {field.name: self._type(field) for field in choice.fields}
+        self._setup.choose(view.name, choice.name, values)
+
+    def _cleared(self) -> bool:
+        from birdcage.setup.engine import CLEAR_QUESTION
+
+        say(CLEAR_QUESTION)
+        if (self._line("yes or no> ") or "").lower() not in ("y", "yes"):
+            return False
+        self._setup.clear()
+        return True
+
+    def _type(self, field: Field) -> str:
+        about = ", ".join(part for part in (field.unit, field.hint) if part)
+        shown = f" [{field.value}; {CLEARED} for none]" if field.value else ""
+        typed = self._line(f"  {field.label}{f' ({about})' if about else ''}{shown}> ") or ""
+        return "" if typed == CLEARED else typed or field.value
+
+
+def list_lines(setup: Setup) -> list[str]:
+    """Return the steps and how they are, one line each."""
+    return [_line_of(view) for view in setup.steps()]
+
+
+def _line_of(view: StepView) -> str:
+    return f"{view.number:2} {view.title:16} {view.mark.value:8} {view.evidence}".rstrip()
+
+
+def _say_result(view: StepView) -> None:
+    if view.mark.value in ("done", "failed"):
+        say(f"{view.number} {view.title}: {view.mark.value}. {view.evidence}".rstrip())
+
+
+def _say_step(view: StepView) -> None:
+    say("")
+    say(_line_of(view))
+    for words in view.words:
+        say(f"   {words}")
+    for choice in view.choices:
+        say(f"   {_key(choice):6} {choice.label}{' (moves the dish)' if choice.moves else ''}")
+
+
+def _key(choice: Choice) -> str:
+    return "Enter" if choice.key == "enter" else choice.key

@@ -1,0 +1,1 @@
+"""The eleven steps, one small file each."""

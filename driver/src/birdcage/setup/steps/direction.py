@@ -1,0 +1,104 @@
+"""Step 7: which way the axes turn."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from birdcage.base.errors import BirdcageError, MotionRefused
+from birdcage.setup.step import Choice
+from birdcage.setup.steps.base import Plan, Step
+from birdcage.station.requests import Goto
+from birdcage.station.state import Pointing
+
+STEP_DEG = 5.0
+_WRONG = {
+    "az": "The azimuth went the other way: this dish counts it against the clock, or its azimuth motor is wired the "
+    "other way round. Check that you looked from above. Do not point with it before that is mended.",
+    "el": "The elevation went the other way: its motor is wired the other way round, or you looked at the wrong edge "
+    "of the dish. Do not point with it before that is mended.",
+}
+
+
+class DirectionStep(Step):
+    """Moves each axis a little, asks what was seen, and moves back."""
+
+    name = "direction"
+    title = "Direction"
+    page = "control"
+
+    asked = ""
+    """`az` or `el` while an answer is waited for."""
+    _sign = 1.0
+    _start: Pointing | None = None
+    _seen = ""
+
+    def words(self) -> tuple[str, ...]:
+        """Say what will move, or what to look at."""
+        if self.asked == "az":
+            way = "clockwise" if self._sign > 0 else "counterclockwise"
+            return (f"It turned {STEP_DEG:g}° in azimuth: seen from above, did it turn {way}?",)
+        if self.asked == "el":
+            return (f"It moved {STEP_DEG:g}° in elevation: did it look {'up' if self._sign > 0 else 'down'}?",)
+        return (
+            f"Turns {STEP_DEG:g}° in azimuth, then {STEP_DEG:g}° in elevation, and asks each time which way it went.",
+            "Then it goes back. Stand where you see it, out of its swing.",
+            *self.trouble(),
+            *(("Home it first: step 4.",) if self.bench.is_up and self.bench.position is None else ()),
+        )
+
+    def choices(self) -> tuple[Choice, ...]:
+        """Start, or answer."""
+        if self.asked:
+            return (
+                *self.release_choice(),
+                Choice("yes", "y", "Yes", moves=True),
+                Choice("no", "n", "No", moves=True),
+            )
+        if self.bench.position is None:
+            return self.release_choice()
+        return (*self.release_choice(), Choice("start", "enter", f"Turn it {STEP_DEG:g}°", moves=True))
+
+    def take(self, choice: str, values: Mapping[str, str]) -> None:  # noqa: ARG002 - a step's signature
+        """Move, or judge."""
+        if choice == "release":
+            self.begin(self.release(), "releasing")
+        elif choice == "start":
+            self._start, self._seen = self.bench.position, ""
+            self.begin(self._try("az"), "turning")
+        elif choice == "no":
+            self.bench.forget(self.name)  # whatever was kept before is not so
+            self.begin(self._back(self.asked), "moving back")
+        elif self.asked == "az":
+            self._seen = f"az {self._sign * STEP_DEG:+g} deg turned {'clockwise' if self._sign > 0 else 'back'}"
+            self.begin(self._try("el"), "moving")
+        else:
+            self._seen += f", el {self._sign * STEP_DEG:+g} deg looked {'up' if self._sign > 0 else 'down'}"
+            self.begin(self._back(""), "moving back")
+
+    def _try(self, axis: str) -> Plan:
+        start = self._start
+        assert start is not None, "the choice is only there with a position"
+        self.asked = ""
+        refusal: BirdcageError | None = None
+        for sign in (1.0, -1.0):
+            az_deg = (start.az_deg + sign * STEP_DEG) % 360.0 if axis == "az" else start.az_deg
+            el_deg = start.el_deg + sign * STEP_DEG if axis == "el" else start.el_deg
+            try:
+                yield self.bench.ask(Goto(az_deg, el_deg, self.bench.holder))
+            except MotionRefused as refused:
+                # It may stand at a limit, as after homing: the other way tells as much.
+                refusal = refusal or refused
+                continue
+            self._sign, self.asked = sign, axis
+            return
+        assert refusal is not None, "both ways were refused"
+        raise refusal
+
+    def _back(self, wrong: str) -> Plan:
+        start = self._start
+        assert start is not None, "it has moved from there"
+        self.asked = ""
+        yield self.bench.ask(Goto(start.az_deg, start.el_deg, self.bench.holder))
+        if wrong:
+            raise BirdcageError(_WRONG[wrong], reason="direction")
+        self.bench.done(self.name, f"{self._seen}: seen by you")

@@ -1,0 +1,204 @@
+"""Step 1: the wire."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from birdcage.base.errors import NoReply
+from birdcage.setup.bench import Bench, Value
+from birdcage.setup.case import Case, Cause, describe
+from birdcage.setup.causes import find_causes
+from birdcage.setup.step import Choice, Field, Mark, NoSuchChoice
+from birdcage.setup.steps.base import Plan, Step
+from birdcage.station.finding import BaudFinding, Saw
+from birdcage.station.known import PortInfo, SystemFacts
+from birdcage.station.requests import Connect, ProbePort
+from birdcage.station.state import Activity, Link
+
+LIST_S = 2.0
+"""How often the ports of the machine are listed, in seconds, while this step waits."""
+ANSWER_S = 20.0
+"""How long a dish that does not boot may take to answer after the port was changed."""
+MOST_PORTS = 9
+MOST_CAUSES = 3
+"""How many causes are said in the step itself; `Setup.causes` has all."""
+
+_MAKERS = {"0403": "FTDI", "1a86": "WCH", "10c4": "Silicon Labs", "067b": "Prolific", "04d8": "Microchip"}
+"""USB vendors of the adapters that people have."""
+
+
+class LinkStep(Step):
+    """Finds the port and the speed at which a dish answers."""
+
+    name = "link"
+    title = "Link"
+    page = "console"
+
+    def __init__(self, bench: Bench) -> None:
+        super().__init__(bench)
+        self._ports: list[PortInfo] = []
+        self._listed_at: float | None = None
+        self._system: SystemFacts | None = None
+        self._looked_at: tuple[str, Link] | None = None
+        self._baud: int | None = None
+        """The speed that was asked for here last; None before."""
+        self.findings: tuple[BaudFinding, ...] = ()
+        """What was seen at each speed."""
+
+    @property
+    def mark(self) -> Mark:
+        """Whether it answers now; as kept while it is being opened."""
+        link, kept = self.bench.state.link.state, self.bench.kept(self.name)
+        if kept is not None and not kept.done and link is not Link.UP:
+            return Mark.SKIPPED
+        if link in (Link.SILENT, Link.LOST) and not self.busy and not self._boots:
+            return Mark.FAILED
+        return super().mark
+
+    @property
+    def _boots(self) -> bool:
+        return self.bench.state.activity is Activity.INITIALIZING
+
+    @property
+    def _rate(self) -> int:
+        model = self.bench.state.dish
+        assert model is not None, "a station knows its dish from the start"
+        return self._baud or self.bench.settings.dish.baud or model.baud
+
+    def evidence(self) -> str:
+        """Say what is known of the wire."""
+        state = self.bench.state
+        if self._boots:
+            return f"the dish is starting: {state.activity_text}"
+        if state.link.state is Link.UP:
+            return self._live()
+        if state.link.state is Link.SILENT:
+            return f"{state.port} opens, and at {self._rate} baud no dish answers"
+        if state.link.state in (Link.LOST, Link.OPENING):
+            return state.link.detail
+        return super().evidence()
+
+    def _live(self) -> str:
+        state, info = self.bench.state, self._info(self.bench.state.port)
+        parts = [Path(state.port).name if state.port.startswith("/dev/") else state.port]
+        if info is not None and info.vid_pid is not None:
+            parts.append(_MAKERS.get(info.vid_pid[:4], info.description or info.vid_pid))
+        parts.append(f"{self._rate} 8N1")
+        trip = state.link.round_trip_s
+        parts.append("answers" if trip is None else f"answers in {max(1, round(trip * 1000))} ms")
+        return ", ".join(parts)
+
+    def words(self) -> tuple[str, ...]:
+        """Say what to do, and what was seen."""
+        state = self.bench.state
+        if state.link.state is Link.UP:
+            return (f"A dish answers on {state.port}.",)
+        words = [state.link.detail] if state.link.state is Link.SILENT else []
+        words += ["Choose the port that the RS-422 adapter has. Nothing is sent to the others."]
+        if not self._ports:
+            words.append("This machine has no serial port now: plug the adapter in.")
+        if self.findings:
+            words.append(f"Seen: {describe(self.findings)}.")
+        words += [f"{each.title}: {each.what_to_do}" for each in self.causes()[:MOST_CAUSES]]
+        return tuple(words)
+
+    def causes(self) -> tuple[Cause, ...]:
+        """Return what may be wrong, likeliest first; empty while the dish answers or boots."""
+        state = self.bench.state
+        if state.link.state not in (Link.SILENT, Link.LOST) or self._boots:
+            return ()
+        baud = state.dish.baud if state.dish else None
+        return find_causes(
+            Case(state.port, state.link, self.findings, self._system, tuple(self._ports), firmware_baud=baud)
+        )
+
+    def choices(self) -> tuple[Choice, ...]:
+        """Keep, connect, look at other speeds, or another port."""
+        state, choices = self.bench.state, []
+        answering = self._answering()
+        if state.link.state is Link.UP:
+            choices.append(Choice("keep", "enter", "Use this port"))
+        elif answering is not None:
+            choices.append(Choice("connect", "enter", f"Connect at {answering} baud"))
+        if state.link.state is Link.SILENT:
+            choices.append(Choice("probe", "p", "Look at other speeds"))
+        for key, info in enumerate(self._ports[:MOST_PORTS], 1):
+            maker = "" if info.vid_pid is None else f", {_MAKERS.get(info.vid_pid[:4], info.description or '')}"
+            choices.append(Choice(f"port-{key}", str(key), f"{info.device}{maker}"))
+        field = Field("port", "port", hint="/dev/ttyUSB0, COM4, socket://host:port", value=state.port)
+        baud = Field("baud", "speed", "baud", "empty: the firmware's own")
+        return (*choices, Choice("other", "t", "Type a port", fields=(field, baud)))
+
+    def _answering(self) -> int | None:
+        return next((each.baud for each in self.findings if each.saw is Saw.PROMPT), None)
+
+    def take(self, choice: str, values: Mapping[str, str]) -> None:
+        """Change over, or listen."""
+        if choice == "keep":
+            self._keep()
+        elif choice == "probe":
+            self.begin(self._probe(), "listening at several speeds, some seconds each")
+        elif choice == "connect":
+            self._connect(self.bench.state.port, self._answering())
+        elif choice == "other":
+            port, baud = values.get("port", "").strip(), values.get("baud", "").strip()
+            if not port:
+                raise NoSuchChoice("Type a port, such as /dev/ttyUSB0.")
+            if baud and not (baud.isdigit() and 50 <= int(baud) <= 4_000_000):
+                raise NoSuchChoice(f"{baud!r} is no speed such as 115200.")
+            self._connect(port, int(baud) if baud else None)
+        else:
+            self._connect(self._ports[int(choice.removeprefix("port-")) - 1].device, self.bench.settings.dish.baud)
+
+    def _connect(self, port: str, baud: int | None) -> None:
+        self.findings = ()
+        self.begin(self._change_over(port, baud), f"opening {port}")
+
+    def _change_over(self, port: str, baud: int | None) -> Plan:
+        yield self.bench.ask(Connect(port, baud))
+        model = self.bench.state.dish
+        assert model is not None, "a station knows its dish from the start"
+        self._baud = baud or model.baud
+        deadline = self.bench.now + ANSWER_S
+        while not self.bench.is_up:
+            link = self.bench.state.link
+            if link.state is Link.LOST or (link.state is Link.SILENT and not self._boots):
+                return  # the mark and the evidence say so, for as long as it is so
+            # A dish that boots has its own time; the station follows its text.
+            if self.bench.now > deadline and not self._boots:
+                raise NoReply(f"Nothing answered on {port} within {ANSWER_S:.0f} s.")
+            yield None
+        self._list()
+        self._keep()
+
+    def _keep(self) -> None:
+        state, info = self.bench.state, self._info(self.bench.state.port)
+        self.findings = ()
+        keys: dict[str, Value] = {
+            "dish.port": state.port,
+            "dish.baud": self._rate,
+            "link.usb_identity": info.identity if info else None,
+        }
+        self.bench.done(self.name, self._live() + self.bench.overridden("dish.port", "dish.baud"), keys)
+
+    def _probe(self) -> Plan:
+        found = yield self.bench.ask(ProbePort())
+        assert isinstance(found, tuple), "the station resolves it with findings"
+        self.findings = found
+
+    def look(self) -> None:
+        """Keep the list of ports up to date while there is something to choose."""
+        if self._listed_at is None or (not self.bench.is_up and self.bench.now - self._listed_at >= LIST_S):
+            self._list()
+        state = self.bench.state
+        if self._looked_at != (state.port, state.link.state) and state.link.state in (Link.SILENT, Link.LOST):
+            self._looked_at = state.port, state.link.state
+            self._system = self.bench.system(state.port)
+
+    def _list(self) -> None:
+        self._ports, self._listed_at = self.bench.ports(), self.bench.now
+
+    def _info(self, port: str) -> PortInfo | None:
+        real = str(Path(port).resolve())
+        return next((each for each in self._ports if port in (each.device, each.by_id) or each.device == real), None)

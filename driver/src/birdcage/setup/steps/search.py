@@ -1,0 +1,107 @@
+"""Step 3: the firmware's own TV search."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from birdcage.setup.step import Choice
+from birdcage.setup.steps.base import Plan, Step
+from birdcage.station.requests import Connect, SetSearch
+from birdcage.station.state import Search
+
+
+class SearchStep(Step):
+    """Off for good takes a written setting, a power cycle, and a look afterwards."""
+
+    name = "search"
+    title = "TV search off"
+    page = "console"
+
+    written = ""
+    """Where the backup lies of what was written in this run; empty while nothing was."""
+    gone = False
+    """Whether the dish was out of sight since, as it is while switched off."""
+
+    @property
+    def proven(self) -> bool | None:
+        """Off in force, and a restart acknowledged; None while the dish has not told."""
+        state = self.bench.state
+        if self.written:
+            return False
+        if not self.bench.is_up or "nvs.20" not in state.readings:
+            return None
+        return state.search is Search.OFF
+
+    def evidence(self) -> str:
+        """Say what the dish says, and where the backup is."""
+        state, kept = self.bench.state, self.bench.kept(self.name)
+        if self.written:
+            return f"saved as off; backup {self.written}; waits for the dish to be switched off and on"
+        if self.proven is False:
+            told = state.readings["nvs.20"].value
+            return f"on: NVS 20 is {told}; the dish moves by itself after power-up"
+        return kept.evidence if kept else ""
+
+    def words(self) -> tuple[str, ...]:
+        """Name the consequences."""
+        if self.written:
+            asked = "Now switch the dish off and on (12 V), and wait until it has started."
+            return (asked, *(self.trouble() if self.bench.is_up else ("It does not answer now.",)))
+        return (
+            "The dish's own TV search moves it without being asked.",
+            "This saves NVS 20 as TRUE in the dish, after a copy of its whole table was kept here.",
+            "It takes effect after the next power cycle. From then on the dish no longer homes by itself:",
+            "home it after each power-up. `birdcage init --restore-search` walks it back.",
+            *self.trouble(),
+        )
+
+    def choices(self) -> tuple[Choice, ...]:
+        """Switch it off, or say that the power was cycled."""
+        if not self.bench.is_up:
+            return ()
+        if self.written:
+            again = () if self.gone else (Choice("cycled", "c", "I switched it off and on"),)
+            return (*self.release_choice(), *again)
+        if self.proven is not False:
+            return self.release_choice()
+        return (*self.release_choice(), Choice("off", "enter", "Switch the TV search off"))
+
+    def take(self, choice: str, values: Mapping[str, str]) -> None:  # noqa: ARG002 - a step's signature
+        """Write, or go on after the power cycle."""
+        if choice == "release":
+            self.begin(self.release(), "releasing")
+        elif choice == "cycled":
+            self.begin(self._look_again(), "looking at the dish anew")
+        else:
+            self.begin(self._off(), "copying the dish's settings, then writing")
+
+    def _off(self) -> Plan:
+        yield from self.release_after_restart()  # its search may be what moved it
+        backup = yield self.bench.ask(SetSearch(self.bench.holder, disabled=True))
+        self.written, self.gone = Path(str(backup)).name, False
+
+    def _look_again(self) -> Plan:
+        """Meet the dish anew: nothing that was known of it before it was switched off counts."""
+        yield self.bench.ask(Connect(self.bench.state.port, self.bench.settings.dish.baud))
+        self.gone = True
+
+    def look(self) -> None:
+        """Notice the power cycle, and that the search is off."""
+        state = self.bench.state
+        if self.written:
+            restarted = state.fault is not None and state.fault.reason == "reboot"
+            self.gone = self.gone or restarted or not self.bench.is_up
+            if not self.gone or not self._off_now() or state.fault is not None:
+                return
+            evidence = f"off: NVS 20 TRUE, saved (was FALSE; backup {self.written})"
+            self.written = ""
+            self.bench.done(self.name, evidence)
+        elif self.proven:
+            kept = self.bench.kept(self.name)
+            if kept is None or not kept.done:
+                self.bench.done(self.name, "off: NVS 20 TRUE")
+
+    def _off_now(self) -> bool:
+        state = self.bench.state
+        return self.bench.is_up and state.search is Search.OFF and "nvs.20" in state.readings

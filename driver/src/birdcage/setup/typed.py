@@ -1,0 +1,69 @@
+"""Reading what a person typed, with a sentence for what can't be used."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from datetime import UTC, datetime, timedelta
+
+from birdcage.setup.step import NoSuchChoice
+
+_SCALE = {"": 1.0, "k": 1e3, "m": 1e6, "g": 1e9}
+_FREQUENCY = re.compile(r"([-+]?[0-9.]+(?:e[-+]?\d+)?)\s*([kmg]?)(?:hz)?", re.IGNORECASE)
+_TIME = re.compile(r"(\d{1,2}):(\d\d)(?::(\d\d(?:\.\d+)?))?\s*z?", re.IGNORECASE)
+
+
+def optional_number(values: Mapping[str, str], name: str, label: str, low: float, high: float) -> float | None:
+    """Return a number, None where nothing was typed. A comma may stand for the point, `°` and `+` are allowed."""
+    text = values.get(name, "").strip().rstrip("°").replace(",", ".").strip()
+    if not text:
+        return None
+    try:
+        value = float(text)
+    except ValueError:
+        raise NoSuchChoice(f"{label}: {values[name].strip()!r} is no number.") from None
+    if not math.isfinite(value) or not low <= value <= high:
+        raise NoSuchChoice(f"{label}: {values[name].strip()} does not lie between {low:g} and {high:g}.")
+    return value
+
+
+def number(values: Mapping[str, str], name: str, label: str, low: float, high: float) -> float:
+    """Return a number that has to be there."""
+    value = optional_number(values, name, label, low, high)
+    if value is None:
+        raise NoSuchChoice(f"{label}: type a number between {low:g} and {high:g}.")
+    return value
+
+
+def frequency_hz(values: Mapping[str, str], name: str, label: str) -> float | None:
+    """Return a frequency in Hz from `9750 MHz`, `9.75G` or `9.75e9`; None where nothing was typed."""
+    text = values.get(name, "").strip().replace(",", ".")
+    if not text:
+        return None
+    found = _FREQUENCY.fullmatch(text)
+    try:
+        value = math.nan if found is None else float(found[1]) * _SCALE[found[2].lower()]
+    except ValueError:
+        value = math.nan
+    if not 0.0 <= value <= 1e12:
+        raise NoSuchChoice(f"{label}: {text!r} is no frequency such as 9750 MHz.")
+    return value
+
+
+def yes(values: Mapping[str, str], name: str, label: str) -> bool:
+    """Return whether `y` or `yes` was typed; nothing typed is no."""
+    text = values.get(name, "").strip().lower()
+    if text not in ("", "y", "yes", "n", "no"):
+        raise NoSuchChoice(f"{label}: answer y or n.")
+    return text in ("y", "yes")
+
+
+def time_of_day(text: str, near: datetime) -> datetime:
+    """Return the UTC time nearest to `near` that a watch shows as `12:03` or `12:03:20`."""
+    found = _TIME.fullmatch(text.strip())
+    if found is None or int(found[1]) > 23 or int(found[2]) > 59 or float(found[3] or 0) >= 60:
+        raise NoSuchChoice(f"{text.strip()!r} is no time such as 12:03:20.")
+    midnight = near.astimezone(UTC).replace(hour=0, minute=0, second=0, microsecond=0)
+    told = midnight + timedelta(hours=int(found[1]), minutes=int(found[2]), seconds=float(found[3] or 0))
+    return min((told + timedelta(days=days) for days in (-1, 0, 1)), key=lambda each: abs(each - near))

@@ -1,0 +1,103 @@
+"""From a dish out of its box to one that points, as a new user would do it; and in two goes."""
+
+from __future__ import annotations
+
+import pytest
+from birdcage.base.config import edit
+from birdcage.base.geometry import shortest_turn
+from birdcage.setup.step import AreaNotClear
+from birdcage.sim.almanac import sun
+from birdcage.sky.geostationary import SLOTS, look_angle
+
+FRESH = "g2?boot=1&nvs20=0&home_fails=1&heading=30&seed=4"
+"""Freshly booted, not homed, its TV search on; its zero looks at 30 degrees true."""
+
+
+def wires_to_home(house):
+    setup = house.setup
+    house.run(12)
+    assert setup.current == "link"
+    assert house.view("link").mark.value == "failed"
+    house.choose("link", "probe")
+    assert any("115200" in word and "prompt" in word for word in house.view("link").words)
+    house.choose("link", "connect")
+    house.until(lambda: setup.current == "search")
+    assert "02.02.48" in house.view("dish").evidence
+    house.until(lambda: house.view("search").choices)
+    house.choose("search", "off")
+    assert "backup nvs-g2-" in house.view("search").evidence
+    house.device.power_cycle()
+    house.until(lambda: any(each.name == "release" for each in house.view("search").choices))
+    house.choose("search", "release")
+    house.until(lambda: setup.current == "home")
+    assert house.moves() == []
+    with pytest.raises(AreaNotClear):
+        setup.choose("home", "home")
+    setup.clear()
+    house.choose("home", "home")
+    house.until(lambda: setup.current == "feed")
+
+
+def feed_to_the_end(house):
+    setup = house.setup
+    house.choose("feed", "stock")
+    house.choose("limits", "own", floor="20")
+    house.choose("direction", "start")
+    house.choose("direction", "yes")
+    house.choose("direction", "yes")
+    setup.skip("level")
+    house.choose("place", "typed", latitude_deg="39.1", longitude_deg="-95.7", height_m="250")
+    assert setup.current == "place"
+    house.choose("place", "clock", utc=f"{house.clock.utc():%H:%M:%S}")
+    assert setup.current == "north"
+
+
+def look_at_the_sun(house):
+    """Move the dish until it truly looks at the Sun, as a person does by the shadow."""
+    for _ in range(3):
+        az_deg, el_deg = sun(house.clock.utc(), 39.1, -95.7)
+        looks_at = house.looks_at()
+        off = shortest_turn(looks_at[0], az_deg), el_deg - looks_at[1]
+        house.choose("north", "jog", d_az_deg=f"{off[0]:.2f}", d_el_deg=f"{off[1]:.2f}")
+
+
+def test_a_dish_out_of_its_box_ends_homed_limited_turned_north_and_pointing(build):
+    house = build(FRESH)
+    edit(house.paths.config_file, {"dish.baud": 57600})
+    house.start()
+    wires_to_home(house)
+    feed_to_the_end(house)
+    look_at_the_sun(house)
+    house.run(2)
+    house.choose("north", "mark")
+    assert house.state.az_offset_deg == pytest.approx(30.0, abs=0.15)
+    assert house.setup.current == "first"
+    house.choose("first", "point")
+    evidence = house.view("first").evidence
+    assert evidence.startswith("points at")
+    slot = next(slot for slot in SLOTS if slot.label in evidence)
+    assert house.looks_at() == pytest.approx(look_angle(39.1, -95.7, slot.longitude_deg), abs=0.25)
+    assert house.setup.finished
+    settings = house.file()
+    assert settings.problems == ()
+    assert (settings.dish.port, settings.dish.baud, settings.dish.firmware) == ("/dev/ttyUSB0", 115200, "g2")
+    assert settings.link.usb_identity == "0403:6001:A5"
+    assert settings.motion.min_elevation_deg == 20
+    assert settings.alignment.az_offset_deg == pytest.approx(30.0, abs=0.15)
+    assert house.state.el_min_deg == 20
+
+
+def test_killed_half_way_it_goes_on_where_it_was(build):
+    house = build(FRESH)
+    edit(house.paths.config_file, {"dish.baud": 57600})
+    house.start()
+    wires_to_home(house)
+    house.choose("feed", "stock")
+    house.kill()
+    house.start().run(8)
+    assert house.setup.current == "limits"
+    assert {name for name, mark in house.marks().items() if mark == "done"} == {
+        "link", "dish", "search", "home", "feed",
+    }  # fmt: skip
+    assert not house.setup.area_clear
+    assert "backup nvs-g2-" in house.view("search").evidence
