@@ -31,6 +31,8 @@ TOKENS = ("TRK>", "MOT>")
         (b"Bootloader v1.01\r\nMotor init", Saw.TEXT),
         (b"AT\r\nAT\r\nATE1", Saw.TEXT),
         (b"\x80\xfe\x00\xfc\x1c", Saw.GARBAGE),
+        (b"\x80\xfeabc\x00\xfc\x1c", Saw.GARBAGE),
+        (b"\x80\xfe\x00\xfc\r>", Saw.GARBAGE),
         (b"\x00", Saw.GARBAGE),
         (b">", Saw.GARBAGE),
         (b"x\r", Saw.GARBAGE),

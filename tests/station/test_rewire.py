@@ -83,17 +83,18 @@ def test_all_usual_rates_are_tried_where_none_answers(wrong):
     findings = wrong.do(ProbePort())
     assert [each.baud for each in findings] == [9600, *(baud for baud in USUAL_BAUDS if baud != 9600)]
     assert {each.saw for each in findings} == {Saw.SILENCE}
+    assert all(port._closed for port in wrong.opened[:-1])
     assert sum(each.waited_s for each in findings) == pytest.approx(3.5)
 
 
 def test_a_dish_that_answers_is_heard_at_its_own_rate_and_goes_on():
     bench = Wires().connect()
-    before = len(bench.asked)
+    bench.step(2)
+    talked = bench.sent_since(0)
     (finding,) = bench.do(ProbePort())
     assert (finding.baud, finding.saw) == (115200, Saw.PROMPT)
-    assert bench.sent_since(before)[0] == b"\r"
-    # Closing sends nothing either: a `q` was not needed, and would be one byte too many.
-    assert not any(b"q" in each for each in bench.sent_since(0))
+    # Closing the port beforehand sends nothing either: not a `q`, not an Enter.
+    assert bench.sent_since(0)[: len(talked) + 1] == [*talked, b"\r"]
     bench.step(3)
     assert bench.state.link.state is Link.UP
 
