@@ -188,6 +188,18 @@ def test_modem_manager_is_named_while_it_runs_and_likely_when_it_was_heard():
     assert by_title(heard, "ModemManager").likely is True
 
 
+def test_a_server_on_the_network_is_not_plugged_in():
+    (only,) = find_causes(Case("socket://host:2000", LinkState(Link.LOST, detail="nobody answered")))
+    assert "server" in only.what_to_do
+    case = Case("socket://host:2000", SILENT, (found(57600, Saw.SILENCE),), firmware_baud=115200)
+    rate = by_title(find_causes(case), "Wrong baud")
+    assert (rate.use_baud, rate.what_to_do) == (None, "Set 115200 baud at the serial server.")
+
+
+def test_nothing_is_wrong_while_the_dish_answers():
+    assert causes(link=LinkState(Link.UP)) == ()
+
+
 @pytest.mark.parametrize("saw", list(Saw))
 def test_the_likely_ones_come_first_and_each_says_why_and_what(saw):
     for findings in ((found(9600, saw, "abc"),), all_rates(saw, "abc")):

@@ -137,11 +137,11 @@ def _open_serial(url: str, baud: int, clock: Clock, *, is_device: bool) -> tuple
         opened.open()
     except (OSError, ValueError) as error:
         raise trouble.explain(url, baud, error, is_device=is_device) from error
-    remark = None
+    remarks = [f"{baud} baud 8N1"]
     if is_device:
         lines.stay_up(opened)
-        remark = lower_latency(opened, url)
-    return SerialPort(opened, url, clock), remark
+        remarks += filter(None, [lower_latency(opened, url)])
+    return SerialPort(opened, url, clock), "; ".join(remarks)
 
 
 def _check_device(url: str, baud: int) -> None:

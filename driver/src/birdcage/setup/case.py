@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from birdcage.station.finding import BaudFinding, Saw
-from birdcage.station.known import PortInfo, SystemFacts
+from birdcage.station.known import PortInfo, SystemFacts, has_speed
 from birdcage.station.state import LinkState
 
 
@@ -44,6 +44,11 @@ class Case:
     def answered_before(self) -> bool:
         """Whether the dish has answered since the program started: then the wires were right."""
         return self.link.last_reply is not None
+
+    @property
+    def sets_rate(self) -> bool:
+        """Whether the baud rate is ours to set: on TCP it is the server's."""
+        return has_speed(self.port)
 
     def rates(self, saw: Saw) -> tuple[int, ...]:
         """Return the rates at which this was seen."""

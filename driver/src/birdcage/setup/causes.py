@@ -16,13 +16,18 @@ __all__ = ["Case", "Cause", "describe", "find_causes"]
 
 
 def find_causes(case: Case) -> tuple[Cause, ...]:
-    """Return what may be wrong, the likely ones first, each set in the order in which to look."""
+    """Return what may be wrong, the likely ones first, else in the order in which to look; nothing while it is up."""
+    if case.link.state is Link.UP:
+        return ()
     found = [*_of_the_system(case), *_of_the_port(case)] if case.link.state is Link.LOST else _of_the_wire(case)
     return tuple(sorted(found, key=lambda cause: not cause.likely))
 
 
 def _of_the_port(case: Case) -> list[Cause]:
     """The port itself cannot be opened."""
+    if "://" in case.port:
+        mend = "Check the address, and that the serial server is on and listens."
+        return [Cause("The server does not answer", case.link.detail, mend, likely=True)]
     here = [each.device for each in case.ports]
     if case.port in here or (case.system is not None and case.system.may_open is not None):
         return [

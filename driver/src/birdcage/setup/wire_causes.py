@@ -53,8 +53,8 @@ def garbage(case: Case) -> list[Cause]:
         Cause(
             "Wrong baud rate",
             f"{seen} {f'This firmware speaks at {own}.' if own else 'Which rate this dish speaks is not known.'}",
-            f"Use {own} baud." if elsewhere else "Try the other rates.",
-            likely=not at_own_rate, use_baud=own if elsewhere else None,
+            _mend(case, own) if own is not None and elsewhere else "Try the other rates.",
+            likely=not at_own_rate, use_baud=own if elsewhere and case.sets_rate else None,
         ),
         Cause(
             "The receiving pair is swapped",
@@ -139,9 +139,13 @@ def _wrong_rate(case: Case, seen: str) -> Cause:
         return Cause(title, why, "Choose another firmware if this dish is another one.", likely=False)
     if own is not None and tried:
         why = f"{seen} This firmware speaks at {own}, and a dish may be silent at any other rate."
-        return Cause(title, why, f"Use {own} baud.", likely=True, use_baud=own)
+        return Cause(title, why, _mend(case, own), likely=True, use_baud=own if case.sets_rate else None)
     why = f"{seen} A dish may be silent at any rate but its own."
     return Cause(title, why, "Listen at the other rates.", likely=len(tried) < 2 and not case.answered_before)
+
+
+def _mend(case: Case, baud: int) -> str:
+    return f"Use {baud} baud." if case.sets_rate else f"Set {baud} baud at the serial server."
 
 
 def _use(found: BaudFinding, why: str) -> Cause:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from birdcage.link.opening import has_speed
 from birdcage.link.ports import PortInfo, list_ports
 from birdcage.link.system import Hindrance, SystemFacts, look_at_system
 from birdcage.protocol.registry import FIRMWARE_REGISTRY
 
-__all__ = ["Hindrance", "PortInfo", "SystemFacts", "list_firmwares", "list_ports", "look_at_system"]
+__all__ = ["Hindrance", "PortInfo", "SystemFacts", "has_speed", "list_firmwares", "list_ports", "look_at_system"]
 
 
 def list_firmwares() -> tuple[str, ...]:
