@@ -3,7 +3,19 @@
 from __future__ import annotations
 
 from birdcage.base.errors import BirdcageError
-from birdcage.station.requests import AcknowledgeFault, Follow, Goto, Home, Jog, Release, ReleaseMotors, Watch
+from birdcage.station.requests import (
+    AcknowledgeFault,
+    Engage,
+    Follow,
+    Goto,
+    Home,
+    Jog,
+    Release,
+    ReleaseMotors,
+    SetSpeed,
+    Stow,
+    Watch,
+)
 from birdcage.station.state import Link
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
@@ -23,9 +35,12 @@ MOVES = st.one_of(
     st.builds(Follow, AZ, EL, HOLDER, st.booleans()),
     st.builds(Jog, st.integers(-5, 5), st.integers(-5, 5), HOLDER),
     st.builds(Home, HOLDER, st.sampled_from([(), (0,), (1,)])),
+    st.builds(Engage, HOLDER),
+    st.builds(Stow, HOLDER),
 )
 OTHERS = st.one_of(
     st.builds(ReleaseMotors, HOLDER),
+    st.builds(SetSpeed, st.sampled_from([0, 1]), st.sampled_from([0.0, 5.0, 45.0]), HOLDER),
     st.just(Release("you")),
     st.just(AcknowledgeFault("you")),
     st.builds(Watch, st.just("test"), st.sampled_from([frozenset(), frozenset({"position", "rssi"})])),
@@ -48,8 +63,10 @@ class Watched:
     """Counts the lines that move the dish and go out while STOP holds, STOP's own apart."""
 
     def __init__(self):
-        self.bench = Bench("g2?seed=1&az=-180")
+        self.bench = Bench("g2?seed=1&az=-180", {"stow_allowed": True})
         self.stopped = False
+        self.falls = False
+        """Whether a release of the motors was asked for after the last STOP: that alone may follow it."""
         self.own = []
         self.wrong = []
         self.press = None
@@ -85,7 +102,9 @@ class Watched:
                 def writing(data):
                     if data in self.own:
                         self.own.remove(data)
-                    elif self.stopped and data.startswith((b"a ", b"h ", b"g ", b"r\r")):
+                    elif self.stopped and data == b"r\r" and self.falls:
+                        pass
+                    elif self.stopped and data.startswith((b"a ", b"h ", b"g ", b"r\r", b"e\r", b"stow\r")):
                         self.wrong.append(data)
                     write(data)
                     if self.press is not None:
@@ -100,7 +119,7 @@ class Watched:
         self.bench.opened = Opened(opened)
 
     def stop(self):
-        self.stopped = True
+        self.stopped, self.falls = True, False
         self.bench.station.stop("you")
 
     def step(self, seconds):
@@ -129,6 +148,7 @@ class Watched:
                 self.release(futures)
             case ("other", request, press):
                 self.press = press
+                self.falls = self.falls or isinstance(request, ReleaseMotors)
                 futures.append(bench.station.submit(request))
             case ("step", seconds):
                 self.step(seconds)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import threading
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 
 from birdcage.antenna.alignment import Alignment
 from birdcage.antenna.motion import STOP_LATENCY_S, DishMotion, start_motion
@@ -54,7 +55,9 @@ class BirdcageAntenna:
         self.taken = 0
         """How many motions the dish has taken, at least in one axis."""
         self._modelling = threading.RLock()
-        protocol.gate.update(floor_deg=self._config.min_elevation - self.alignment.el_offset_deg)
+        self.model = protocol.model
+        """The dish with the speeds that are in force now; `protocol.model` is what it can do."""
+        self.align(self.alignment)
 
     @property
     def config(self) -> AntennaConfig:
@@ -74,6 +77,26 @@ class BirdcageAntenna:
     @property
     def _clock(self) -> Clock:
         return self._protocol.clock
+
+    def align(self, alignment: Alignment) -> None:
+        """Use another alignment from now on. Only while nothing moves."""
+        self._check_thread()
+        self.alignment = alignment
+        self._protocol.gate.update(
+            floor_deg=self._config.min_elevation - alignment.el_offset_deg,
+            az_offset_deg=alignment.az_offset_deg, el_offset_deg=alignment.el_offset_deg,
+        )  # fmt: skip
+        self._last_position = None
+
+    def use_speeds(self, speeds: Mapping[int, float]) -> None:
+        """Plan with these greatest speeds (motor number to deg/s); an axis that is not named goes as its model says."""
+        self._check_thread()
+        model = self._protocol.model
+        self.model = replace(
+            model,
+            azimuth=replace(model.azimuth, speed_deg_s=speeds.get(MOTOR_AZIMUTH, model.azimuth.speed_deg_s)),
+            elevation=replace(model.elevation, speed_deg_s=speeds.get(MOTOR_ELEVATION, model.elevation.speed_deg_s)),
+        )
 
     def adopt(self, owner: threading.Thread | None) -> None:
         """Give the antenna to a thread: calls from any other raise `WrongThread` from then on. None frees it."""
@@ -165,7 +188,7 @@ class BirdcageAntenna:
         turns = gate.cable_turns(dish_az)
         cable = gate.cable_deg
         turn = turns[0] - cable if turns and cable is not None else shortest_turn(start.azimuth, dish_az)
-        planned = start_motion(self._protocol.model, start, turn, dish_el, now, velocity)
+        planned = start_motion(self.model, start, turn, dish_el, now, velocity)
         taken = self.taken
         with self._modelling:
             # Before the first byte: a STOP that comes after that byte must know what to stop.

@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import ClassVar
 
-from birdcage.base.errors import CommandRefused, NoReply, PositionUnknown
+from birdcage.base.errors import CommandRefused, MotionRefused, NoReply, PositionUnknown
 from birdcage.console.dialect import ConsoleDialect
+from birdcage.protocol.command_list import CommandDoc
+from birdcage.protocol.g2_commands import COMMANDS
+from birdcage.protocol.g2_hazards import HAZARDS
 from birdcage.protocol.g2_model import CARRYOUT_G2, DIALECT
+from birdcage.protocol.hazard import HazardTable
 from birdcage.protocol.model import DishModel
 from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, NvsRow, parse_nvs
 from birdcage.protocol.protocol import BOOT_TIMEOUT_S, FirmwareProtocol
@@ -20,9 +24,12 @@ UNHOMED = 2147483647.0
 
 _ANGLE = re.compile(r"Angle\[(\d)\]\s*=\s*([-+]?\d+(?:\.\d+)?)")
 _MOVE_TAKEN = re.compile(r"Angle\s*=\s*([-+]?\d+(?:\.\d+)?)")
+_MAX_VEL = re.compile(r"Max Vel\s*\[(\d)\]\s*=\s*(\d+)\s*$")
 _RSSI = re.compile(r"Reads:(\d+)\s+RSSI\[avg:\s*(\d+)\s+cur:\s*(\d+)\]")
 _ID_FIELD = re.compile(r"^\s*([A-Za-z][\w -]*?):\s+(.+?)\s*$")
 _HOMING_S = 15.0
+_STOW_S = 60.0
+"""How long `stow` may keep the shell: no source says whether it does. Only a deadline depends on it."""
 _RSSI_READ_S = 0.1
 """A generous guess of what one read of `rssi n` takes; only a deadline depends on it."""
 
@@ -33,6 +40,10 @@ class CarryoutG2Protocol(FirmwareProtocol):
     name: ClassVar[str] = "g2"
     model: ClassVar[DishModel] = CARRYOUT_G2
     dialect: ClassVar[ConsoleDialect] = DIALECT
+    motor_menu: ClassVar[str] = "mot"
+    hazards: ClassVar[HazardTable] = HAZARDS
+    commands: ClassVar[tuple[CommandDoc, ...]] = COMMANDS
+    help_lines: ClassVar[Mapping[str, tuple[str, ...]]] = {"dvb": ("?", "man")}
     boot_marks: ClassVar[tuple[str, ...]] = ("Bootloader", "Motor init", "Ant ID - ", "Boot Complete", "Loc Startup")
 
     def connect(self, port: str, baudrate: int = 115200) -> None:
@@ -113,10 +124,54 @@ class CarryoutG2Protocol(FirmwareProtocol):
         self.console.run("mot", f"h {motor_id}", takes_s=_HOMING_S, permit=self.permit)
         self.gate.found_reference(motor_id)
 
-    def release_motors(self) -> None:
+    def release_motors(self, *, permit: Callable[[], None] | None = None) -> None:
         """Take the current off the motors (`r`): the dish may fall, and its position is then unknown."""
-        self.gate.release()
-        self.console.run("mot", "r")
+
+        def goes_out() -> None:
+            if permit is not None:
+                permit()
+            self.gate.release()
+
+        self.console.run("mot", "r", permit=goes_out)
+
+    def engage_motors(self) -> None:
+        """Put the current back on the motors (`e`, section 7.3)."""
+        self.console.run("mot", "e", permit=self.permit)
+
+    def stow(self) -> None:
+        """Fold the dish flat (`stow` at the root: sections 2.9 and 7.3). Returns with the prompt.
+
+        No source says whether the prompt comes before the motion or after it, nor what stops it.
+        """
+        self.console.enter(self.dialect.root)
+        self.gate.forget("unread")
+        self.console.run(self.dialect.root, "stow", takes_s=_STOW_S, permit=self.permit)
+
+    def read_speeds(self) -> dict[int, float]:
+        """Read `step`, `mv`: microsteps/s (section 7.3; 7222 of 40000 a turn are 65 deg/s)."""
+        found = [m for m in map(_MAX_VEL.search, self.console.run("step", "mv").lines) if m]
+        axes = {axis.index: axis for axis in (self.model.azimuth, self.model.elevation)}
+        return {int(m[1]): int(m[2]) * axes[int(m[1])].step_deg for m in found if int(m[1]) in axes and int(m[2]) > 0}
+
+    def set_speed(self, motor_id: int, speed_deg_s: float) -> dict[int, float]:
+        """Send `step`, `mv [motor] [ustep/sec]` (section 7.3), and read it back."""
+        axis = self.model.axis(motor_id)
+        if not axis.step_deg <= speed_deg_s <= axis.speed_deg_s:
+            raise MotionRefused(
+                f"The {axis.name} can go at up to {axis.speed_deg_s:g}°/s and more than 0, not at {speed_deg_s:g}°/s. "
+                "Nothing was sent.",
+                reason="speed",
+            )
+        steps = math.floor(speed_deg_s / axis.step_deg + 1e-6)
+        self.console.run("step", f"mv {motor_id} {steps}")
+        speeds = self.read_speeds()
+        now = speeds.get(motor_id)
+        if now is None or abs(now - steps * axis.step_deg) > 1.5 * axis.step_deg:
+            shown = "none" if now is None else f"{now:.2f}°/s"
+            raise CommandRefused(
+                f"The dish was told {speed_deg_s:.2f}°/s for the {axis.name} and shows {shown}.", reason="bad_parameter"
+            )
+        return speeds
 
     def enter_dvb_menu(self) -> None:
         """Enter `dvb`."""
@@ -141,7 +196,7 @@ class CarryoutG2Protocol(FirmwareProtocol):
         self.console.leave()
 
     def survey(self) -> Survey:
-        """Read identity (`os`, `id`: section 7.1), elevation limits and TV search (NVS 101, 102, 20)."""
+        """Read identity (`os`, `id`: section 7.1), limits and TV search (NVS 101, 102, 20), and speeds (`step`)."""
         rows = {}
         for index in (DISABLE_TRACKER, MIN_ELEVATION, MAX_ELEVATION):
             try:
@@ -149,6 +204,10 @@ class CarryoutG2Protocol(FirmwareProtocol):
             except NoReply as missing:
                 if missing.reason != "no_row":
                     raise
+        try:
+            speeds = self.read_speeds()
+        except CommandRefused:
+            speeds = {}  # a G2 with another stepper menu: the model's speeds hold
         reply = self.console.run("os", "id")
         identity = {m[1]: m[2] for m in map(_ID_FIELD.match, reply.lines) if m}
         limits = [_degrees(rows.get(i)) for i in (MIN_ELEVATION, MAX_ELEVATION)]
@@ -158,6 +217,7 @@ class CarryoutG2Protocol(FirmwareProtocol):
             settings={f"nvs.{index}": row.current for index, row in rows.items()},
             el_min_deg=limits[0],
             el_max_deg=limits[1],
+            speeds=speeds,
             search_disabled=rows[DISABLE_TRACKER].current == "TRUE" if DISABLE_TRACKER in rows else None,
         )
 

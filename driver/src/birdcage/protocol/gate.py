@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from copy import copy
 from dataclasses import dataclass, replace
 
 from birdcage.base.errors import BelowFloor, MotionRefused, PositionUnknown
@@ -37,6 +38,9 @@ class Bounds:
     cable_min_deg: float | None = None
     cable_max_deg: float | None = None
     sectors: tuple[Sector, ...] = ()
+    az_offset_deg: float = 0.0
+    el_offset_deg: float = 0.0
+    """Added to the angles in sentences and to `limit_deg`: whoever asked speaks true degrees."""
     closed_because: str | None = None
     """Why no motion is allowed at all, as a sentence; None normally."""
 
@@ -122,6 +126,22 @@ class MotionGate:
             el_deg if el_deg is not None else self.position.elevation,
         )  # fmt: skip
 
+    def judge(self, az_deg: float | None, el_deg: float | None) -> MotionRefused | None:
+        """Return which limit a motion would break, as far as that can be said; for raw lines, which pass no gate.
+
+        Any thread. While the position is not known, only the range of each axis counts.
+        """
+        gate = copy(self)  # the owner may forget the position meanwhile
+        gate.bounds = replace(gate.bounds, az_offset_deg=0.0, el_offset_deg=0.0)  # raw lines speak the dish's degrees
+        if gate.position is None:
+            gate.position, gate.cable_deg = Position(az_deg or 0.0, el_deg or 0.0), None
+            gate.bounds = replace(gate.bounds, sectors=(), cable_min_deg=None, cable_max_deg=None)
+        try:
+            gate.check(az_deg, el_deg)
+        except MotionRefused as refused:
+            return refused
+        return None
+
     def cable_turns(self, az_deg: float) -> tuple[float, ...]:
         """Return the turns of the cable that reach `az_deg`, nearest first; only with a known cable angle.
 
@@ -160,9 +180,11 @@ class MotionGate:
         axis = self.model.azimuth
         for limit, by in ((axis.min_deg, axis.min_deg - az_deg), (axis.max_deg, az_deg - axis.max_deg)):
             if by > 0:
+                plus = self.bounds.az_offset_deg
                 raise MotionRefused(
-                    f"Azimuth {az_deg:.2f}° is {by:.2f}° beyond the limit of {limit:.2f}°. Nothing was sent.",
-                    reason="az_limit", limit_deg=limit, by_deg=by,
+                    f"Azimuth {az_deg + plus:.2f}° is {by:.2f}° beyond the limit of {limit + plus:.2f}°. "
+                    "Nothing was sent.",
+                    reason="az_limit", limit_deg=limit + plus, by_deg=by,
                 )  # fmt: skip
         limits = self.cable_limits
         if limits is None:
@@ -171,13 +193,14 @@ class MotionGate:
             nearest = self.cable_deg + shortest_turn(start.azimuth, az_deg)
             limit, by = self._beyond(nearest, limits)
             raise MotionRefused(
-                f"Azimuth {az_deg:.2f}° would turn the cable {by:.2f}° beyond its stop at {limit:+.2f}°.",
+                f"Azimuth {self._true_az(az_deg):.2f}° would turn the cable {by:.2f}° beyond its stop at "
+                f"{limit:+.2f}° (it stands at {self.cable_deg:+.2f}°). Nothing was sent.",
                 reason="wrap", limit_deg=limit, by_deg=by,
             )  # fmt: skip
         if self.cable_deg is None and limits[1] - limits[0] < 360.0:
             raise MotionRefused(
                 f"The cable may turn from {limits[0]:+.2f}° to {limits[1]:+.2f}° only, and its turn is not known. "
-                "Home the dish with this program, so that it can count.",
+                "Home the dish with this program, so that it can count. Nothing was sent.",
                 reason="wrap",
             )
 
@@ -187,15 +210,18 @@ class MotionGate:
         return (limits[0], low_by) if low_by > high_by else (limits[1], high_by)
 
     def _check_elevation(self, el_deg: float) -> None:
+        plus = self.bounds.el_offset_deg
         if (by := self.el_floor_deg - el_deg) > 0:
+            floor = self.el_floor_deg + plus
             raise BelowFloor(
-                f"Elevation {el_deg:.2f}° is {by:.2f}° below the floor of {self.el_floor_deg:.2f}°. Nothing was sent.",
-                limit_deg=self.el_floor_deg, by_deg=by,
+                f"Elevation {el_deg + plus:.2f}° is {by:.2f}° below the floor of {floor:.2f}°. Nothing was sent.",
+                limit_deg=floor, by_deg=by,
             )  # fmt: skip
         if (by := el_deg - self.el_max_deg) > 0:
+            ceiling = self.el_max_deg + plus
             raise MotionRefused(
-                f"Elevation {el_deg:.2f}° is {by:.2f}° above the limit of {self.el_max_deg:.2f}°. Nothing was sent.",
-                reason="el_limit", limit_deg=self.el_max_deg, by_deg=by,
+                f"Elevation {el_deg + plus:.2f}° is {by:.2f}° above the limit of {ceiling:.2f}°. Nothing was sent.",
+                reason="el_limit", limit_deg=ceiling, by_deg=by,
             )  # fmt: skip
 
     def _check_sectors(self, start: Position, az_deg: float, el_deg: float) -> None:
@@ -210,8 +236,25 @@ class MotionGate:
             ways = [turn, turn - 360.0 if turn > 0 else turn + 360.0] if abs(turn) > 0 else [0.0]
         for sector in self.bounds.sectors:
             if lowest < sector.below_el_deg and any(sector.overlaps(start.azimuth, way) for way in ways):
-                raise MotionRefused(
-                    f"The way to {az_deg:.2f}°/{el_deg:.2f}° crosses the no-go sector {sector.from_az_deg:.0f}° to "
-                    f"{sector.to_az_deg:.0f}° below {sector.below_el_deg:.0f}°. Raise the dish first, or go round.",
-                    reason="sector", limit_deg=sector.below_el_deg, by_deg=sector.below_el_deg - lowest,
-                )  # fmt: skip
+                raise self._in_the_way(sector, az_deg, el_deg, lowest)
+
+    def _in_the_way(self, sector: Sector, az_deg: float, el_deg: float, lowest_deg: float) -> MotionRefused:
+        plus = self.bounds.el_offset_deg
+        below, by = sector.below_el_deg + plus, sector.below_el_deg - lowest_deg
+        where = (
+            f"the no-go sector from azimuth {self._true_az(sector.from_az_deg):.0f}° to "
+            f"{self._true_az(sector.to_az_deg):.0f}° below {below:.0f}°"
+        )
+        target = f"{self._true_az(az_deg):.2f}°/{el_deg + plus:.2f}°"
+        if el_deg < sector.below_el_deg and sector.overlaps(az_deg, 0.0):
+            sentence = f"{target} lies in {where}, {by:.2f}° too low. Nothing was sent."
+        else:
+            sentence = (
+                f"The way to {target} passes through {where}, {by:.2f}° too low, as both axes turn at once or in any "
+                "order. Nothing was sent: go up first, then across, then down."
+            )
+        return MotionRefused(sentence, reason="sector", limit_deg=below, by_deg=by)
+
+    def _true_az(self, az_deg: float) -> float:
+        plus = self.bounds.az_offset_deg
+        return (az_deg + plus) % 360.0 if plus else az_deg

@@ -79,6 +79,11 @@ class DishModel:
     homing_stoppable: bool
     boot_s: float
     """The longest that a boot takes; waiting for it never lasts longer unless asked."""
+    has_motor_power: bool
+    """Whether its motors can be released and engaged by command."""
+    has_speeds: bool
+    """Whether the greatest speed of an axis can be read and lowered; `Axis.speed_deg_s` is the most it is known to do.
+    """
     has_rssi: bool
     has_nvs: bool
     has_skew: bool

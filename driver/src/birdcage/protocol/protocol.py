@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, ClassVar
 
 from birdcage.base.clock import Clock, RealClock
 from birdcage.base.errors import BirdcageError, CommandRefused, LinkError
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.session import Console
+from birdcage.protocol.command_list import CommandDoc
 from birdcage.protocol.gate import MotionGate
+from birdcage.protocol.hazard import HazardTable, Verdict
 from birdcage.protocol.model import DishModel
+from birdcage.protocol.raw_motion import with_motion
 from birdcage.protocol.types import Position, RssiReading, Survey
 
 if TYPE_CHECKING:
@@ -33,6 +36,14 @@ class FirmwareProtocol(ABC):
     dialect: ClassVar[ConsoleDialect]
     boot_marks: ClassVar[tuple[str, ...]] = ()
     """Words in unasked lines that mean that the dish has just started."""
+    motor_menu: ClassVar[str]
+    """Where motions, and the lines that stop them, are understood."""
+    hazards: ClassVar[HazardTable] = HazardTable()
+    """What raw lines do. Without rows, each counts as changing a setting."""
+    commands: ClassVar[tuple[CommandDoc, ...]] = ()
+    """What the reference lists of each menu."""
+    help_lines: ClassVar[Mapping[str, tuple[str, ...]]] = {}
+    """What brings the help of a menu page by page, where that is not a single `?`."""
 
     def __init__(self) -> None:
         self._link: Link | None = None
@@ -84,7 +95,7 @@ class FirmwareProtocol(ABC):
         self._console = Console(link, clock, self.dialect, delay_s=delay_s, wake=wake, on_wake=on_wake, on_line=on_line)
 
     def disconnect(self, *, within_s: float = 2.0) -> None:
-        """Go back to the root menu where that is safe within a time, and close the port.
+        """Go back to the root menu where that is safe within a time (0: send nothing), and close the port.
 
         Never raises for a port that is gone.
         """
@@ -93,7 +104,8 @@ class FirmwareProtocol(ABC):
         if link is None or console is None:
             return
         try:
-            console.leave_all(within_s)
+            if within_s > 0:
+                console.leave_all(within_s)
         except BirdcageError:
             # A dish that no longer answers stays in its menu; the port is closed all the same.
             return
@@ -137,6 +149,11 @@ class FirmwareProtocol(ABC):
     def stop_lines(self, az_deg: float, el_deg: float) -> tuple[str, ...]:
         """Return the console lines that bring the moving axes to rest at these angles."""
 
+    def judge(self, line: str, menu: str | None, *, homed: bool | None) -> Verdict:
+        """Say what a raw line would do in a menu (None: not known). Sends nothing; any thread."""
+        verdict, match = self.hazards.judge(line, menu, homed=homed)
+        return with_motion(verdict, match, self.gate)
+
     def survey(self) -> Survey:
         """Read what the dish tells about itself; on a firmware that tells nothing, nothing is sent."""
         return Survey()
@@ -145,9 +162,32 @@ class FirmwareProtocol(ABC):
         """Find the axis' reference. CommandRefused (`unsupported`) on a firmware that homes only by itself."""
         raise self._lacks(f"homing motor {motor_id} by command")
 
-    def release_motors(self) -> None:
-        """Take the current off the motors. CommandRefused (`unsupported`) where that can't be done."""
+    def release_motors(self, *, permit: Callable[[], None] | None = None) -> None:  # noqa: ARG002
+        """Take the current off the motors. CommandRefused (`unsupported`) where that can't be done.
+
+        The station's own `permit` is not asked: STOP may do this too. Another one may be given.
+        """
         raise self._lacks("releasing its motors")
+
+    def engage_motors(self) -> None:
+        """Put the current back on the motors. CommandRefused (`unsupported`) where that can't be done."""
+        raise self._lacks("engaging its motors")
+
+    def stow(self) -> None:
+        """Fold the dish flat, as the firmware does it. CommandRefused (`unsupported`) where it does not."""
+        raise self._lacks("stowing")
+
+    def read_speeds(self) -> dict[int, float]:
+        """Read the greatest speed in force of each axis, by motor number, in deg/s; empty where it is not told."""
+        return {}
+
+    def set_speed(self, motor_id: int, speed_deg_s: float) -> dict[int, float]:
+        """Set the greatest speed of one axis until the dish restarts; return what is in force, read back.
+
+        MotionRefused (`speed`, nothing sent) outside the axis' range, CommandRefused where the dish does not do it,
+        KeyError for an unknown motor.
+        """
+        raise self._lacks(f"setting the speed of motor {motor_id} to {speed_deg_s:g}°/s")
 
     def get_rssi(self, iterations: int = 10) -> RssiReading:
         """Read the signal strength. CommandRefused (`unsupported`) on a firmware without a tuner."""

@@ -39,5 +39,7 @@ class Survey:
     """Settings in force, by name (`nvs.20`), as printed."""
     el_min_deg: float | None = None
     el_max_deg: float | None = None
+    speeds: Mapping[int, float] = field(default_factory=dict)
+    """The greatest speed in force of each axis, by motor number, in deg/s."""
     search_disabled: bool | None = None
     """Whether the firmware's own TV search is switched off for good."""

@@ -60,6 +60,7 @@ class Board:
         self.change(readings=MappingProxyType(readings))
         self.tell(ReadingRead(at, utc, feature, value, unit))
 
-    def forget_readings(self) -> None:
-        """Drop all values: the dish may have changed."""
-        self.change(readings=MappingProxyType({}))
+    def forget_readings(self, prefix: str = "") -> None:
+        """Drop the values whose name begins so, all by default: the dish may have changed."""
+        kept = {name: value for name, value in self.state.readings.items() if not name.startswith(prefix)}
+        self.change(readings=MappingProxyType(kept))

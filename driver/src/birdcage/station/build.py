@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import fields
 
-from birdcage.antenna.alignment import Alignment
 from birdcage.base.clock import Clock
 from birdcage.base.config import Settings
 from birdcage.base.journal import Journal
@@ -16,7 +16,7 @@ from birdcage.link.ports import PortLister, find_again, identify, list_ports
 from birdcage.link.transcript import Transcript
 from birdcage.station.record import keep_faults
 from birdcage.station.session import Session
-from birdcage.station.settings import StationSettings
+from birdcage.station.settings import StationSettings, rules_from
 from birdcage.station.station import Station
 
 CLOSE_S = 0.2
@@ -40,9 +40,9 @@ def open_session(
     `survey` reads identity and limits once the dish rests; `reconnect` looks for a lost port again. KeyError for a
     firmware that this version does not speak.
     """
-    transcript = Transcript(paths.transcripts, version=version()) if settings.link.transcript else None
+    transcript = Transcript(paths.transcripts if settings.link.transcript else None, version=version())
     journal = Journal(paths.journal)
-    feed, motion = settings.active_feed, settings.motion
+    rules = rules_from(settings)
 
     def open_port(name: str, rate: int) -> Link:
         return open_link(name, baud=rate, clock=clock, transcript=transcript)
@@ -56,33 +56,20 @@ def open_session(
             open_link=open_port,
             find_port=_finder(port, settings.link.usb_identity, ports),
             delay_s=settings.link.delay_s,
-            alignment=Alignment(
-                settings.alignment.az_offset_deg + feed.az_offset_deg,
-                settings.alignment.el_offset_deg + feed.el_offset_deg,
-            ),
-            min_elevation_deg=motion.min_elevation_deg,
-            max_elevation_deg=motion.max_elevation_deg,
-            cable_min_deg=motion.cable_min_deg,
-            cable_max_deg=motion.cable_max_deg,
-            sectors=motion.no_go_sectors,
-            feed_name=settings.feed.active,
-            beam_deg=feed.beam_deg,
-            stow_allowed=feed.stow_allowed,
-            stop_releases_motors=motion.stop_releases_motors,
             survey=survey,
             reconnect=reconnect,
-            refuse_motion=settings.motion_problem,
             backup_folder=paths.backups,
+            **{each.name: getattr(rules, each.name) for each in fields(rules)},
+            remark=lambda text: transcript.remark(text, clock.utc()),
         ),
     )
     keep_faults(station, journal)
 
     def close() -> None:
         journal.close(CLOSE_S)
-        if transcript is not None:
-            transcript.close(CLOSE_S)
+        transcript.close(CLOSE_S)
 
-    return Session(clock, station, on_close=close)
+    return Session(clock, station, on_close=close, wire=transcript)
 
 
 def _finder(first: str, identity: str | None, ports: PortLister) -> Callable[[str], str | None]:

@@ -5,18 +5,22 @@ from __future__ import annotations
 from concurrent.futures import Future
 
 from birdcage.antenna.antenna import BirdcageAntenna
-from birdcage.base.errors import BirdcageError, LinkError, MotionRefused, PositionUnknown, Stopped
+from birdcage.base.errors import BirdcageError, LinkError, MotionRefused, Stopped
 from birdcage.station import requests as ask
+from birdcage.station.applying import Applying
 from birdcage.station.board import Board
 from birdcage.station.control import Control
 from birdcage.station.events import End, FaultAcknowledged
 from birdcage.station.look import Look
+from birdcage.station.motors import Motors
 from birdcage.station.mover import Job, Mover
+from birdcage.station.raw import CONSOLE
 from birdcage.station.rewire import Rewire
 from birdcage.station.search import SearchSwitch
 from birdcage.station.settings import StationSettings
 from birdcage.station.state import Activity, Link
 from birdcage.station.stopper import Stopper
+from birdcage.station.talk import Talk
 from birdcage.station.vigil import Vigil
 from birdcage.station.watches import Watches
 
@@ -26,11 +30,13 @@ class Desk:
 
     def __init__(
         self, board: Board, antenna: BirdcageAntenna, control: Control, mover: Mover, stopper: Stopper, look: Look,
-        watches: Watches, vigil: Vigil, rewire: Rewire, settings: StationSettings,
+        watches: Watches, vigil: Vigil, rewire: Rewire, talk: Talk,
+        applying: Applying, settings: StationSettings,
     ) -> None:  # fmt: skip
         self._board, self._antenna, self._control, self._mover = board, antenna, control, mover
         self._stopper, self._look, self._watches, self._vigil = stopper, look, watches, vigil
-        self._rewire = rewire
+        self._rewire, self._talk, self._applying = rewire, talk, applying
+        self._motors = Motors(board, antenna, control, mover, stopper, look, self._free_wire)
         self._search = SearchSwitch(board, antenna, look, settings)
 
     def serve(self, request: ask.Request, future: Future[object], stops_seen: int) -> None:
@@ -45,11 +51,31 @@ class Desk:
             case ask.Home():
                 self._home(request)
             case ask.ReleaseMotors(holder):
-                self._release_motors(holder)
+                self._talk.make_way()
+                self._motors.release(holder, stops_seen)
+            case ask.Engage(holder):
+                self._motors.engage(holder)
+            case ask.Stow(holder):
+                self._motors.stow(holder, future)
+                return
+            case ask.SetSpeed(axis, speed_deg_s, holder):
+                self._talk.make_way()
+                future.set_result(self._motors.set_speed(axis, speed_deg_s, holder))
+                return
+            case ask.ApplySettings(settings):
+                self._applying.apply(settings)
+            case ask.Raw():
+                self._talk.raw(request, future)
+                return
+            case ask.ListCommands(holder):
+                future.set_result(self._talk.list_commands(holder))
+                return
             case ask.ProbePort(bauds):
+                self._talk.make_way()
                 future.set_result(self._rewire.probe(bauds))
                 return
             case ask.Connect(port, baud):
+                self._talk.make_way()
                 self._rewire.connect(port, baud)
             case ask.SetSearch(holder, disabled):
                 self._ready(holder)
@@ -62,6 +88,8 @@ class Desk:
                 self._stopper.release(stops_seen)
             case ask.AcquireLease(holder, take_over):
                 self._control.take(holder, take_over=take_over)
+                if holder == CONSOLE:
+                    self._talk.begin(holder)
             case ask.ReleaseLease(holder):
                 self._control.give_back(holder)
             case ask.Watch():
@@ -80,9 +108,12 @@ class Desk:
 
     def _ready(self, holder: str, az_deg: float | None = None, el_deg: float | None = None) -> None:
         self._control.admit(holder, az_deg, el_deg)
+        self._free_wire()
+
+    def _free_wire(self) -> None:
         link = self._board.state.link
         if link.state is not Link.UP:
-            raise LinkError(f"No motion without a link to the dish ({link.detail}).", reason=link.state.value)
+            raise LinkError(f"Nothing is sent without a link to the dish ({link.detail}).", reason=link.state.value)
         self._watches.end_excursion()
 
     def _move(self, request: ask.Goto | ask.Follow | ask.Jog, future: Future[object]) -> None:
@@ -132,18 +163,6 @@ class Desk:
         if self._look.position() is not None and not request.axes:
             protocol.gate.count_cable()
             self._look.position()
-        self._mover.activity(Activity.IDLE, "")
-
-    def _release_motors(self, holder: str) -> None:
-        self._ready(holder)
-        protocol = self._antenna.protocol
-        protocol.enter_motor_menu()
-        if protocol.permit is not None:
-            protocol.permit()  # STOP may have come on the way into the menu
-        protocol.release_motors()
-        self._mover.fail(End.STOPPED, "motors released", Stopped("The motors were released."))
-        self._antenna.motion = None
-        self._look.unknown(PositionUnknown("The motors were released.", reason="released"))
         self._mover.activity(Activity.IDLE, "")
 
     def _acknowledge(self, by: str) -> None:

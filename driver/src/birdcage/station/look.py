@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
 from birdcage.antenna.antenna import STILL_DEG, BirdcageAntenna
+from birdcage.base.config.sections import NoGoSector
 from birdcage.base.errors import CommandRefused, PositionUnknown
 from birdcage.base.geometry import shortest_turn
 from birdcage.protocol.model import Turn
 from birdcage.protocol.types import Survey
 from birdcage.station.board import Board
 from birdcage.station.events import PositionRead
-from birdcage.station.settings import StationSettings
-from birdcage.station.state import Activity, Pointing, Search
+from birdcage.station.settings import Rules, StationSettings
+from birdcage.station.state import Activity, LimitSource, Pointing, Search
 from birdcage.station.watches import RSSI_ITERATIONS
 
 
@@ -20,10 +25,14 @@ class Look:
     def __init__(self, board: Board, antenna: BirdcageAntenna, settings: StationSettings) -> None:
         self._board, self._antenna, self._settings = board, antenna, settings
         self._surveyed = False
+        self._survey = Survey()
+        self.rules: Rules = settings
+        """The user's own limits, as they are now."""
 
     def forget_survey(self) -> None:
         """The dish may be another one, or have other settings: read them again when the link comes up."""
         self._surveyed = False
+        self.note_speeds({})
 
     def forget(self, why: str) -> None:
         """The position and the turn of the cable no longer hold; `why` is for the board."""
@@ -49,9 +58,11 @@ class Look:
         try:
             true = self._antenna.get_position()
         except PositionUnknown as unknown:
+            self.elsewhere = False
             self.unknown(unknown)
             self._board.change(activity=Activity.IDLE)
             return None
+        self.elsewhere = False
         gate = self._antenna.protocol.gate
         dish = gate.position
         assert dish is not None, "it was read just now"
@@ -99,6 +110,7 @@ class Look:
         self._board.forget_readings()
         for name, text in (*survey.settings.items(), *survey.identity.items()):
             self._board.read(name, text)
+        self.note_speeds(survey.speeds)
         self._board.change(
             firmware_version=survey.version,
             search={None: Search.UNKNOWN, True: Search.OFF, False: Search.UNKNOWN}[survey.search_disabled],
@@ -107,15 +119,57 @@ class Look:
         self._surveyed = True
         self._antenna.protocol.enter_motor_menu()
 
-    def limit(self, survey: Survey) -> None:
-        """Set the limits: the dish's own settings, or its model's where it does not tell, narrowed by the user's."""
-        gate, offset = self._antenna.protocol.gate, self._antenna.alignment.el_offset_deg
-        axis, user = gate.model.elevation, self._settings
-        low = axis.min_deg if survey.el_min_deg is None else survey.el_min_deg
-        high = axis.max_deg if survey.el_max_deg is None else survey.el_max_deg
-        if user.min_elevation_deg is not None:
-            low = max(low, user.min_elevation_deg)
-        if user.max_elevation_deg is not None:
-            high = min(high, user.max_elevation_deg)
-        gate.update(el_min_deg=low, el_max_deg=high)
-        self._board.change(el_min_deg=low + offset, el_max_deg=high + offset)
+    def note_speeds(self, speeds: Mapping[int, float]) -> None:
+        """Plan with the speeds that are in force, and show them; what is not among them is not known."""
+        self._antenna.use_speeds(speeds)
+        self._board.forget_readings("speed.")
+        for motor, speed in speeds.items():
+            self._board.read(f"speed.{motor}", speed, "deg/s")
+
+    def limit(self, survey: Survey | None = None) -> None:
+        """Set the limits: the dish's own settings, or its model's where it does not tell, narrowed by the user's.
+
+        Without a survey, by the last one.
+        """
+        if survey is not None:
+            self._survey = survey
+        gate, offset, told = self._antenna.protocol.gate, self._antenna.alignment.el_offset_deg, self._survey
+        axis, cable, user = gate.model.elevation, gate.model.cable, self.rules
+        low = Limit.of(told.el_min_deg, axis.min_deg).at_least(user.min_elevation_deg)
+        high = Limit.of(told.el_max_deg, axis.max_deg).at_most(user.max_elevation_deg)
+        limits = {"el_min": low, "el_max": high}
+        if cable is not None:
+            limits["cable_min"] = Limit.of(None, cable.min_deg).at_least(user.cable_min_deg)
+            limits["cable_max"] = Limit.of(None, cable.max_deg).at_most(user.cable_max_deg)
+        gate.update(
+            el_min_deg=low.deg, el_max_deg=high.deg, cable_min_deg=user.cable_min_deg, cable_max_deg=user.cable_max_deg,
+            sectors=tuple(self._antenna.alignment.sector_to_dish(*sector) for sector in user.sectors),
+        )  # fmt: skip
+        self._board.change(
+            el_min_deg=low.deg + offset, el_max_deg=high.deg + offset,
+            cable_min_deg=limits["cable_min"].deg if cable else None,
+            cable_max_deg=limits["cable_max"].deg if cable else None,
+            no_go_sectors=tuple(NoGoSector(*sector) for sector in user.sectors),
+            limit_sources=MappingProxyType({name: limit.source for name, limit in limits.items()}),
+        )  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Limit:
+    """One limit in degrees, and whose it is."""
+
+    deg: float
+    source: LimitSource
+
+    @classmethod
+    def of(cls, told_deg: float | None, model_deg: float) -> Limit:
+        """Return what the dish told, or else its model's."""
+        return cls(model_deg, LimitSource.MODEL) if told_deg is None else cls(told_deg, LimitSource.DISH)
+
+    def at_least(self, user_deg: float | None) -> Limit:
+        """Return the higher of this and the user's."""
+        return self if user_deg is None or user_deg <= self.deg else Limit(user_deg, LimitSource.USER)
+
+    def at_most(self, user_deg: float | None) -> Limit:
+        """Return the lower of this and the user's."""
+        return self if user_deg is None or user_deg >= self.deg else Limit(user_deg, LimitSource.USER)

@@ -20,6 +20,8 @@ ARRIVED_DEG = 0.08
 """The rest position lies up to 0.06 deg from the command (reference section 7.4), and a step on top."""
 STREAM_S = 3.0
 """Targets of one holder closer together than this are a stream, which may be leap-frogged (DESIGN section 4)."""
+REST_S = 1.0
+"""How long a dish that goes where it likes must stand still to have arrived."""
 STALL_S = 1.0
 """How long a dish may stand still away from its target, after the time at which it should have moved."""
 
@@ -33,6 +35,8 @@ class Job:
     holder: str
     future: Future[object]
     follow: bool = False
+    to_rest: bool = False
+    """Where it goes is the firmware's own business: it has arrived when it rests."""
     still_since: float | None = None
     last: Pointing | None = None
 
@@ -68,7 +72,7 @@ class Mover:
         job.az_deg, job.el_deg = commanded
         self._job, self.target = job, commanded
         self.due = self._board.clock.monotonic() + POLL_S
-        motion, model = self._antenna.motion, self._antenna.protocol.model
+        motion, model = self._antenna.motion, self._antenna.model
         assert motion is not None, "the antenna has just begun it"
         shown = Motion(
             start.az_deg if start else commanded[0], start.el_deg if start else commanded[1], *commanded, now,
@@ -78,6 +82,12 @@ class Mover:
         self._board.change(motion=shown, target_az_deg=commanded[0], target_el_deg=commanded[1])
         self.activity(Activity.SLEWING, "")
         self._board.tell(MoveStarted(at, utc, shown, job.holder))
+
+    def await_rest(self, job: Job) -> None:
+        """Follow a motion of the firmware's own until the dish rests."""
+        job.to_rest = True
+        self.forget_target()
+        self._job, self.due = job, self._board.clock.monotonic() + POLL_S
 
     def _point(self, job: Job, *, clamp: bool, leapfrog: bool) -> tuple[float, float]:
         antenna = self._antenna
@@ -114,6 +124,10 @@ class Mover:
         still = job.last is not None and self._look.is_still(pointing, job.last)
         job.last = pointing
         job.still_since = (job.still_since or now) if still else None
+        if job.to_rest:
+            if job.still_since is not None and now - job.still_since >= max(REST_S / clock.rate, 3 * POLL_S):
+                self._arrive(job, pointing)
+            return
         dish_az, dish_el = self._antenna.alignment.to_dish(job.az_deg, job.el_deg)
         off_az = abs(shortest_turn(dish_az, pointing.dish_az_deg))
         off_el = abs(pointing.dish_el_deg - dish_el)

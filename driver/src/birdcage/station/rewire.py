@@ -15,14 +15,12 @@ from birdcage.station.board import Board
 from birdcage.station.connection import Connection
 from birdcage.station.look import Look
 from birdcage.station.settings import StationSettings
-from birdcage.station.state import Activity, Link, Search
+from birdcage.station.state import MOVING, Link, Search
 from birdcage.station.stopper import Stopper
 from birdcage.station.vigil import Vigil
 
 PROBE_DEADLINE_S = 20.0
 """No further rate is tried after this: `rfc2217://` may take 3 s to open, each time."""
-
-_MOVING = (Activity.SLEWING, Activity.STOPPING, Activity.HOMING, Activity.MOVING_UNASKED)
 
 
 class Rewire:
@@ -104,7 +102,7 @@ class Rewire:
         state, motion = self._board.state, self._antenna.motion
         match state.link.state:
             case Link.UP:
-                return motion is not None or state.activity in _MOVING
+                return motion is not None or state.activity in MOVING
             case Link.SILENT:
                 # STOP may still reach it. Nobody will see it arrive: its motion counts until it must have ended.
                 clock = self._board.clock

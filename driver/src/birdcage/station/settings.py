@@ -7,23 +7,17 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from birdcage.antenna.alignment import Alignment
+from birdcage.base.config import Settings
 from birdcage.link.link import Link
 
 OpenLink = Callable[[str, int], Link]
 """Opens a port by its name at a baud rate. LinkError says what is wrong."""
 
 
-@dataclass(frozen=True, slots=True)
-class StationSettings:
-    """Everything that does not change while the station lives."""
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rules:
+    """What limits motion, how the dish stands, and what hangs in its focus: `ApplySettings` replaces it."""
 
-    port: str
-    firmware: str
-    open_link: OpenLink
-    find_port: Callable[[str], str | None] = lambda port: port
-    """Where that port is now: the same path, or another one with the same USB identity; None while it is gone."""
-    baud: int | None = None
-    delay_s: float = 2.0
     alignment: Alignment = field(default_factory=Alignment)
     min_elevation_deg: float | None = None
     max_elevation_deg: float | None = None
@@ -35,10 +29,43 @@ class StationSettings:
     beam_deg: float | None = None
     stow_allowed: bool = False
     stop_releases_motors: bool = False
+    refuse_motion: str | None = None
+    """Why no motion may be taken at all: settings that limit it could not be read."""
+
+
+def rules_from(settings: Settings) -> Rules:
+    """Derive the rules from what `birdcage.toml` says."""
+    feed, motion, alignment = settings.active_feed, settings.motion, settings.alignment
+    return Rules(
+        alignment=Alignment(alignment.az_offset_deg + feed.az_offset_deg, alignment.el_offset_deg + feed.el_offset_deg),
+        min_elevation_deg=motion.min_elevation_deg,
+        max_elevation_deg=motion.max_elevation_deg,
+        cable_min_deg=motion.cable_min_deg,
+        cable_max_deg=motion.cable_max_deg,
+        sectors=motion.no_go_sectors,
+        feed_name=settings.feed.active,
+        beam_deg=feed.beam_deg,
+        stow_allowed=feed.stow_allowed,
+        stop_releases_motors=motion.stop_releases_motors,
+        refuse_motion=settings.motion_problem,
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class StationSettings(Rules):
+    """Everything that the station is told before it begins. Of its rules, only the first."""
+
+    port: str
+    firmware: str
+    open_link: OpenLink
+    find_port: Callable[[str], str | None] = lambda port: port
+    """Where that port is now: the same path, or another one with the same USB identity; None while it is gone."""
+    baud: int | None = None
+    delay_s: float = 2.0
     survey: bool = True
     """Read identity and limits from the dish after connecting."""
     reconnect: bool = True
-    refuse_motion: str | None = None
-    """Why no motion may be taken at all: settings that limit it could not be read."""
     backup_folder: Path | None = None
     """Where tables are kept before the dish's settings are written."""
+    remark: Callable[[str], None] = lambda _text: None
+    """Puts a remark into the transcript."""

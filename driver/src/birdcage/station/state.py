@@ -8,6 +8,7 @@ from datetime import datetime
 from enum import Enum
 from types import MappingProxyType
 
+from birdcage.base.config.sections import NoGoSector
 from birdcage.protocol.model import DishModel, Turn
 
 
@@ -31,8 +32,24 @@ class Activity(Enum):
     SLEWING = "slewing"
     STOPPING = "stopping"
     HOMING = "homing"
+    STOWING = "stowing"
     INITIALIZING = "initializing"
     MOVING_UNASKED = "moving unasked"
+
+
+MOVING = frozenset({Activity.SLEWING, Activity.STOPPING, Activity.HOMING, Activity.STOWING, Activity.MOVING_UNASKED})
+"""What a dish does that is not at rest."""
+
+
+class LimitSource(Enum):
+    """Who set a limit of motion."""
+
+    DISH = "dish"
+    """Read from the dish's own settings."""
+    MODEL = "model"
+    """What this kind of dish has; this one was not asked, or did not tell."""
+    USER = "user"
+    """`birdcage.toml` narrows it."""
 
 
 class Search(Enum):
@@ -130,7 +147,7 @@ class StopReport:
     by: str
     at: float
     means: str
-    """`retarget`, `release`, `nothing moved`, `no link`."""
+    """`retarget`, `release`, `look` (the console is in another menu), `nothing moved`, `none`, `no link`."""
     confirmed: bool | None
     """None while it is not known yet."""
     sentence: str
@@ -181,7 +198,14 @@ class StationState:
     el_min_deg: float | None = None
     """The lowest and highest true elevation that a motion may go to: the dish's own limits and the user's."""
     el_max_deg: float | None = None
+    cable_min_deg: float | None = None
+    """How far the cable may turn, counted by the dish; None where there is no such limit."""
+    cable_max_deg: float | None = None
+    no_go_sectors: tuple[NoGoSector, ...] = ()
+    """True degrees, from `birdcage.toml`."""
+    limit_sources: Mapping[str, LimitSource] = field(default_factory=lambda: MappingProxyType({}))
+    """Where `el_min`, `el_max`, `cable_min` and `cable_max` come from."""
     motion_refused_because: str | None = None
     """Why no motion is taken at all (unreadable settings), else None."""
     readings: Mapping[str, Reading] = field(default_factory=lambda: MappingProxyType({}))
-    """By feature: `rssi`, `rssi_peak`, `nvs.20`, `antenna_id`, …"""
+    """By feature: `rssi`, `rssi_peak`, `nvs.20`, `antenna_id`, `speed.0` (deg/s, in force until it restarts), …"""

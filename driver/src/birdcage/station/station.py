@@ -14,18 +14,21 @@ from birdcage.base.clock import Clock
 from birdcage.base.errors import BirdcageError, LinkError, NoReply, Stopped
 from birdcage.base.wake import Wake
 from birdcage.protocol.registry import get_protocol
-from birdcage.protocol.types import Survey
+from birdcage.station.applying import Applying
 from birdcage.station.board import Board, Listener
 from birdcage.station.connection import Connection
 from birdcage.station.control import Control
 from birdcage.station.desk import Desk
 from birdcage.station.look import Look
 from birdcage.station.mover import Mover
+from birdcage.station.raw import MenuCommand, Verdict
+from birdcage.station.raw_effects import RawEffects
 from birdcage.station.requests import Request
 from birdcage.station.rewire import Rewire
 from birdcage.station.settings import StationSettings
-from birdcage.station.state import Activity, StationState
+from birdcage.station.state import MOVING, StationState
 from birdcage.station.stopper import Stopper
+from birdcage.station.talk import Talk
 from birdcage.station.vigil import Vigil
 from birdcage.station.watches import Watches
 
@@ -47,38 +50,30 @@ class Station:
         self.clock, self.settings = clock, settings
         self._antenna = antenna = BirdcageAntenna(protocol, config, settings.alignment)
         protocol.permit = self._permit
-        protocol.gate.update(
-            cable_min_deg=settings.cable_min_deg,
-            cable_max_deg=settings.cable_max_deg,
-            sectors=tuple(settings.alignment.sector_to_dish(*sector) for sector in settings.sectors),
-        )
-        offset = settings.alignment.el_offset_deg
-        state = StationState(
-            port=settings.port, dish=protocol.model, turn=protocol.model.turn,
-            az_offset_deg=settings.alignment.az_offset_deg, el_offset_deg=offset,
-            feed_name=settings.feed_name, beam_deg=settings.beam_deg, stow_allowed=settings.stow_allowed,
-            motion_refused_because=settings.refuse_motion,
-        )  # fmt: skip
+        state = StationState(port=settings.port, dish=protocol.model, turn=protocol.model.turn)
         self._board = board = Board(clock, state)
         self._wake = Wake()
         self._inbox: deque[tuple[Request, Future[object], int]] = deque()
         self._closing = threading.Event()
         self._control = Control(board)
         look = Look(board, antenna, settings)
-        look.limit(Survey())
         self._mover = Mover(board, antenna, look)
-        self._stopper = Stopper(
-            board, antenna, self._control, self._mover, look, may_release=settings.stop_releases_motors
-        )
+        self._stopper = Stopper(board, antenna, self._control, self._mover, look)
+        applying = Applying(board, antenna, self._mover, self._stopper, look)
+        applying.use(settings)
         self._watches = Watches()
         self._vigil = Vigil(board, antenna, self._control, self._mover, self._stopper, look, self._watches)
         self._connection = Connection(board, antenna, settings, look, self._wake, self._on_wake, self._vigil.on_line)
         rewire = Rewire(
             board, antenna, settings, self._connection, self._stopper, look, self._vigil, self._wake, self._on_wake
         )
+        self._talk = Talk(
+            board, antenna, self._control, self._mover, self._stopper, look, self._watches, self._vigil,
+            RawEffects(board, antenna, self._mover, settings.remark),
+        )  # fmt: skip
         self._desk = Desk(
             board, antenna, self._control, self._mover, self._stopper, look, self._watches, self._vigil, rewire,
-            settings,
+            self._talk, applying, settings,
         )  # fmt: skip
 
     @property
@@ -99,6 +94,14 @@ class Station:
             self._drop_inbox()
         return future
 
+    def judge(self, line: str) -> Verdict:
+        """Say what a raw line would do in the dish's present menu, before it is sent. Sends nothing; any thread."""
+        return self._talk.judge(line)
+
+    def commands(self, menu: str) -> tuple[MenuCommand, ...]:
+        """Return the commands of a menu: the documented ones, and what the dish has told. Any thread."""
+        return self._talk.menus.of(menu)
+
     def stop(self, by: str) -> None:
         """STOP: its first bytes are on their way when this returns. Any thread; never waits for the dish."""
         self._stopper.call(by)
@@ -109,9 +112,7 @@ class Station:
         self._control.latched = True
         # In this order: what was let through before has its model, so that STOP can aim.
         activity = self.state.activity
-        return self._antenna.motion is not None or activity in (
-            Activity.SLEWING, Activity.HOMING, Activity.STOPPING, Activity.MOVING_UNASKED,
-        )  # fmt: skip
+        return self._antenna.motion is not None or activity in MOVING
 
     def begin(self) -> None:
         """Open the link as soon as the loop turns."""
@@ -157,6 +158,7 @@ class Station:
         self._drop_inbox()
         try:
             self._mover.fail(*self._desk.ending())
+            self._talk.shut()
         finally:
             try:
                 self._connection.close()
@@ -167,7 +169,7 @@ class Station:
     def _due(self) -> float:
         if self._inbox:
             return -math.inf
-        times = [self._connection.due, self._stopper.due]
+        times = [self._talk.due(), self._connection.due, self._stopper.due]
         if self._connection.is_up:
             times += [self._mover.due, self._vigil.due()]
         return min((time for time in times if time is not None), default=math.inf)
@@ -178,7 +180,9 @@ class Station:
         def is_due(time: float | None) -> bool:
             return time is not None and time <= now
 
-        if is_due(self._stopper.due):
+        if is_due(self._talk.due()):
+            self._guard(self._talk.tick)  # before STOP's follow-up, which needs the console
+        elif is_due(self._stopper.due):
             self._guard(self._stopper.tick)
         elif is_due(self._connection.due):
             self._guard(self._connect)

@@ -24,6 +24,10 @@ COALESCE_S = 0.2
 """Presses that follow this closely are one STOP."""
 ANSWER_S = 0.3
 POLL_S = 0.05
+UNKNOWN = "The dish does not know where it is: whether it stands still is not known."
+RELEASED = "The motors are released: nothing drives the dish, and where it is, is not known. Home it."
+LOOKING = ("nothing moved", "look")
+"""Means of a STOP that has sent nothing yet, and does so as soon as the dish is seen moving."""
 
 
 @dataclass(slots=True)
@@ -42,11 +46,11 @@ class Pending:
 class Stopper:
     """Latches, sends, repeats until answered, and reports what was really done."""
 
-    def __init__(
-        self, board: Board, antenna: BirdcageAntenna, control: Control, mover: Mover, look: Look, *, may_release: bool
-    ) -> None:
+    def __init__(self, board: Board, antenna: BirdcageAntenna, control: Control, mover: Mover, look: Look) -> None:
         self._board, self._antenna, self._control = board, antenna, control
-        self._mover, self._look, self._may_release = mover, look, may_release
+        self._mover, self._look = mover, look
+        self.may_release = False
+        """Whether the user lets STOP release the motors as its last rung."""
         self._calls: deque[tuple[StopReport, tuple[str, ...], str]] = deque()
         self.count = 0
         """How often STOP was called: what was asked for before the last call no longer holds."""
@@ -55,7 +59,7 @@ class Stopper:
         self._pending: Pending | None = None
         self._last_call = -math.inf
         self.homing = False
-        """Set while the shell is blocked by homing, which nothing stops."""
+        """Set while homing (or a stow) keeps the shell busy, and nothing that is sent gets through."""
         self.retarget_works: bool | None = None
         """Learnt from the first STOP in motion; None until then."""
         self.due: float | None = None
@@ -75,7 +79,13 @@ class Stopper:
             if not protocol.is_connected:
                 means, sentence = "no link", "There is no link to the dish: nothing could be sent. Cut its power."
             elif self.homing:
-                means, sentence = "none", "Homing cannot be stopped from here: cut the power of the dish."
+                what = "Stowing" if self._board.state.activity is Activity.STOWING else "Homing"
+                means, sentence = "none", f"{what} cannot be stopped from here: cut the power of the dish."
+            elif self._board.state.activity is Activity.STOWING:
+                # Where it goes is the firmware's own business: only two readings tell where to aim.
+                means, sentence = "look", "No STOP is documented for stowing: looking where it goes, to aim."
+            elif self._look.elsewhere:
+                means, sentence = "look", "The console is not in the motor menu: going there to look, and to aim."
             elif self.retarget_works is not False:
                 try:
                     if lines := self._antenna.stop_lines():
@@ -112,11 +122,13 @@ class Stopper:
                 self._publish(replace(report, confirmed=False), sent=False)
                 continue
             self._mover.activity(Activity.STOPPING, "")
+            if report.means == "look":
+                self._antenna.motion = None  # by the time that it can be aimed for, it is long outdated
             now = self._board.clock.monotonic()
             repeats = self._pending.sent if self._pending is not None else 0
             self._pending = Pending(
                 report, repeats + (report.means == "retarget"), report.means != "retarget", None,
-                now + stop_power_s(self._antenna.protocol.model) + 1.0, lines,
+                now + stop_power_s(self._antenna.model) + 1.0, lines,
             )  # fmt: skip
             self.due = now
 
@@ -155,12 +167,13 @@ class Stopper:
         now = self._board.clock.monotonic()
         self.due = now + POLL_S
         if pointing is None:
-            self._finish(pending, None, "The dish does not know where it is: whether it stands still is not known.")
+            released = bool(self._antenna.protocol.gate.released)
+            self._finish(pending, None, RELEASED if released else UNKNOWN)
         elif pending.last is not None and self._look.is_still(pointing, pending.last):
             if pending.report.means == "retarget":
                 self.retarget_works = self.retarget_works is not False and now <= pending.deadline
             self._finish(
-                pending, now <= pending.deadline or pending.report.means == "nothing moved",
+                pending, now <= pending.deadline or pending.report.means in LOOKING,
                 f"Stands still at {pointing.az_deg:.2f}°/{pointing.el_deg:.2f}°, "
                 f"{now - pending.report.at:.1f} s after STOP.",
             )  # fmt: skip
@@ -176,7 +189,7 @@ class Stopper:
 
     def _repeat(self, pending: Pending) -> None:
         if pending.sent >= MOST_REPEATS:
-            if self._may_release:
+            if self.may_release:
                 self._release(pending)
                 return
             self._finish(pending, False, "STOP was sent five times and not answered: cut the power of the dish.")
@@ -186,14 +199,15 @@ class Stopper:
         self.due = self._board.clock.monotonic()
 
     def _still_moving(self, pending: Pending, pointing: Pointing, now: float) -> None:
-        if pending.report.means == "nothing moved" and pending.last is not None:
+        if pending.report.means in LOOKING and pending.last is not None:
             seen = [(Position(p.dish_az_deg, p.dish_el_deg), p.at) for p in (pending.last, pointing)]
             lines = self._antenna.stop_lines_seen(*seen[0], *seen[1])
             self._antenna.protocol.interject(lines)
             pending.lines = lines
             pending.report = replace(
-                pending.report, means="retarget", sentence="The dish moved though nobody asked: retargeted ahead of it."
+                pending.report, means="retarget", sentence="The dish was seen moving: retargeted ahead of it."
             )
+            pending.deadline = now + stop_power_s(self._antenna.model) + 1.0
             pending.answered = False
             pending.sent += 1
         elif self._closes_in(pending, pointing):
@@ -202,7 +216,7 @@ class Stopper:
             self.retarget_works = False
             pending.report = replace(pending.report, confirmed=False, sentence="The dish goes on: cut its power.")
             self._publish(pending.report, sent=False)
-            if self._may_release:
+            if self.may_release:
                 self._release(pending)
 
     def _closes_in(self, pending: Pending, pointing: Pointing) -> bool:
@@ -223,6 +237,11 @@ class Stopper:
         self._look.unknown(PositionUnknown("STOP released the motors.", reason="released"))
         pending.report = replace(pending.report, means="release", confirmed=None)
         self._finish(pending, None, "The motors were released. Where the dish is, is not known: home it.")
+
+    def motors_were_released(self) -> None:
+        """Nothing is left to be stopped: a person has taken the current off the motors."""
+        if self._pending is not None:
+            self._finish(self._pending, None, RELEASED)
 
     def _finish(self, pending: Pending, confirmed: bool | None, sentence: str) -> None:
         earlier = pending.report.confirmed

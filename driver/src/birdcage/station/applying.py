@@ -1,0 +1,51 @@
+"""Takes the rules of motion, the alignment and the feed from settings, at the start and at run time."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.base.config import Settings
+from birdcage.base.errors import BirdcageError
+from birdcage.station.board import Board
+from birdcage.station.look import Look
+from birdcage.station.mover import Mover
+from birdcage.station.settings import Rules, rules_from
+from birdcage.station.state import MOVING
+from birdcage.station.stopper import Stopper
+
+
+def refuse_while_moving(board: Board, antenna: BirdcageAntenna, so: str) -> None:
+    """Raise BirdcageError (`moving`) while the dish moves; `so` is what is not done meanwhile."""
+    if antenna.motion is not None or board.state.activity in MOVING:
+        raise BirdcageError(f"{so} while the dish moves. Wait until it rests, or stop it.", reason="moving")
+
+
+class Applying:
+    """The one place where rules come into force."""
+
+    def __init__(self, board: Board, antenna: BirdcageAntenna, mover: Mover, stopper: Stopper, look: Look) -> None:
+        self._board, self._antenna = board, antenna
+        self._mover, self._stopper, self._look = mover, stopper, look
+
+    def apply(self, settings: Settings) -> None:
+        """Take over what these settings say. BirdcageError (`moving`) while the dish moves."""
+        refuse_while_moving(self._board, self._antenna, "Settings are not taken over")
+        self.use(rules_from(settings))
+
+    def use(self, rules: Rules) -> None:
+        """Put the rules into force, and show everything that follows from them."""
+        alignment, position = rules.alignment, self._board.state.position
+        self._antenna.align(alignment)
+        self._look.rules = rules
+        self._stopper.may_release = rules.stop_releases_motors
+        self._mover.forget_target()  # it was true under the alignment of before
+        if position is not None:
+            az_deg, el_deg = alignment.to_true(position.dish_az_deg, position.dish_el_deg)
+            position = replace(position, az_deg=az_deg, el_deg=el_deg)
+        self._board.change(
+            position=position, az_offset_deg=alignment.az_offset_deg, el_offset_deg=alignment.el_offset_deg,
+            feed_name=rules.feed_name, beam_deg=rules.beam_deg, stow_allowed=rules.stow_allowed,
+            motion_refused_because=rules.refuse_motion,
+        )  # fmt: skip
+        self._look.limit()

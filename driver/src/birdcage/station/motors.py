@@ -1,0 +1,116 @@
+"""Serves what a person does to the motors by hand: their current, their speed, and the firmware's own stow."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from concurrent.futures import Future
+
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.base.errors import CommandRefused, LeaseDenied, MotionRefused, PositionUnknown, Stopped
+from birdcage.station.applying import refuse_while_moving
+from birdcage.station.board import Board
+from birdcage.station.control import Control
+from birdcage.station.events import End
+from birdcage.station.look import Look
+from birdcage.station.mover import Job, Mover
+from birdcage.station.state import Activity
+from birdcage.station.stopper import Stopper
+
+
+class Motors:
+    """Errors are raised, and become the future's. `wire_free` raises LinkError unless the dish answers."""
+
+    def __init__(
+        self, board: Board, antenna: BirdcageAntenna, control: Control, mover: Mover, stopper: Stopper, look: Look,
+        wire_free: Callable[[], None],
+    ) -> None:  # fmt: skip
+        self._board, self._antenna, self._control, self._mover = board, antenna, control, mover
+        self._stopper, self._look, self._wire_free = stopper, look, wire_free
+
+    def release(self, holder: str, stops_seen: int) -> None:
+        """Take the current off.
+
+        It drives nothing, and is what one does when the dish hangs on its tripod and its motors push: so neither HELD
+        (which STOP has just latched) nor a fault nor unreadable settings keep it back, and while HELD it takes no
+        lease. Only a release that was asked for *before* STOP is dropped (Stopped): a dish that has just been stopped
+        must not fall because of it. LeaseDenied while somebody else has control.
+        """
+        held = self._control.latched
+        if not held:
+            self._control.take(holder)
+        self._wire_free()
+
+        def permit() -> None:
+            if self._stopper.count != stops_seen:
+                raise Stopped("STOP came after this was asked for: the motors keep their current. Ask again.")
+
+        self._antenna.protocol.release_motors(permit=permit)
+        self._mover.fail(End.STOPPED, "motors released", Stopped("The motors were released."))
+        self._antenna.motion = None
+        self._look.unknown(PositionUnknown("The motors were released.", reason="released"))
+        self._mover.activity(Activity.IDLE, "")
+        self._stopper.motors_were_released()
+
+    def engage(self, holder: str) -> None:
+        """Put the current back on: a motion, for the dish may jerk to the next step. Its position stays unknown."""
+        self._control.admit(holder)
+        self._wire_free()
+        refuse_while_moving(self._board, self._antenna, "The motors are not engaged")
+        self._antenna.protocol.engage_motors()
+        self._look.position()
+
+    def stow(self, holder: str, future: Future[object]) -> None:
+        """Fold the dish flat. The future resolves with where it came to rest; nothing is known to stop it."""
+        model, state = self._antenna.protocol.model, self._board.state
+        if not model.has_stow:
+            raise MotionRefused(f"The {model.name} has no command to stow. Nothing was sent.", reason="unsupported")
+        if not state.stow_allowed:
+            feed = f"the feed {state.feed_name!r}" if state.feed_name else "this feed"
+            raise MotionRefused(
+                f"With {feed} the dish must not fold flat: it could be crushed. Nothing was sent. If it is safe, set "
+                "stow_allowed in the feed's section of birdcage.toml.",
+                reason="feed",
+            )
+        self._control.admit(holder)
+        self._wire_free()
+        refuse_while_moving(self._board, self._antenna, "The dish is not stowed")
+        if self._look.position() is None:
+            raise PositionUnknown(
+                "No stowing: the dish does not know where it is, so not where flat is either. Home it first.",
+                reason=self._antenna.protocol.gate.unknown_reason,
+            )
+        self._mover.activity(Activity.STOWING, "")
+        self._board.change(position_lost="stowing")
+        self._stopper.homing = True
+        try:
+            self._antenna.protocol.stow()
+        except BaseException:
+            if self._board.state.activity is Activity.STOWING:
+                self._mover.activity(Activity.UNKNOWN, "")
+            raise
+        finally:
+            self._stopper.homing = False
+            self._stopper.resume()
+        if self._control.latched:
+            raise Stopped("STOP came while the dish stowed.")
+        self._mover.await_rest(Job(0.0, 0.0, holder, future))
+
+    def set_speed(self, motor: int, speed_deg_s: float, holder: str) -> float:
+        """Set the greatest speed of an axis until the dish restarts; return what it shows. Moves nothing."""
+        state, protocol = self._board.state, self._antenna.protocol
+        if state.holder not in (None, holder):
+            raise LeaseDenied(f"{state.holder} has control. Take it over explicitly, or wait until it is given back.")
+        if not protocol.model.has_speeds:
+            raise CommandRefused(f"The {protocol.model.name} has no command for its speed.", reason="unsupported")
+        if motor not in (protocol.model.azimuth.index, protocol.model.elevation.index):
+            raise MotionRefused(f"This dish has no motor {motor}. Nothing was sent.", reason="unsupported")
+        self._wire_free()
+        refuse_while_moving(self._board, self._antenna, "No speed is set")
+        try:
+            speeds = protocol.set_speed(motor, speed_deg_s)
+        except CommandRefused:
+            self._look.note_speeds({})  # what is in force now is anybody's guess
+            raise
+        self._look.note_speeds(speeds)
+        protocol.enter_motor_menu()
+        return speeds[motor]
