@@ -179,6 +179,14 @@ def test_a_port_that_does_not_open_for_no_known_reason():
     assert LOST.detail in result[0].why
 
 
+def test_a_program_that_is_seen_comes_before_what_is_only_thought_of():
+    facts = SystemFacts("/dev/ttyUSB0", may_open=True, other_program="screen (process 7)", modem_manager=True)
+    silent = causes(*all_rates(Saw.SILENCE), system=facts)
+    assert (silent[0].title, silent[-1].title) == ("Another program has it", "ModemManager meddles")
+    answered = causes(found(9600, Saw.SILENCE), found(115200, Saw.PROMPT, "TRK>"), system=facts)
+    assert answered[0].use_baud == 115200
+
+
 def test_modem_manager_is_named_while_it_runs_and_likely_when_it_was_heard():
     facts = SystemFacts("/dev/ttyUSB0", may_open=True, modem_manager=True)
     quiet = causes(*all_rates(Saw.SILENCE), system=facts)

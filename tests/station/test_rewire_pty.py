@@ -42,8 +42,9 @@ def wait_for(session, state):
 
 
 def test_from_a_wrong_rate_to_a_dish_that_answers(pty_path, tmp_path):
+    settings = Settings(link=LinkSettings(delay_s=0.5))
     session = open_session(
-        port=pty_path, firmware="g2", baud=9600, settings=Settings(link=LinkSettings(delay_s=0.5)), paths=Paths.in_folder(tmp_path),
+        port=pty_path, firmware="g2", baud=9600, settings=settings, paths=Paths.in_folder(tmp_path),
         clock=RealClock(), survey=False, ports=list,
     )  # fmt: skip
     session.start()

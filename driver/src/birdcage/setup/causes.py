@@ -84,4 +84,8 @@ def _of_the_wire(case: Case) -> list[Cause]:
         found = wire.echo(case)
     else:
         found = wire.silence(case)
-    return [*found, *_of_the_system(case)]
+    system = _of_the_system(case)
+    if case.rates(Saw.PROMPT):
+        return [*found, *system]
+    # A thing that is seen comes before one that is only thought of.
+    return [*(each for each in system if each.likely), *found, *(each for each in system if not each.likely)]
