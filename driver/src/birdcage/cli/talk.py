@@ -9,12 +9,16 @@ from typing import TYPE_CHECKING, TextIO
 from birdcage.base.errors import BirdcageError
 from birdcage.cli.dish import Dish
 from birdcage.cli.say import say
+from birdcage.setup.step import Mark
+from birdcage.station.state import Link
 
 if TYPE_CHECKING:
     from birdcage.setup.engine import Setup
     from birdcage.setup.step import Choice, Field, StepView
 
 KEYS = "s skip   b back   l list   q leave (all that is done is kept)   Ctrl+C stops the dish"
+OPEN_S = 5.0
+"""How long a port may take to open before the questions begin."""
 CLEARED = "-"
 """What is typed to empty a field that has a value."""
 
@@ -47,10 +51,12 @@ class Talk:
     def __init__(self, setup: Setup, dish: Dish, answers: Answers) -> None:
         self._setup, self._dish, self._answers = setup, dish, answers
         self._said: object = None
+        self._marks = {view.name: view.mark for view in setup.steps()}
 
     def run(self) -> bool:
         """Talk; return whether every step is done, skipped or for later."""
         say(KEYS)
+        self._wait_for_the_port()
         try:
             while not self._done():
                 self._turn()
@@ -62,8 +68,20 @@ class Talk:
         # The last step is never done by itself: its words are worth reading.
         return self._setup.finished and self._setup.current == "first" and self._said is not None
 
+    def _wait_for_the_port(self) -> None:
+        """Give the port a moment, so that the first thing said is how it is."""
+        until = self._dish.now + OPEN_S
+        while self._dish.state.link.state is Link.OPENING and self._dish.now < until:
+            self._dish.progress.show(f"… {self._dish.state.link.detail}")
+            self._look()
+        self._dish.progress.clear()
+
     def _turn(self) -> None:
-        view = self._settle()
+        while self._setup.busy:
+            self._dish.progress.show(f"… {self._setup.busy}")
+            self._look()
+        self._look()
+        view = self._setup.step(self._setup.current)
         if self._shape(view) != self._said:
             self._said = self._shape(view)
             _say_step(view)
@@ -78,22 +96,14 @@ class Talk:
         return view.name, view.mark, tuple((each.name, each.label) for each in view.choices)
 
     def _look(self) -> None:
+        """Look at the dish and at the steps; say which of them have come to an end."""
         self._dish.look()
         self._setup.tick()
-
-    def _settle(self) -> StepView:
-        """Wait until nothing is under way, and say how the step is that it was under way in."""
-        before = self._setup.current
-        waited = False
-        while self._setup.busy:
-            waited = True
-            self._dish.progress.show(f"… {self._setup.busy}")
-            self._look()
-        self._dish.progress.clear()
-        self._setup.tick()
-        if waited or before != self._setup.current:
-            _say_result(self._setup.step(before))
-        return self._setup.step(self._setup.current)
+        for view in self._setup.steps():
+            before, self._marks[view.name] = self._marks.get(view.name), view.mark
+            if before is not view.mark and view.mark in (Mark.DONE, Mark.FAILED):
+                self._dish.progress.clear()
+                say(f"{view.number} {view.title}: {view.mark.value}. {view.evidence}".rstrip())
 
     def _line(self, prompt: str, *, watch: bool = False) -> str | None:
         """Return what is typed; None when the step has changed meanwhile and `watch` is set."""
@@ -102,10 +112,7 @@ class Talk:
             try:
                 line = self._answers.next()
             except queue.Empty:
-                before = self._setup.current
                 self._look()
-                if watch and before != self._setup.current:
-                    _say_result(self._setup.step(before))
                 if watch and self._shape(self._setup.step(self._setup.current)) != self._said:
                     return None
                 continue
@@ -165,11 +172,6 @@ def list_lines(setup: Setup) -> list[str]:
 
 def _line_of(view: StepView) -> str:
     return f"{view.number:2} {view.title:16} {view.mark.value:8} {view.evidence}".rstrip()
-
-
-def _say_result(view: StepView) -> None:
-    if view.mark.value in ("done", "failed"):
-        say(f"{view.number} {view.title}: {view.mark.value}. {view.evidence}".rstrip())
 
 
 def _say_step(view: StepView) -> None:

@@ -81,7 +81,7 @@ class LinkStep(Step):
 
     def _live(self) -> str:
         state, info = self.bench.state, self._info(self.bench.state.port)
-        parts = [Path(state.port).name if state.port.startswith("/dev/") else state.port]
+        parts = [state.port.removeprefix("/dev/")]
         if info is not None and info.vid_pid is not None:
             parts.append(_MAKERS.get(info.vid_pid[:4], info.description or info.vid_pid))
         parts.append(f"{self._rate} 8N1")
