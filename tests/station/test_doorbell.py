@@ -6,7 +6,6 @@ import json
 import os
 import socket
 from dataclasses import replace
-from types import SimpleNamespace
 
 import pytest
 from birdcage.base.clock import VirtualClock
@@ -23,7 +22,7 @@ class Owner:
     def __init__(self, port: str, asked: str | None = None) -> None:
         self.clock = VirtualClock()
         self.board = Board(self.clock, StationState(port=port))
-        self.settings = SimpleNamespace(port=asked or port)
+        self.asked_port = asked or port
         self.stops: list[str] = []
         self.subscribe = self.board.subscribe
 

@@ -228,7 +228,8 @@ def test_connect_works_in_every_state(state):
     bench.step(60)
     assert bench.state.link.state is Link.UP
     assert bench.asked[-1][:2] == ("sim:other", 115200)
-    assert bench.state.port == "sim:other"
+    # Those who ring for STOP by the name of the port find this program under the new one alone.
+    assert bench.state.port == bench.station.asked_port == "sim:other"
 
 
 def test_what_was_known_of_the_other_dish_is_forgotten():

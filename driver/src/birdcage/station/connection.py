@@ -41,6 +41,11 @@ class Connection:
         return self._antenna.protocol
 
     @property
+    def asked_port(self) -> str:
+        """The port as it was asked for; the adapter may be under another name by now."""
+        return self._port
+
+    @property
     def baud(self) -> int:
         """The present rate: as asked for, or the firmware's own."""
         return self._baud or self._protocol.model.baud

@@ -88,7 +88,7 @@ class Doorbell:
             "tcp_port": self._listener.getsockname()[1],
             "token": self._token,
             "port": port,
-            "asked": self._station.settings.port,
+            "asked": self._station.asked_port,
         }
         self._folder.mkdir(parents=True, exist_ok=True, mode=0o700)
         aside = path.with_suffix(f".{os.getpid()}")

@@ -81,6 +81,11 @@ class Station:
         """What is known now: immutable. Any thread."""
         return self._board.state
 
+    @property
+    def asked_port(self) -> str:
+        """The port as it was last asked for; `state.port` is where it is now. Any thread."""
+        return self._connection.asked_port
+
     def subscribe(self, listener: Listener) -> Callable[[], None]:
         """Hear every event, on the station's thread: do nothing slow there. Returns what ends it."""
         return self._board.subscribe(listener)
