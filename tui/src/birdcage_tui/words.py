@@ -12,6 +12,7 @@ ACTIVITY = {
     Activity.SLEWING: "SLEWING",
     Activity.STOPPING: "STOPPING",
     Activity.HOMING: "HOMING",
+    Activity.STOWING: "STOWING",
     Activity.INITIALIZING: "STARTING",
     Activity.MOVING_UNASKED: "MOVES!",
 }
@@ -232,6 +233,8 @@ def _doing(view: View) -> tuple[str, str]:
         return "fault-strong", "It moves though nobody asked: TV search, wind, or a hand."
     if state.activity is Activity.HOMING:
         return "warn-strong", f"Homing. {state.activity_text}".rstrip()
+    if state.activity is Activity.STOWING:
+        return "warn-strong", "Stowing. No STOP is documented for it: a new target is tried."
     if state.homed is False:
         return "warn-strong", "The dish is not homed."
     who = state.holder or "nobody"

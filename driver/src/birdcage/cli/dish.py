@@ -148,7 +148,7 @@ class Dish:
     def in_motion(self) -> bool:
         """Whether the dish moves because of this command."""
         return self.state.motion is not None or self.state.activity in (
-            Activity.SLEWING, Activity.STOPPING, Activity.HOMING,
+            Activity.SLEWING, Activity.STOPPING, Activity.HOMING, Activity.STOWING,
         )  # fmt: skip
 
     def stop(self, by: str) -> StopReport | None:

@@ -13,12 +13,11 @@ from collections.abc import Callable
 from typing import Protocol
 
 from birdcage.station.events import ActivityChanged, Event
-from birdcage.station.state import Activity
+from birdcage.station.state import MOVING
 from birdcage.station.station import Station
 
 AFTER_S = 10.0
 """How long it is held after the dish came to rest: the next motion often follows soon."""
-MOVING = (Activity.SLEWING, Activity.STOPPING, Activity.HOMING, Activity.MOVING_UNASKED)
 
 log = logging.getLogger(__name__)
 
