@@ -59,6 +59,7 @@ STEPS = st.lists(
             st.tuples(st.just("enter"), st.sampled_from(["root", "mot", "dvb", "nvs"])),
             st.tuples(st.just("run"), st.sampled_from([("mot", "a"), ("dvb", "rssi 3"), ("mot", "h 0"), ("mot", "?")])),
             st.tuples(st.just("stream"), st.sampled_from([0.0, 0.35, 3.0])),
+            st.tuples(st.just("type"), st.tuples(st.sampled_from(COMMANDS), st.sampled_from(["leave", "key", "drop"]))),
             st.tuples(st.just("wait"), st.sampled_from([0.1, 1.0, 2.5, 9.0])),
             st.tuples(
                 st.sampled_from(["leave", "synchronize", "interject", "settle", "leave_all", "renew"]), st.none()
@@ -110,6 +111,16 @@ class Owner:
             case "stream":
                 console.enter("dvb")
                 console.stream("agc", lambda _: None, now + float(value))
+            case "type":
+                line, then = value
+                typed = console.type_line(line, takes_s=15.0 if line == "h 0" else 0.0)
+                if then == "leave" or typed.wait(0.3) is not None:
+                    return  # its reply comes while other things are done
+                if then == "key":
+                    typed.press_enter()
+                    typed.wait(D)
+                if typed.reply is None:
+                    typed.give_up()
             case "interject":
                 console.interject(["a 0 20", "a 1 31"])
             case "settle":

@@ -6,7 +6,6 @@ from collections.abc import Callable
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import DishMotion, start_motion
-from birdcage.base.geometry import shortest_turn
 from birdcage.protocol.hazard import Grade, Verdict
 from birdcage.protocol.types import MOTOR_AZIMUTH, Position
 from birdcage.station.board import Board
@@ -64,11 +63,12 @@ class RawEffects:
         if start is None:
             return None
         if axis != MOTOR_AZIMUTH:
-            begun = start_motion(antenna.protocol.model, start, 0.0, angle, now, velocity)
+            begun = start_motion(antenna.model, start, 0.0, angle, now, velocity)
             return begun if under_way is None else DishMotion(under_way.azimuth, begun.elevation)
         turns, cable = gate.cable_turns(angle), gate.cable_deg
-        turn = turns[0] - cable if turns and cable is not None else shortest_turn(start.azimuth, angle)
-        begun = start_motion(antenna.protocol.model, start, turn, start.elevation, now, velocity)
+        if not turns or cable is None:
+            return None  # which way it turns is not known, and nothing is read that would tell
+        begun = start_motion(antenna.model, start, turns[0] - cable, start.elevation, now, velocity)
         return begun if under_way is None else DishMotion(begun.azimuth, under_way.elevation)
 
     def take_in(self, verdict: Verdict) -> None:

@@ -8,6 +8,8 @@ from collections.abc import Callable
 
 from birdcage.base.clock import Clock
 from birdcage.base.errors import BirdcageError
+from birdcage.link.transcript import Transcript
+from birdcage.link.transcript_line import Entry
 from birdcage.station.state import Pointing
 from birdcage.station.station import Station
 
@@ -18,9 +20,16 @@ QUIT_S = 0.15
 class Session:
     """`Session(clock, station)`: `start` runs the station on a daemon thread of our own; tests `step` it instead."""
 
-    def __init__(self, clock: Clock, station: Station, on_close: Callable[[], None] = lambda: None) -> None:
+    def __init__(
+        self,
+        clock: Clock,
+        station: Station,
+        on_close: Callable[[], None] = lambda: None,
+        wire: Transcript | None = None,
+    ) -> None:
         self.clock, self.station = clock, station
         self._on_close = on_close
+        self._wire = wire
         self._begun = False
         self._thread: threading.Thread | None = None
         self.crash: BaseException | None = None
@@ -30,6 +39,16 @@ class Session:
         """Run the station on its own thread."""
         self._thread = threading.Thread(target=self._run, name="station", daemon=True)
         self._thread.start()
+
+    def on_wire(self, listener: Callable[[Entry], None]) -> Callable[[], None]:
+        """Call `listener` with every chunk that passes on the wire, and every remark; the result ends that.
+
+        It is called on whichever thread read or wrote, before the next byte can leave: append to a queue and return.
+        BirdcageError for a session that was built without a transcript.
+        """
+        if self._wire is None:
+            raise BirdcageError("This session was built without a transcript: nobody hears its wire.")
+        return self._wire.listen(listener)
 
     def step(self, seconds: float) -> None:
         """Run the station on this thread for so many seconds of its clock."""

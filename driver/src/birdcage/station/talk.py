@@ -132,6 +132,7 @@ class Talk:
         """Send one line. Its future is resolved when the prompt came, or when something else ended it."""
         if not (request.line.isascii() and request.line.isprintable()):
             raise CommandRefused("A console line holds printable ASCII only. Nothing was sent.", reason="bad_parameter")
+        self._refuse_held(request.line, self.judge(request.line))
         menu = self._take_console(request.holder)
         verdict = self._admitted(request)
         console = self._protocol.console
@@ -239,12 +240,15 @@ class Talk:
 
     def _admitted(self, request: ask.Raw) -> Verdict:
         verdict = self.judge(request.line)
-        if verdict.grade >= Grade.MOVES and self._control.latched:
-            raise Held(f"STOP is latched: `{request.line}` was not sent. A person must release it first.")
+        self._refuse_held(request.line, verdict)
         if verdict.grade > Grade.HARMLESS and not request.confirmed:
             about = " ".join(text for text in (verdict.consequence, verdict.limit) if text)
             raise ConfirmationNeeded(f"`{request.line}` was not sent. {about}")
         return verdict
+
+    def _refuse_held(self, line: str, verdict: Verdict) -> None:
+        if verdict.grade >= Grade.MOVES and self._control.latched:
+            raise Held(f"STOP is latched: `{line}` was not sent. A person must release it first.")
 
     def _permit(self, verdict: Verdict | None) -> None:
         if self._board.state.holder != self._holder:

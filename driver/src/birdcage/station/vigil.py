@@ -33,6 +33,10 @@ class Vigil:
         self._mover, self._look, self._watches = mover, look, watches
         self._offset_s = self._clock_offset_s()
         self._look_again_at: float | None = None
+        self._unsettled = False
+        """Whether the dish must be seen at rest, in the motor menu, before anything else is read."""
+        self.paused = False
+        """Set while somebody talks to the dish: nothing is asked for then."""
         self._met = False
         """Whether the dish has answered this station before: else its boot text is the beginning, not a restart."""
         self._doubted: Pointing | None = None
@@ -43,7 +47,9 @@ class Vigil:
         """Return when there is something to look at; nothing else is asked for while the dish moves."""
         if self._board.state.activity not in (Activity.IDLE, Activity.UNKNOWN, Activity.MOVING_UNASKED):
             return None
-        if self._look.wants_survey:
+        if self.paused:
+            return None
+        if self._look.wants_survey and not self._unsettled:
             return -math.inf
         signal = self._signal_due()
         if self._watches.excursion is not None:
@@ -65,7 +71,7 @@ class Vigil:
 
     def tick(self) -> None:
         """Look at whatever is due."""
-        if self._look.wants_survey:
+        if self._look.wants_survey and not self._unsettled:
             self._look.survey()
             return
         now = self._board.clock.monotonic()
@@ -95,6 +101,7 @@ class Vigil:
     def _judge(self, before: Pointing | None, after: Pointing | None) -> None:
         """At rest, two readings must agree; else the dish moves though nobody asked."""
         if after is None:
+            self._unsettled = False
             return
         if before is None:
             self.look_again()  # one reading says nothing about motion
@@ -102,6 +109,7 @@ class Vigil:
         activity, doubted, self._doubted = self._board.state.activity, self._doubted, None
         if self._look.apart_deg(doubted or before, after) <= UNASKED_DEG:
             self._antenna.motion = None
+            self._unsettled = False
             self._mover.activity(Activity.IDLE, "")
             return
         self.look_again()
@@ -122,6 +130,11 @@ class Vigil:
         if self._board.state.activity is Activity.INITIALIZING:
             self._mover.activity(Activity.UNKNOWN, "")
         self.look_again()
+
+    def look_afresh(self, *, unsettled: bool) -> None:
+        """Somebody else had the console: read the position at once; `unsettled`, until the dish is seen at rest."""
+        self._unsettled = self._unsettled or unsettled
+        self._look_again_at = self._board.clock.monotonic()
 
     def look_again(self) -> None:
         """Read the position twice in short order, to see whether the dish moves."""
