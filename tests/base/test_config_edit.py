@@ -153,8 +153,8 @@ class TestSetupLines:
         edit(path, {"setup.link": "done 2026-03-20T12:00Z: ttyUSB0: fine", "setup.level": "skipped 2026-03-20T12:01Z"})
         setup = load(path, {}).setup
         assert setup.begun
-        assert setup.kept("link") == (True, "2026-03-20T12:00Z", "ttyUSB0: fine")
-        assert setup.kept("level") == (False, "2026-03-20T12:01Z", "")
+        assert setup.kept("link") == ("done", "2026-03-20T12:00Z", "ttyUSB0: fine")
+        assert setup.kept("level") == ("skipped", "2026-03-20T12:01Z", "")
         assert setup.kept("north") is None
         assert setup.kept("link").text == setup.link
 

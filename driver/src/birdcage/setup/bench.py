@@ -82,15 +82,19 @@ class Bench:
 
     def done(self, step: str, evidence: str, changes: Mapping[str, Value] | None = None) -> None:
         """Keep a step as done, with the settings that it makes, in one writing."""
-        self._keep(step, done=True, evidence=evidence, changes=changes or {})
+        self._keep(step, "done", evidence, changes or {})
         self.completed.add(step)
 
     def skipped(self, step: str) -> None:
         """Keep a step as skipped."""
-        self._keep(step, done=False, evidence="", changes={})
+        self._keep(step, "skipped", "", {})
 
-    def _keep(self, step: str, *, done: bool, evidence: str, changes: Mapping[str, Value]) -> None:
-        kept = Kept(done, self.stamp, " ".join(evidence.split()))
+    def begun(self, step: str, evidence: str) -> None:
+        """Keep a step as half done."""
+        self._keep(step, "begun", evidence, {})
+
+    def _keep(self, step: str, word: str, evidence: str, changes: Mapping[str, Value]) -> None:
+        kept = Kept(word, self.stamp, " ".join(evidence.split()))
         self.write({**changes, f"setup.{step}": kept.text})
 
     def forget(self, step: str) -> None:

@@ -10,15 +10,15 @@ from typing import ClassVar, NamedTuple
 from birdcage.base.config.field import Complaint, Section, setting
 
 _WHEN = r"\d{4}-\d\d-\d\dT\d\d:\d\dZ"
-_LINE = re.compile(rf"(done|skipped) ({_WHEN})(?:: (.*))?")
+_LINE = re.compile(rf"(done|skipped|begun) ({_WHEN})(?:: (.*))?")
 _CLOCK = re.compile(rf"compared {_WHEN}: ([+-]\d+(?:\.\d+)?) s|trusted {_WHEN}")
 
 
 class Kept(NamedTuple):
     """One step as the file keeps it."""
 
-    done: bool
-    """Done, or else skipped."""
+    word: str
+    """`done`, `skipped`, or `begun`: half of it is done, and it goes on from there."""
     when: str
     """UTC, `2026-03-20T12:00Z`."""
     evidence: str
@@ -26,14 +26,23 @@ class Kept(NamedTuple):
     @property
     def text(self) -> str:
         """The line for the file."""
-        word = "done" if self.done else "skipped"
-        return f"{word} {self.when}: {self.evidence}" if self.evidence else f"{word} {self.when}"
+        return f"{self.word} {self.when}: {self.evidence}" if self.evidence else f"{self.word} {self.when}"
+
+    @property
+    def done(self) -> bool:
+        """Whether nothing is left to do."""
+        return self.word == "done"
+
+    @property
+    def skipped(self) -> bool:
+        """Whether it was left out."""
+        return self.word == "skipped"
 
     @classmethod
     def read(cls, text: str) -> Kept | None:
         """Read a line of the file; None when it is none."""
         found = _LINE.fullmatch(text)
-        return None if found is None else cls(found[1] == "done", found[2], found[3] or "")
+        return None if found is None else cls(found[1], found[2], found[3] or "")
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +51,7 @@ class SetupSettings(Section):
 
     section: ClassVar[str] = "setup"
 
-    link: str | None = setting(None, "Step 1, the link: `done` or `skipped`, when, and the evidence.")
+    link: str | None = setting(None, "Step 1, the link: `done`, `begun` or `skipped`, when, and the evidence.")
     dish: str | None = setting(None, "Step 2, which dish it is.")
     search: str | None = setting(None, "Step 3, the TV search.")
     home: str | None = setting(None, "Step 4, homing: only whether it was skipped, as the dish itself knows the rest.")
@@ -76,7 +85,7 @@ class SetupSettings(Section):
         return float(found[1]) if found[1] else 0.0
 
     def complaints(self) -> Iterator[Complaint]:
-        """Yield lines that say neither done nor skipped."""
+        """Yield lines that the setup can't have written."""
         for field in fields(self):
             text = getattr(self, field.name)
             good = _CLOCK.fullmatch(text or "") if field.name == "clock" else Kept.read(text or "")

@@ -74,7 +74,7 @@ class Step:
         proven, kept = self.proven, self.bench.kept(self.name)
         if proven or (proven is None and kept is not None and kept.done):
             return Mark.DONE
-        return Mark.SKIPPED if kept is not None and not kept.done else Mark.TODO
+        return Mark.SKIPPED if kept is not None and kept.skipped else Mark.TODO
 
     def view(self, number: int) -> StepView:
         """Return what to draw."""

@@ -13,7 +13,6 @@ class DishStep(Step):
 
     name = "dish"
     title = "Dish"
-    page = "system"
 
     def evidence(self) -> str:
         """Name the dish as it names itself."""

@@ -38,7 +38,7 @@ class LinkStep(Step):
     def __init__(self, bench: Bench) -> None:
         super().__init__(bench)
         self._ports: list[PortInfo] = []
-        self._listed_at: float | None = None
+        self._listed_at = 0.0
         self._system: SystemFacts | None = None
         self._looked_at: tuple[str, Link] | None = None
         self._baud: int | None = None
@@ -50,7 +50,7 @@ class LinkStep(Step):
     def mark(self) -> Mark:
         """Whether it answers now; as kept while it is being opened."""
         link, kept = self.bench.state.link.state, self.bench.kept(self.name)
-        if kept is not None and not kept.done and link is not Link.UP:
+        if kept is not None and kept.skipped and link is not Link.UP:
             return Mark.SKIPPED
         if link in (Link.SILENT, Link.LOST) and not self.busy and not self._boots:
             return Mark.FAILED
@@ -169,10 +169,10 @@ class LinkStep(Step):
             if self.bench.now > deadline and not self._boots:
                 raise NoReply(f"Nothing answered on {port} within {ANSWER_S:.0f} s.")
             yield None
-        self._list()
         self._keep()
 
     def _keep(self) -> None:
+        self._list()
         state, info = self.bench.state, self._info(self.bench.state.port)
         self.findings = ()
         keys: dict[str, Value] = {
@@ -189,11 +189,12 @@ class LinkStep(Step):
 
     def look(self) -> None:
         """Keep the list of ports up to date while there is something to choose."""
-        if self._listed_at is None or (not self.bench.is_up and self.bench.now - self._listed_at >= LIST_S):
-            self._list()
         state = self.bench.state
-        if self._looked_at != (state.port, state.link.state) and state.link.state in (Link.SILENT, Link.LOST):
-            self._looked_at = state.port, state.link.state
+        changed = self._looked_at != (state.port, state.link.state)
+        self._looked_at = state.port, state.link.state
+        if changed or (not self.bench.is_up and self.bench.now - self._listed_at >= LIST_S):
+            self._list()
+        if changed and state.link.state in (Link.SILENT, Link.LOST):
             self._system = self.bench.system(state.port)
 
     def _list(self) -> None:

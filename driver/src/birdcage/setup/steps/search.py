@@ -18,10 +18,14 @@ class SearchStep(Step):
     title = "TV search off"
     page = "console"
 
-    written = ""
-    """Where the backup lies of what was written in this run; empty while nothing was."""
     gone = False
     """Whether the dish was out of sight since, as it is while switched off."""
+
+    @property
+    def written(self) -> str:
+        """The name of the backup, from the writing on until the dish was switched off and on; empty otherwise."""
+        kept = self.bench.kept(self.name)
+        return kept.evidence if kept is not None and kept.word == "begun" else ""
 
     @property
     def proven(self) -> bool | None:
@@ -79,7 +83,8 @@ class SearchStep(Step):
     def _off(self) -> Plan:
         yield from self.release_after_restart()  # its search may be what moved it
         backup = yield self.bench.ask(SetSearch(self.bench.holder, disabled=True))
-        self.written, self.gone = Path(str(backup)).name, False
+        self.gone = False
+        self.bench.begun(self.name, Path(str(backup)).name)
 
     def _look_again(self) -> Plan:
         """Meet the dish anew: nothing that was known of it before it was switched off counts."""
@@ -94,9 +99,7 @@ class SearchStep(Step):
             self.gone = self.gone or restarted or not self.bench.is_up
             if not self.gone or not self._off_now() or state.fault is not None:
                 return
-            evidence = f"off: NVS 20 TRUE, saved (was FALSE; backup {self.written})"
-            self.written = ""
-            self.bench.done(self.name, evidence)
+            self.bench.done(self.name, f"off: NVS 20 TRUE, saved (was FALSE; backup {self.written})")
         elif self.proven:
             kept = self.bench.kept(self.name)
             if kept is None or not kept.done:

@@ -1,0 +1,335 @@
+"""Single steps: what goes on the wire, what is kept, and what is refused."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime
+
+import pytest
+from birdcage.base.config import edit
+from birdcage.base.errors import BirdcageError
+from birdcage.setup.north import NotYet, az_offset_deg
+from birdcage.setup.step import NoSuchChoice
+from birdcage.sky.sun import sun
+
+from tests.setup.conftest import NOON
+
+PLACE = {"latitude_deg": "39.1", "longitude_deg": "-95.7", "height_m": "250"}
+
+
+class TestLink:
+    def test_keeps_port_speed_and_adapter(self, house):
+        house.choose("link", "keep")
+        settings = house.file()
+        assert (settings.dish.port, settings.dish.baud) == ("/dev/ttyUSB0", 115200)
+        assert settings.link.usb_identity == "0403:6001:A5"
+        assert house.view("link").evidence.startswith("ttyUSB0, FTDI, 115200 8N1, answers in ")
+
+    def test_changes_over_to_another_port(self, house):
+        house.choose("link", "other", port="/dev/ttyUSB7")
+        house.run(3)
+        assert house.marks()["link"] == "failed"
+        house.choose("link", "port-1")
+        assert house.marks()["link"] == "done"
+        assert house.file().dish.port == "/dev/ttyUSB0"
+
+    def test_a_port_that_is_not_there_is_not_kept(self, house):
+        house.choose("link", "other", port="/dev/ttyUSB7")
+        assert house.marks()["link"] == "failed"
+        assert "/dev/ttyUSB7" in house.view("link").evidence
+        assert house.file().dish.port is None
+
+    def test_no_speed_answers(self, house):
+        house.device.power_off()
+        house.until(lambda: house.marks()["link"] == "failed")
+        house.choose("link", "probe")
+        assert "Connect" not in [choice.label for choice in house.view("link").choices]
+        assert any("silence" in words for words in house.view("link").words)
+
+
+class TestSearch:
+    def test_that_is_off_is_seen_to_be_off(self, house):
+        assert house.marks()["search"] == "done"
+        assert not any(line.startswith("e 20") for line in house.lines())
+
+    def test_a_power_cycle_that_nobody_noticed_can_be_told(self, build):
+        house = build("g2?nvs20=0&unhomed=1").up()
+        house.run(8)
+        assert "NVS 20 is FALSE" in house.view("search").evidence
+        house.choose("search", "off")
+        house.run(3)
+        assert house.marks()["search"] == "todo"
+        house.kill()
+        house.start().run(8)
+        assert house.marks()["search"] == "todo"
+        assert "waits for the dish to be switched off and on" in house.view("search").evidence
+        house.choose("search", "cycled")
+        house.until(lambda: house.marks()["search"] == "done")
+        assert "backup nvs-g2-" in house.view("search").evidence
+
+    def test_a_restart_is_acknowledged_by_a_person(self, build):
+        house = build("g2?nvs20=0&unhomed=1").up()
+        house.run(8)
+        house.choose("search", "off")
+        house.device.power_cycle()
+        house.until(lambda: house.state.fault is not None)
+        house.run(15)
+        assert house.marks()["search"] == "todo"
+        house.choose("search", "release")
+        house.until(lambda: house.marks()["search"] == "done")
+
+    def test_a_dish_that_searches_is_quietened(self, build):
+        house = build("g2?boot=1&nvs20=0&lat=-60")
+        house.run(40)
+        assert house.state.fault is not None, house.state
+        assert house.state.fault.reason == "moved"
+        house.choose("search", "off")
+        assert any(line == "e 20 1" for line in house.lines())
+
+    def test_stop_is_not_released_by_the_way(self, build):
+        house = build("g2?nvs20=0&unhomed=1").up()
+        house.run(8)
+        house.station.stop("you")
+        house.run(1)
+        house.choose("search", "off")
+        assert "STOP is latched by you" in house.view("search").evidence
+        assert house.state.held is not None
+        assert not any(line.startswith("e 20") for line in house.lines())
+
+
+class TestHome:
+    def test_is_a_fact_of_the_dish_and_of_no_file(self, house):
+        house.setup.clear()
+        house.choose("home", "home")
+        assert house.marks()["home"] == "done"
+        assert house.file().setup.home is None
+        house.device.reboot()
+        house.run(12)
+        assert house.marks()["home"] == "todo"
+        assert "not homed" in house.view("home").evidence
+
+
+class TestFeed:
+    def test_another_one(self, house):
+        house.choose("feed", "other", name="L-band helix", beam_deg="12,5", lo_hz="9750 MHz", az_offset_deg="0.5")
+        feed = house.file().active_feed
+        assert (feed.beam_deg, feed.lo_hz, feed.az_offset_deg, feed.stow_allowed) == (12.5, 9.75e9, 0.5, False)
+        assert (house.state.feed_name, house.state.beam_deg, house.state.stow_allowed) == ("L-band helix", 12.5, False)
+        assert house.view("feed").evidence == (
+            "L-band helix, beam 12.5 deg, LO 9750 MHz, offset +0.50/+0.00 deg, stow locked"
+        )
+
+    def test_one_of_the_file(self, house):
+        edit(house.paths.config_file, {"feed.patch.beam_deg": 30.0})
+        house.start().up()
+        house.choose("feed", "feed-1")
+        assert house.state.feed_name == "patch"
+
+
+class TestLimits:
+    def test_the_narrower_counts_and_the_dish_obeys(self, house):
+        house.choose("limits", "own", floor="25", ceiling="90", cable_max="0")
+        assert (house.state.el_min_deg, house.state.el_max_deg) == (25.0, 65.0)
+        assert house.view("limits").evidence == (
+            "el 25.00..65.00 (read from the dish, narrowed by yours); cable -423..+0"
+        )
+
+    def test_emptied_they_are_the_dishs_own_again(self, house):
+        house.choose("limits", "own", floor="25")
+        house.choose("limits", "own")
+        assert house.file().motion.min_elevation_deg is None
+        assert house.state.el_min_deg == 18.0
+
+
+class TestDirection:
+    def test_moves_each_axis_asks_and_goes_back(self, house):
+        house.setup.clear()
+        house.choose("direction", "start")
+        assert house.looks_at() == (pytest.approx(5.0, abs=0.1), pytest.approx(45.0, abs=0.1))
+        assert "did it turn clockwise?" in house.view("direction").words[0]
+        house.choose("direction", "yes")
+        assert house.looks_at()[1] == pytest.approx(50.0, abs=0.1)
+        assert "did it look up?" in house.view("direction").words[0]
+        house.choose("direction", "yes")
+        az_deg, el_deg = house.looks_at()
+        assert (az_deg + 180.0) % 360.0 - 180.0 == pytest.approx(0.0, abs=0.1)
+        assert el_deg == pytest.approx(45.0, abs=0.1)
+        assert house.marks()["direction"] == "done"
+
+    @pytest.mark.parametrize(("answers", "words"), [(["no"], "azimuth went"), (["yes", "no"], "elevation went")])
+    def test_a_no_fails_says_what_to_do_and_keeps_nothing(self, house, answers, words):
+        house.setup.clear()
+        for answer in ("start", "yes", "yes", "start", *answers):
+            house.choose("direction", answer)
+        assert house.marks()["direction"] == "failed"
+        assert words in house.view("direction").evidence
+        assert house.file().setup.direction is None
+        assert house.looks_at()[1] == pytest.approx(45.0, abs=0.1)
+
+    def test_at_the_ceiling_it_tries_the_other_way(self, build):
+        house = build("g2?el=65").up()
+        house.setup.clear()
+        house.choose("direction", "start")
+        house.choose("direction", "yes")
+        assert "did it look down?" in house.view("direction").words[0]
+        assert house.looks_at()[1] == pytest.approx(60.0, abs=0.1)
+
+    def test_an_unhomed_dish_is_not_asked_to(self, build):
+        house = build("g2?unhomed=1").up()
+        house.setup.clear()
+        with pytest.raises(NoSuchChoice):
+            house.setup.choose("direction", "start")
+        assert any("Home it first" in words for words in house.view("direction").words)
+
+
+class TestPlace:
+    def test_by_locator(self, house):
+        house.choose("place", "locator", locator="jo21jv")
+        place = house.file().place
+        assert (place.latitude_deg, place.longitude_deg) == (pytest.approx(51.895833), pytest.approx(4.791667))
+        assert house.marks()["place"] == "todo"
+        house.choose("place", "trust")
+        assert house.marks()["place"] == "done"
+        assert house.view("place").evidence == "JO21jv, 51.8958 N 4.7917 E, 0 m; clock trusted"
+
+    def test_says_that_there_is_no_gps(self, house):
+        assert any("no GPS yet" in words for words in house.view("place").words)
+
+    @pytest.mark.parametrize(("utc", "offset_s"), [("18:20:00", 4.0), ("18:19:50", 14.0), ("18:21", -56.0)])
+    def test_the_clock_against_a_watch(self, build, utc, offset_s):
+        house = build(utc=datetime(2026, 3, 20, 18, 20, 4, tzinfo=UTC))
+        house.setup.choose("place", "typed", PLACE)
+        house.setup.choose("place", "clock", {"utc": utc})
+        assert house.file().setup.clock_offset_s == offset_s
+        assert (house.marks()["place"] == "failed") is (abs(offset_s) > 10)
+        if abs(offset_s) > 10:
+            assert f"{abs(offset_s):.0f} s" in house.view("place").evidence
+
+    def test_around_midnight(self, build):
+        house = build(utc=datetime(2026, 3, 20, 23, 59, 58, tzinfo=UTC))
+        house.setup.choose("place", "clock", {"utc": "00:00:01"})
+        assert house.file().setup.clock_offset_s == -3.0
+
+
+class TestNorth:
+    @pytest.fixture
+    def ready(self, house):
+        house.setup.clear()
+        house.choose("place", "typed", **PLACE)
+        house.choose("place", "trust")
+        return house
+
+    @pytest.mark.parametrize(
+        ("true_deg", "dish_deg", "offset_deg"),
+        [(189.0, 185.8, 3.2), (1.0, 359.0, 2.0), (359.0, 1.0, -2.0), (10.0, 190.5, 179.5), (0.0, 0.0, 0.0)],
+    )
+    def test_the_offset_goes_the_short_way(self, true_deg, dish_deg, offset_deg):
+        assert az_offset_deg(true_deg, dish_deg) == pytest.approx(offset_deg)
+
+    def test_typed(self, ready):
+        ready.choose("north", "typed", az_offset_deg="3.2")
+        assert ready.view("north").evidence == "az offset +3.20 deg: the dish's 0 is at 3.20 true"
+        assert ready.state.az_offset_deg == 3.2
+        assert ready.state.position.az_deg == pytest.approx(3.2, abs=0.05)
+
+    @pytest.mark.parametrize("keep", ["n", "y"])
+    def test_by_the_sun(self, ready, keep):
+        az_deg, el_deg = sun(ready.clock.utc(), 39.1, -95.7)
+        ready.choose("north", "jog", d_az_deg=f"{az_deg - 20 - 360:.2f}" if az_deg > 200 else f"{az_deg - 20:.2f}",
+                     d_el_deg=f"{el_deg - 46:.2f}")  # fmt: skip
+        ready.run(3)
+        ready.choose("north", "mark", el=keep)
+        assert ready.state.az_offset_deg == pytest.approx(20.0, abs=0.15)
+        assert ready.state.el_offset_deg == pytest.approx(1.0 if keep == "y" else 0.0, abs=0.1)
+        assert "el off by +" in ready.file().setup.north
+
+    def test_a_feeds_own_offset_is_not_counted_twice(self, ready):
+        ready.choose("feed", "other", name="helix", az_offset_deg="2")
+        assert ready.state.az_offset_deg == 2.0
+        az_deg, el_deg = sun(ready.clock.utc(), 39.1, -95.7)
+        ready.choose("north", "jog", d_az_deg=f"{az_deg - 22:.2f}", d_el_deg=f"{el_deg - 45:.2f}")
+        ready.run(3)
+        seen = ready.state.position.dish_az_deg
+        ready.choose("north", "mark")
+        az_deg = sun(ready.clock.utc(), 39.1, -95.7)[0]
+        assert ready.file().alignment.az_offset_deg == pytest.approx(az_deg - seen, abs=0.1)
+
+    def test_a_dish_that_looks_elsewhere_is_no_mark(self, ready):
+        ready.choose("north", "jog", d_el_deg="-20")
+        ready.run(2)
+        with pytest.raises(NotYet, match="does not look at the Sun"):
+            ready.setup.choose("north", "mark")
+        assert ready.file().setup.north is None
+
+    def test_a_compass_with_declination(self, ready):
+        ready.choose("north", "compass", reading_deg="10", declination_deg="2.5")
+        assert ready.state.az_offset_deg == pytest.approx(12.5, abs=0.05)
+        assert ready.file().place.declination_deg == 2.5
+
+    def test_the_declination_comes_from_the_model(self, ready):
+        ready.choose("north", "compass", reading_deg="10")
+        assert ready.state.az_offset_deg == pytest.approx(11.9, abs=0.2)
+        assert ready.file().place.declination_deg is None
+
+    def test_without_a_place_there_is_no_sun_and_no_declination(self, house):
+        assert {choice.name for choice in house.view("north").choices} == {"jog", "compass", "typed"}
+        assert any("step 9" in words for words in house.view("north").words)
+        with pytest.raises(NoSuchChoice, match="declination is not known"):
+            house.setup.choose("north", "compass", {"reading_deg": "10"})
+
+    def test_an_unknown_clock_is_no_clock(self, house):
+        house.setup.choose("place", "typed", PLACE)
+        assert "mark" not in {choice.name for choice in house.view("north").choices}
+        assert any("clock is not known" in words for words in house.view("north").words)
+
+    @pytest.mark.parametrize(
+        ("utc", "words"),
+        [
+            (datetime(2026, 3, 20, 6, 0, tzinfo=UTC), "below the horizon"),
+            (datetime(2026, 3, 20, 13, 30, tzinfo=UTC), "below the dish's floor"),
+            (datetime(2026, 6, 21, 18, 20, tzinfo=UTC), "above the dish's ceiling"),
+            (datetime(1970, 1, 1, 18, 20, tzinfo=UTC), "clock says 1970"),
+        ],
+    )
+    def test_a_sun_that_the_dish_cannot_see_is_no_mark(self, build, utc, words):
+        house = build(utc=utc).up()
+        house.setup.choose("place", "typed", PLACE)
+        house.setup.choose("place", "trust")
+        assert "mark" not in {choice.name for choice in house.view("north").choices}
+        assert any(words in each for each in house.view("north").words)
+
+    def test_an_old_position_is_no_mark(self, ready):
+        ready.device.power_off()
+        ready.session.step(1.0)
+        ready.clock.advance(10.0)
+        assert "mark" not in {choice.name for choice in ready.view("north").choices}
+
+    def test_turns_to_the_sun(self, ready):
+        ready.choose("north", "sun")
+        az_deg, el_deg = sun(NOON, 39.1, -95.7)
+        assert ready.looks_at() == (pytest.approx(az_deg, abs=0.3), pytest.approx(el_deg, abs=0.3))
+
+
+class TestFirst:
+    def test_points_where_the_highest_slot_stands_once_north_is_set(self, house):
+        assert "point" not in {choice.name for choice in house.view("first").choices}
+        house.setup.clear()
+        house.choose("place", "typed", **PLACE)
+        house.choose("north", "typed", az_offset_deg="0")
+        assert house.view("first").evidence == "Galaxy 3C (95°W) expected at 178.9 / 44.8"
+        house.choose("first", "point")
+        assert house.looks_at() == (pytest.approx(178.9, abs=0.1), pytest.approx(44.8, abs=0.1))
+        assert house.marks()["first"] == "later"
+
+    def test_says_what_comes_later(self, house):
+        assert any("no signal page yet" in words for words in house.view("first").words)
+
+
+def test_a_fault_of_the_station_is_a_failed_step(house):
+    house.setup.clear()
+    house.device.stall(0)
+    house.setup.choose("north", "jog", {"d_az_deg": "30"})
+    with pytest.raises(BirdcageError):
+        house.setup.choose("north", "jog", {"d_az_deg": "30"})
+    house.until(lambda: not house.setup.busy)
+    assert house.marks()["north"] == "failed"
+    assert house.view("north").choices[0].name == "release"
