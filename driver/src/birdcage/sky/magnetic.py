@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from datetime import UTC, datetime
+from datetime import UTC, date, datetime
+from functools import lru_cache
 
 BEGINS, ENDS = 2025.0, 2030.0
 """The years for which this model is made."""
@@ -17,9 +18,15 @@ def declination_deg(when: datetime, latitude_deg: float, longitude_deg: float, h
     """
     if not (abs(latitude_deg) <= 90.0 and abs(longitude_deg) <= 360.0):
         raise ValueError(f"no place on Earth: latitude {latitude_deg}, longitude {longitude_deg}")
+    return _by_model(when.date(), latitude_deg, longitude_deg, height_m)
+
+
+@lru_cache(maxsize=8)
+def _by_model(day: date, latitude_deg: float, longitude_deg: float, height_m: float) -> float | None:
+    """Ask the model, once for each day and place: it is shown again and again."""
     from pygeomag import GeoMag, decimal_year_from_date  # type: ignore[import-untyped]
 
-    year = decimal_year_from_date(when.date())
+    year = decimal_year_from_date(day)
     if not BEGINS <= year <= ENDS:
         return None
     model = GeoMag(base_year=_MODEL)
