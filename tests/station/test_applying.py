@@ -93,7 +93,7 @@ def test_a_step_after_it_is_from_where_the_dish_stands(bench):
 def test_sectors_are_true_and_turn_with_the_alignment(bench):
     apply(
         bench,
-        alignment=AlignmentSettings(az_offset_deg=30.0),
+        alignment=AlignmentSettings(az_offset_deg=30.0, el_offset_deg=-1.0),
         motion=MotionSettings(no_go_sectors=(NoGoSector(80.0, 100.0, 50.0),)),
     )
     with pytest.raises(MotionRefused, match=r"90.00°/40.00° lies in the no-go sector from azimuth 80° to 100°") as no:

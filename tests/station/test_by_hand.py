@@ -94,6 +94,18 @@ def test_releasing_ends_what_stop_still_watches(bench):
     assert "released" in bench.state.last_stop.sentence
 
 
+def test_a_stop_that_was_not_answered_is_not_repeated_to_released_motors(bench):
+    bench.station.submit(Goto(180, 45, "you"))
+    bench.step(0.5)
+    bench.station.stop("you")
+    bench.step(0.001)
+    stopper = bench.station._stopper
+    assert stopper.due is not None
+    stopper.motors_were_released()
+    assert stopper.due is None
+    assert "released" in bench.state.last_stop.sentence
+
+
 def test_releasing_under_another_holder_is_denied(bench):
     bench.do(AcquireLease("tracker"))
     with pytest.raises(LeaseDenied):
@@ -316,3 +328,12 @@ def test_a_dish_without_the_stepper_menu_still_comes_up():
     finally:
         root.SUBMENUS.clear()
         root.SUBMENUS.update(menus)
+
+
+def test_both_speeds_may_stand_on_one_line():
+    bench = Bench()
+    text = "Max Vel [0] = 7222 / Max Vel [1] = 3120\n"
+    bench.device.shell._menus["step"].commands["mv"] = lambda args: (line for line in [text])
+    readings = surveyed(bench).state.readings
+    assert readings["speed.0"].value == pytest.approx(65.0, abs=0.01)
+    assert readings["speed.1"].value == pytest.approx(45.0, abs=0.01)

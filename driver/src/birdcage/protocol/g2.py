@@ -24,7 +24,7 @@ UNHOMED = 2147483647.0
 
 _ANGLE = re.compile(r"Angle\[(\d)\]\s*=\s*([-+]?\d+(?:\.\d+)?)")
 _MOVE_TAKEN = re.compile(r"Angle\s*=\s*([-+]?\d+(?:\.\d+)?)")
-_MAX_VEL = re.compile(r"Max Vel\s*\[(\d)\]\s*=\s*(\d+)\s*$")
+_MAX_VEL = re.compile(r"Max Vel\s*\[(\d)\]\s*=\s*(\d+)(?![\d.])")
 _RSSI = re.compile(r"Reads:(\d+)\s+RSSI\[avg:\s*(\d+)\s+cur:\s*(\d+)\]")
 _ID_FIELD = re.compile(r"^\s*([A-Za-z][\w -]*?):\s+(.+?)\s*$")
 _HOMING_S = 15.0
@@ -149,7 +149,7 @@ class CarryoutG2Protocol(FirmwareProtocol):
 
     def read_speeds(self) -> dict[int, float]:
         """Read `step`, `mv`: microsteps/s (section 7.3; 7222 of 40000 a turn are 65 deg/s)."""
-        found = [m for m in map(_MAX_VEL.search, self.console.run("step", "mv").lines) if m]
+        found = [m for line in self.console.run("step", "mv").lines for m in _MAX_VEL.finditer(line)]
         axes = {axis.index: axis for axis in (self.model.azimuth, self.model.elevation)}
         return {int(m[1]): int(m[2]) * axes[int(m[1])].step_deg for m in found if int(m[1]) in axes and int(m[2]) > 0}
 
