@@ -56,7 +56,7 @@ class Station:
         self._inbox: deque[tuple[Request, Future[object], int]] = deque()
         self._closing = threading.Event()
         self._control = Control(board)
-        look = Look(board, antenna, settings)
+        self._look = look = Look(board, antenna, settings)
         self._mover = Mover(board, antenna, look)
         self._stopper = Stopper(board, antenna, self._control, self._mover, look)
         applying = Applying(board, antenna, self._mover, self._stopper, look)
@@ -117,7 +117,8 @@ class Station:
         self._control.latched = True
         # In this order: what was let through before has its model, so that STOP can aim.
         activity = self.state.activity
-        return self._antenna.motion is not None or activity in MOVING
+        # From another menu no line would reach the motors before the port is closed: nothing is claimed then.
+        return (self._antenna.motion is not None and not self._look.elsewhere) or activity in MOVING
 
     def begin(self) -> None:
         """Open the link as soon as the loop turns."""

@@ -91,7 +91,7 @@ class Talk:
         if self._holder is None:
             self._effects.clear()
             self._homed.clear()
-            self._watches.end_excursion()
+            self._end_excursion()
         self._holder = holder
         self._vigil.paused = True
 
@@ -220,12 +220,18 @@ class Talk:
 
     # How it is done: nothing below is called from outside.
 
+    def _end_excursion(self) -> None:
+        away = self._watches.excursion is not None
+        self._watches.end_excursion()
+        if away and self._board.state.link.state is Link.UP and self._look.may_leave:
+            self._protocol.enter_motor_menu()  # where a person expects to be
+
     def _take_console(self, holder: str) -> str:
         """Take the lease and the wire; return the menu that the dish is in."""
         link, state = self._board.state.link, self._board.state
         if link.state is not Link.UP:
             raise LinkError(f"Nothing can be said to the dish without a link ({link.detail}).", reason=link.state.value)
-        if self._mover.is_moving or state.activity in (Activity.SLEWING, Activity.STOPPING):
+        if self._mover.is_moving or state.activity in (Activity.SLEWING, Activity.STOPPING, Activity.STOWING):
             raise CommandRefused(
                 "The dish is on its way for birdcage, which must hear it. Wait until it rests, or STOP. "
                 "Nothing was sent.",
