@@ -45,6 +45,18 @@ class TestLink:
         assert "Connect" not in [choice.label for choice in house.view("link").choices]
         assert any("silence" in words for words in house.view("link").words)
 
+    def test_a_dish_that_boots_is_heard_by_its_text(self, build):
+        house = build("g2?boot=1&nvs20=0&home_fails=1")
+        edit(house.paths.config_file, {"dish.baud": 57600})
+        house.start()
+        house.device.power_off()
+        house.until(lambda: any(choice.name == "probe" for choice in house.view("link").choices))
+        house.device.power_cycle(0.6)  # so that it prints while 115200 is listened to
+        house.choose("link", "probe")
+        assert "text" in next(words for words in house.view("link").words if words.startswith("Seen"))
+        house.choose("link", "connect")
+        assert house.file().dish.baud == 115200
+
 
 class TestSearch:
     def test_that_is_off_is_seen_to_be_off(self, house):
@@ -55,7 +67,13 @@ class TestSearch:
         house = build("g2?nvs20=0&unhomed=1").up()
         house.run(8)
         assert "NVS 20 is FALSE" in house.view("search").evidence
-        house.choose("search", "off")
+        marks = []
+        house.setup.choose("search", "off")
+        while house.setup.busy:
+            house.session.step(0.01)
+            marks.append(house.marks()["search"])
+            house.setup.tick()
+        assert set(marks) == {"todo"}
         house.run(3)
         assert house.marks()["search"] == "todo"
         house.kill()

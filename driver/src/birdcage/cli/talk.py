@@ -46,7 +46,7 @@ class Left(Exception):
 
 
 class Talk:
-    """One conversation. `run` returns when all steps are done, or the person has left."""
+    """One conversation."""
 
     def __init__(self, setup: Setup, dish: Dish, answers: Answers) -> None:
         self._setup, self._dish, self._answers = setup, dish, answers
@@ -54,19 +54,14 @@ class Talk:
         self._marks = {view.name: view.mark for view in setup.steps()}
 
     def run(self) -> bool:
-        """Talk; return whether every step is done, skipped or for later."""
+        """Talk until the person leaves; return whether every step is done, skipped or for later."""
         say(KEYS)
         self._wait_for_the_port()
         try:
-            while not self._done():
+            while True:
                 self._turn()
         except Left:
             return self._setup.finished
-        return True
-
-    def _done(self) -> bool:
-        # The last step is never done by itself: its words are worth reading.
-        return self._setup.finished and self._setup.current == "first" and self._said is not None
 
     def _wait_for_the_port(self) -> None:
         """Give the port a moment, so that the first thing said is how it is."""
@@ -85,6 +80,8 @@ class Talk:
         if self._shape(view) != self._said:
             self._said = self._shape(view)
             _say_step(view)
+            if self._setup.finished:
+                say("   Nothing is left to do: q leaves.")
         answer = self._line(f"{view.number} {view.title}> ", watch=True)
         if answer is not None:
             self._said = None

@@ -72,6 +72,8 @@ class Step:
         if self.failure:
             return Mark.FAILED
         proven, kept = self.proven, self.bench.kept(self.name)
+        if self.busy:
+            return Mark.TODO  # half-way, the dish may look as if it were done
         if proven or (proven is None and kept is not None and kept.done):
             return Mark.DONE
         return Mark.SKIPPED if kept is not None and kept.skipped else Mark.TODO

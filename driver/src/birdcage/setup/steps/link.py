@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from birdcage.base.errors import NoReply
 from birdcage.setup.bench import Bench, Value
 from birdcage.setup.case import Case, Cause, describe
 from birdcage.setup.causes import find_causes
@@ -18,8 +17,10 @@ from birdcage.station.state import Activity, Link
 
 LIST_S = 2.0
 """How often the ports of the machine are listed, in seconds, while this step waits."""
-ANSWER_S = 20.0
-"""How long a dish that does not boot may take to answer after the port was changed."""
+ANSWER_S = 8.0
+"""How long an answer is waited for after the port was changed, in seconds."""
+BOOT_S = 30.0
+"""The same where a dish was heard that may be booting."""
 MOST_PORTS = 9
 MOST_CAUSES = 3
 """How many causes are said in the step itself; `Setup.causes` has all."""
@@ -94,8 +95,7 @@ class LinkStep(Step):
         state = self.bench.state
         if state.link.state is Link.UP:
             return (f"A dish answers on {state.port}.",)
-        words = [state.link.detail] if state.link.state is Link.SILENT else []
-        words += ["Choose the port that the RS-422 adapter has. Nothing is sent to the others."]
+        words = ["Choose the port that the RS-422 adapter has. Nothing is sent to the others."]
         if not self._ports:
             words.append("This machine has no serial port now: plug the adapter in.")
         if self.findings:
@@ -131,7 +131,12 @@ class LinkStep(Step):
         return (*choices, Choice("other", "t", "Type a port", fields=(field, baud)))
 
     def _answering(self) -> int | None:
-        return next((each.baud for each in self.findings if each.saw is Saw.PROMPT), None)
+        """Return the speed at which a dish was heard: its prompt, or else text, as of one that boots."""
+        for saw in (Saw.PROMPT, Saw.TEXT):
+            for each in self.findings:
+                if each.saw is saw:
+                    return each.baud
+        return None
 
     def take(self, choice: str, values: Mapping[str, str]) -> None:
         """Change over, or listen."""
@@ -152,22 +157,21 @@ class LinkStep(Step):
             self._connect(self._ports[int(choice.removeprefix("port-")) - 1].device, self.bench.settings.dish.baud)
 
     def _connect(self, port: str, baud: int | None) -> None:
+        heard = any(each.saw is Saw.TEXT and each.baud == baud for each in self.findings)
         self.findings = ()
-        self.begin(self._change_over(port, baud), f"opening {port}")
+        self.begin(self._change_over(port, baud, BOOT_S if heard else ANSWER_S), f"waiting for an answer on {port}")
 
-    def _change_over(self, port: str, baud: int | None) -> Plan:
+    def _change_over(self, port: str, baud: int | None, patience_s: float) -> Plan:
         yield self.bench.ask(Connect(port, baud))
         model = self.bench.state.dish
         assert model is not None, "a station knows its dish from the start"
         self._baud = baud or model.baud
-        deadline = self.bench.now + ANSWER_S
+        deadline = self.bench.now + patience_s
         while not self.bench.is_up:
-            link = self.bench.state.link
-            if link.state is Link.LOST or (link.state is Link.SILENT and not self._boots):
-                return  # the mark and the evidence say so, for as long as it is so
             # A dish that boots has its own time; the station follows its text.
-            if self.bench.now > deadline and not self._boots:
-                raise NoReply(f"Nothing answered on {port} within {ANSWER_S:.0f} s.")
+            over = self.bench.now > deadline and not self._boots
+            if over or self.bench.state.link.state is Link.LOST:
+                return  # the mark and the evidence say so, for as long as it is so
             yield None
         self._keep()
 
@@ -186,6 +190,9 @@ class LinkStep(Step):
         found = yield self.bench.ask(ProbePort())
         assert isinstance(found, tuple), "the station resolves it with findings"
         self.findings = found
+        deadline = self.bench.now + ANSWER_S
+        while self.bench.state.link.state is Link.OPENING and self.bench.now < deadline:
+            yield None  # the station tries the present speed again
 
     def look(self) -> None:
         """Keep the list of ports up to date while there is something to choose."""
