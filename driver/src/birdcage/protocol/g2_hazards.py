@@ -158,21 +158,34 @@ _EEPROM = (
     *_ruins("eeprom", "Marks an entry of the processor's memory as invalid: it is lost for good.", "inv( .*)?"),
     *_ruins("eeprom", "Puts the processor's memory back to the factory's: what stood there is lost.", "def( .*)?"),
 )
+_NVS_FORGETS = frozenset({"limits", "search", "settings"})
 _NVS = (
     *_harmless("nvs", r"d( \S+)?", takes_s=10.0),
     *_harmless("nvs", r"e( \S+)?"),
     *_setting(
         "nvs",
+        "Switches the dish's own TV search, and with it homing at power-on; `s` makes it permanent.",
+        "e 20 .+",
+        forgets=_NVS_FORGETS,
+    ),
+    *_setting(
+        "nvs",
+        "Changes the dish's own elevation limits or home; `s` makes it permanent. It may then run into its stops.",
+        "e 10[123] .+",
+        forgets=_NVS_FORGETS,
+    ),
+    *_setting(
+        "nvs",
         "Changes a setting of the dish; `s` makes it permanent. Limits, speeds and steps stand here too: a wrong one "
         "can drive the dish into its stops.",
         "e .+ .+",
-        forgets=frozenset({"limits", "search", "settings"}),
+        forgets=_NVS_FORGETS,
     ),
     *_setting(
         "nvs",
         "Writes all changed settings into flash: they hold from the next start on, also the wrong ones.",
         "s( .*)?",
-        forgets=frozenset({"limits", "search", "settings"}),
+        forgets=_NVS_FORGETS,
         takes_s=10.0,
     ),
 )
