@@ -1,0 +1,86 @@
+"""The two lines a person types into: one for the dish, one to search with."""
+
+from __future__ import annotations
+
+from enum import Enum
+from typing import cast
+
+from textual.binding import Binding
+from textual.message import Message
+from textual.widgets import Input
+
+from birdcage_tui.host import Host
+
+
+class ConsoleInput(Input):
+    """One line for the dish. Space types a space here; Ctrl+C stops."""
+
+    HELP = (
+        "A line for the dish's own console. Its first Enter takes control and polling pauses (TALK); 30 s without a "
+        "line, or closing with F5, gives control back. A line that changes a setting wants Enter twice; one that moves "
+        "the dish or can ruin it asks. Limits do not hold here. Space types a space: Ctrl+C stops the dish. F-keys "
+        "change the page above; the console stays open."
+    )
+    # Tab would leave the line: the screen's own binding comes before those of the app.
+    BINDINGS = [Binding("tab", "complete", show=False)]  # noqa: RUF012
+
+    @property
+    def scope(self) -> str:
+        """Its commands' `where`."""
+        return "console-input"
+
+    def do(self, command: str) -> bool:  # noqa: ARG002 - the console around it does them all
+        """Leave it to the console."""
+        return False
+
+    def action_complete(self) -> None:
+        """Complete what was typed."""
+        cast(Host, self.app).action_command("console-complete")
+
+
+class Purpose(Enum):
+    """What is searched."""
+
+    LOG = "find"
+    HISTORY = "recall"
+
+
+class FindInput(Input):
+    """Searches the log, or the lines typed before, while one types."""
+
+    HELP = "Searches while you type. Enter keeps it, Esc leaves. Space types a space: Ctrl+C stops the dish."
+
+    class Ended(Message):
+        """Enter (`kept`) or Esc."""
+
+        def __init__(self, *, kept: bool) -> None:
+            super().__init__()
+            self.kept = kept
+
+    def __init__(self) -> None:
+        super().__init__(select_on_focus=False, disabled=True)
+        self.purpose = Purpose.LOG
+        self.display = False
+
+    @property
+    def scope(self) -> str:
+        """Its commands' `where`."""
+        return "console-find"
+
+    def do(self, command: str) -> bool:  # noqa: ARG002 - the console around it does them all
+        """Leave it to the console."""
+        return False
+
+    def open(self, purpose: Purpose) -> None:
+        """Show it, and take the focus."""
+        self.purpose = purpose
+        self.disabled = False
+        self.display = True
+        self.value = ""
+        self.placeholder = "part of a line you typed" if purpose is Purpose.HISTORY else "text in the log"
+        self.focus()
+
+    def close(self) -> None:
+        """Hide it. The focus is whoever's closes it to give."""
+        self.display = False
+        self.disabled = True

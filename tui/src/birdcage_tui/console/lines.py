@@ -1,0 +1,112 @@
+"""A line of the transcript as rows of characters: text or hexadecimal, with its time or without."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from datetime import datetime
+from enum import Enum
+
+HEX_WIDTHS = (16, 12, 8, 4)
+"""Bytes a row; the first that fits is taken."""
+_ESCAPED = {byte: f"\\x{byte:02x}" for byte in range(256) if not 0x20 <= byte < 0x7F}
+_ESCAPED |= {0x0D: r"\r", 0x0A: r"\n", 0x09: r"\t", 0x5C: r"\\"}
+
+
+class Stamps(Enum):
+    """What stands before each line."""
+
+    UTC = "UTC"
+    GAP = "gap"
+    """Seconds since the line before."""
+    OFF = "off"
+
+    @property
+    def next(self) -> Stamps:
+        """The one that the key changes to."""
+        order = list(Stamps)
+        return order[(order.index(self) + 1) % len(order)]
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """One line that passed: `>` to the dish, `<` from it; or a remark, `#`."""
+
+    utc: datetime
+    direction: str
+    data: bytes
+    own: bool = False
+    """A remark of this console's own, which is in no transcript file."""
+
+    @property
+    def text(self) -> str:
+        """What a person reads: without the line end, with everything unprintable escaped as in the transcript."""
+        if self.direction == "#":
+            return self.data.decode("utf-8", "replace")
+        bare = self.data.rstrip(b"\r\n")
+        return escape(bare or self.data)
+
+    @property
+    def is_prompt(self) -> bool:
+        """Whether the dish wrote it without a line end, and its last character is a prompt's."""
+        return self.direction == "<" and self.data.endswith(b">")
+
+    @property
+    def ink(self) -> str:
+        """Its colour; the glyph says the same."""
+        if self.direction == "#":
+            return "dim" if self.text.endswith("(HARMLESS)") else "warn"
+        if self.direction == ">":
+            return "accent-strong"
+        return "dim" if self.is_prompt else "text"
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One row of cells. `number` counts lines from the first that was ever taken in."""
+
+    number: int
+    stamp: str
+    glyph: str
+    text: str
+    ink: str
+
+
+def escape(data: bytes) -> str:
+    """Return bytes as printable ASCII, as the transcript does (`birdcage.link.transcript_line`)."""
+    return "".join(_ESCAPED.get(byte) or chr(byte) for byte in data)
+
+
+def stamp_of(line: Line, before: Line | None, stamps: Stamps) -> str:
+    """Return what stands before the line; always of the same width."""
+    if stamps is Stamps.OFF:
+        return ""
+    if stamps is Stamps.UTC:
+        return f"{line.utc:%H:%M:%S}.{line.utc.microsecond // 1000:03d} "
+    if before is None:
+        return f"{'--.---':>9} "
+    return f"{f'+{max((line.utc - before.utc).total_seconds(), 0.0):.3f}':>9} "
+
+
+def rows_of(line: Line, number: int, before: Line | None, width: int, stamps: Stamps, *, as_hex: bool) -> list[Row]:
+    """Lay a line out in rows of at most `width` columns: stamp, glyph, space, text."""
+    stamp = stamp_of(line, before, stamps)
+    room = max(width - len(stamp) - 2, 8)
+    pieces = _hex(line.data, room) if as_hex and line.direction != "#" else _wrapped(line.text, room)
+    return [
+        Row(number, stamp if not index else " " * len(stamp), line.direction if not index else " ", piece, line.ink)
+        for index, piece in enumerate(pieces)
+    ]
+
+
+def _wrapped(text: str, room: int) -> list[str]:
+    return [text[start : start + room] for start in range(0, len(text), room)] or [""]
+
+
+def _hex(data: bytes, room: int) -> list[str]:
+    count = next((each for each in HEX_WIDTHS if each * 4 + 1 <= room), HEX_WIDTHS[-1])
+    pieces = []
+    for start in range(0, len(data), count):
+        part = data[start : start + count]
+        plain = "".join(chr(byte) if 0x20 <= byte < 0x7F else "." for byte in part)
+        pieces.append(f"{part.hex(' '):<{count * 3}} {plain}")
+    return pieces or [""]

@@ -1,0 +1,339 @@
+"""The console: it lies over the lower two thirds of any page, which goes on painting above it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from birdcage.base.errors import LeaseDenied
+from textual import events, on
+from textual.app import ComposeResult
+from textual.containers import Container, Horizontal, Vertical
+from textual.timer import Timer
+from textual.widgets import Input
+
+from birdcage_tui.commands.table import can_release
+from birdcage_tui.console import saying
+from birdcage_tui.console.asking import Asking
+from birdcage_tui.console.entry import ConsoleInput, FindInput, Purpose
+from birdcage_tui.console.frame import HeadLine, HintLine, KeysLine, PromptCell
+from birdcage_tui.console.history import History
+from birdcage_tui.console.lines_sent import LinesSent
+from birdcage_tui.console.log import LogView
+from birdcage_tui.console.save import save
+from birdcage_tui.console.wire_log import WireLog
+from birdcage_tui.dialogs import QuestionScreen
+from birdcage_tui.view import View
+
+if TYPE_CHECKING:
+    from birdcage_tui.shell import Shell
+
+FLUSH_S = 0.1
+"""Between two looks at the wire: so many lines a second as there may be, ten pictures of them."""
+HOW = "i or Enter: type a line for the dish. Sending it takes control."
+TYPE = "Enter sends, Tab completes, Esc back to the log. Ctrl+C stops the dish."
+
+
+class ConsoleOverlay(Container):
+    """Watches the wire; talks to the dish once a line was entered."""
+
+    def __init__(self, shell: Shell) -> None:
+        super().__init__(id="console")
+        self._shell, self._tap, self._wire = shell, shell.tap, WireLog(shell.tap)
+        self._pane, self._entry, self._finder = LogView(), ConsoleInput(select_on_focus=False), FindInput()
+        self._head, self._hinted, self._prompt, self._keys = HeadLine(), HintLine(), PromptCell(), KeysLine()
+        self._sent = LinesSent(shell.station.submit, shell.soon, self._failed)
+        self._asking = Asking(shell.station, self._sent, History(shell.settings.history_file), self._ask)
+        self._recalled = 0
+        self._flushes: Timer | None = None
+
+    @property
+    def scope(self) -> str:
+        """Its commands' `where`."""
+        return "console"
+
+    def compose(self) -> ComposeResult:
+        """The edge, the log, the hint, the line, the edge."""
+        yield self._head
+        with Vertical(id="console-body"):
+            yield self._pane
+            yield self._hinted
+            with Horizontal(id="console-entry"):
+                yield self._prompt
+                yield self._entry
+                yield self._finder
+        yield self._keys
+
+    def on_mount(self) -> None:
+        """Begin to look at the wire."""
+        self._flushes = self.set_interval(FLUSH_S, self._flush)
+        if self._shell.tap_problem:
+            self._remark(self._shell.tap_problem)
+
+    # Open and closed.
+
+    @property
+    def is_open(self) -> bool:
+        """Whether it is seen."""
+        return bool(self.display)
+
+    def open(self) -> None:
+        """Show it; the log has the focus, so that Space stops the dish."""
+        self.display = True
+        if self._flushes is not None:
+            self._flushes.resume()
+        self._pane.focus()
+
+    def close(self) -> None:
+        """Hide it, and give control back."""
+        if saying.talking(self._shell.view()) or self._sent.under_way:
+            self._sent.leave(self._now)
+        self._end_find()
+        self._asking.armed = False
+        self.display = False
+        if self._flushes is not None:
+            self._flushes.pause()
+
+    @property
+    def typing(self) -> bool:
+        """Whether the line for the dish has the focus."""
+        return self.is_open and self._entry.has_focus
+
+    def on_descendant_focus(self) -> None:
+        """What is polled depends on whether somebody types."""
+        self._shell.typing_changed()
+
+    def on_descendant_blur(self) -> None:
+        """Polling goes on as before."""
+        self._shell.typing_changed()
+
+    def may_move(self, now: float) -> bool:
+        """Return whether a line sent from here may still move the dish. Any thread."""
+        return self._sent.may_move(now)
+
+    # What is seen.
+
+    @property
+    def _now(self) -> float:
+        return self._shell.session.clock.monotonic()
+
+    def show(self, view: View) -> None:
+        """Draw everything."""
+        if not view.link_up:
+            self._wire.forget_prompt()
+        lines = self._wire.take(view.utc)
+        self._pane.add(lines)
+        if any(line.direction == "<" for line in lines) and self._sent.under_way:
+            self._sent.heard(view.now)
+        self._asking.changed(self._entry.value, view)
+        self._dress(view)
+        for pane in (self._head, self._pane, self._hinted, self._prompt, self._keys):
+            pane.show(view)
+
+    def _flush(self) -> None:
+        if self._tap.waiting and self.is_open:
+            self.show(self._shell.view())
+
+    def _dress(self, view: View) -> None:
+        """Set what the rows say."""
+        verdict = self._asking.verdict
+        self._head.mode = saying.mode_words(view, view.now - self._sent.last)
+        self._head.right, self._head.right_command = self._figures()
+        searching, prompt = self._finder.display, saying.prompt_words(view, self._wire.prompt)
+        self._prompt.words = f"{self._finder.purpose.value}:" if searching else prompt
+        ink = saying.ink_of(verdict)
+        self._prompt.ink = "bar-warn" if ink and not searching else "bar"
+        self._entry.set_class(ink == "warn-row", "-warn")
+        self._entry.set_class(ink == "fault-row", "-fault")
+        self._hinted.says = self._hint(view)
+        self._keys.typing = self._entry.has_focus
+        self._head.lit = self._keys.lit = self.has_focus_within
+
+    def _hint(self, view: View) -> tuple[tuple[str, str], ...]:
+        if self._finder.display and self._finder.purpose is Purpose.HISTORY:
+            found = self._asking.history.find(self._finder.value, self._recalled)
+            return ((found, "strong"),) if found else (("No line that you typed holds that.", "dim"),)
+        return self._asking.hint(view) or ((TYPE if self._entry.has_focus else HOW, "dim"),)
+
+    def _figures(self) -> tuple[tuple[str, str], str]:
+        """Return what stands at the right of the upper edge, and what a click there does."""
+        log, tap = self._pane, self._tap
+        if log.needle:
+            number = f"{log.match_number} of {len(log.matches)}" if log.matches else "no match"
+            return (f'"{log.needle}" {number}', "target-strong"), "console-next"
+        if not log.following:
+            return (f"▼ {log.fresh} new, End follows", "warn-strong"), "console-end"
+        if tap.since is None:
+            return ("", "dim"), ""
+        counted = f"in {saying.bytes_text(tap.bytes_in)}  out {saying.bytes_text(tap.bytes_out)}"
+        return (f"{counted}  since {tap.since:%H:%M}", "dim"), ""
+
+    # Commands.
+
+    def do(self, command: str) -> bool:
+        """Carry out a command of the console."""
+        log, line = self._pane, self._entry
+        deeds: dict[str, Callable[[], object]] = {
+            "console-type": self._type,
+            "console-find": lambda: self._open_find(Purpose.LOG),
+            "console-next": lambda: log.step_match(1),
+            "console-previous": lambda: log.step_match(-1),
+            "console-stamps": lambda: log.write_as(stamps=log.back.stamps.next),
+            "console-hex": lambda: log.write_as(as_hex=not log.back.as_hex),
+            "console-save": self._save,
+            "console-clear": log.clear,
+            "console-up": lambda: log.move(-1),
+            "console-down": lambda: log.move(1),
+            "console-page-up": lambda: log.turn(-1),
+            "console-page-down": lambda: log.turn(1),
+            "console-home": log.go_home,
+            "console-end": log.go_end,
+            "console-complete": self._complete,
+            "console-older": lambda: self._put(self._asking.history.older(line.value)),
+            "console-newer": lambda: self._put(self._asking.history.newer(line.value)),
+            "console-recall": self._recall,
+            "console-end-line": lambda: self._sent.end_line(self._now),
+        }
+        deed = deeds.get(command)
+        if deed is None:
+            return False
+        deed()
+        self.show(self._shell.view())
+        return True
+
+    def _type(self) -> None:
+        self._end_find()
+        self._entry.focus()
+
+    def _put(self, text: str) -> None:
+        self._entry.value = text
+        self._entry.cursor_position = len(text)
+        self._type()
+
+    def _complete(self) -> None:
+        view = self._shell.view()
+        if not self._entry.value.strip() and saying.talking(view):
+            self._sent.ask_list(lambda found: self._remark(f"The dish lists {len(found)} commands of this menu."))
+        self._put(self._asking.complete(view))
+
+    def _save(self) -> None:
+        folder, view = self._shell.settings.logs_folder, self._shell.view()
+        if folder is None:
+            self._remark("Not saved: there is no folder for it.")
+            return
+        title = f"birdcage console, port {view.state.port}" + (", DEMO (simulated dish)" if view.state.demo else "")
+        try:
+            path = save(self._pane.back.lines, folder, view.utc, title)
+        except OSError as error:
+            self._remark(f"Not saved in {folder}: {error.strerror or error}.")
+            return
+        self._remark(f"{len(self._pane.back.lines)} lines saved: {path}")
+
+    def _remark(self, words: str) -> None:
+        self._wire.remark(words, self._shell.session.clock.utc())
+
+    # The line.
+
+    @on(Input.Changed, "ConsoleInput")
+    def _changed(self) -> None:
+        self.show(self._shell.view())
+
+    @on(Input.Submitted, "ConsoleInput")
+    def _entered(self, event: Input.Submitted) -> None:
+        event.stop()
+        view = self._shell.view()
+        self._asking.changed(event.value, view)
+        self._asking.enter(view, self._went_out)
+        self.show(self._shell.view())
+
+    def _went_out(self) -> None:
+        """The line is on its way: make room for the next one, and show what comes back."""
+        self._put("")
+        self._pane.go_end()
+
+    def _ask(self, title: str, words: str, yes: str, then: Callable[[], None]) -> None:
+        def answered(answer: bool | None) -> None:
+            if answer:
+                then()
+
+        self.app.push_screen(QuestionScreen(title, words, yes), answered)
+
+    def _failed(self, line: str, error: BaseException) -> None:
+        """Say why a line was not answered, and put it back if the field is empty: nothing typed is lost."""
+        before = f"`{line}`: " if line else ""
+        self._remark(f"{before}{error}")
+        if isinstance(error, LeaseDenied):
+            self._remark("Enter again asks whether to take over.")
+        if line and not self._entry.value:
+            self._entry.value = line
+            self._entry.cursor_position = len(line)
+        self.show(self._shell.view())
+
+    # Searching.
+
+    def _open_find(self, purpose: Purpose) -> None:
+        self._recalled = 0
+        self._entry.display = False
+        self._finder.open(purpose)
+
+    def _end_find(self) -> None:
+        self._finder.close()
+        self._entry.display = True
+
+    def _recall(self) -> None:
+        if self._finder.display and self._finder.purpose is Purpose.HISTORY:
+            older = self._asking.history.find(self._finder.value, self._recalled + 1)
+            self._recalled += 1 if older is not None else 0
+        else:
+            self._open_find(Purpose.HISTORY)
+
+    @on(Input.Changed, "FindInput")
+    def _searched(self, event: Input.Changed) -> None:
+        self._recalled = 0
+        if self._finder.purpose is Purpose.LOG and self._finder.display:
+            self._pane.search(event.value)
+        self.show(self._shell.view())
+
+    @on(Input.Submitted, "FindInput")
+    def _searched_for(self, event: Input.Submitted) -> None:
+        event.stop()
+        if self._finder.purpose is Purpose.HISTORY:
+            found = self._asking.history.find(event.value, self._recalled)
+            self._put(found if found is not None else self._entry.value)
+        else:
+            self._end_find()
+            self._pane.focus()
+        self.show(self._shell.view())
+
+    # Keys that belong to no command: Enter and Esc.
+
+    def on_key(self, event: events.Key) -> None:
+        """Enter in the log begins to type; Esc goes back one layer (the app has stopped the dish first)."""
+        view = self._shell.view()
+        if event.key == "enter" and self._pane.has_focus and can_release(view) is not None:
+            event.stop()
+            event.prevent_default()
+            self._type()
+        elif event.key == "escape":
+            event.stop()
+            self._back()
+        else:
+            return
+        self.show(self._shell.view())
+
+    def _back(self) -> None:
+        """Take back a first Enter, leave the search, leave the line, close: one of them."""
+        if self._asking.armed:
+            self._asking.armed = False
+        elif self._finder.display:
+            to_line = self._finder.purpose is Purpose.HISTORY
+            if not to_line:
+                self._pane.search("")
+            self._end_find()
+            (self._entry if to_line else self._pane).focus()
+        elif self._pane.needle:
+            self._pane.search("")
+        elif self._entry.has_focus:
+            self._pane.focus()
+        else:
+            self._shell.show_page("console")

@@ -1,0 +1,41 @@
+"""Writes what is in the view into a file that has the form of a transcript."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from datetime import UTC, datetime
+from pathlib import Path
+
+from birdcage_tui.console.lines import Line, escape
+
+TRIES = 100
+
+
+def save(lines: Iterable[Line], folder: Path, now: datetime, title: str) -> Path:
+    """Write the lines into a new file in `folder` and return its path; a file that is there is never touched.
+
+    OSError when it cannot be written.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    stem = f"console-{now.astimezone(UTC):%Y%m%dT%H%M%SZ}"
+    for number in range(1, TRIES):
+        path = folder / (f"{stem}.txt" if number == 1 else f"{stem}-{number}.txt")
+        try:
+            file = path.open("x", encoding="utf-8")
+        except FileExistsError:
+            continue
+        with file:
+            file.write(f"{_stamp(now)} # {title}\n")
+            file.writelines(f"{_stamp(line.utc)} {line.direction} {_text(line)}\n" for line in lines)
+        return path
+    raise FileExistsError(17, "there are too many files of this second", str(folder))
+
+
+def _stamp(utc: datetime) -> str:
+    utc = utc.astimezone(UTC)
+    return f"{utc:%Y-%m-%dT%H:%M:%S}.{utc.microsecond // 1000:03d}Z"
+
+
+def _text(line: Line) -> str:
+    text = escape(line.data)
+    return text[:-1] + r"\x20" if text.endswith(" ") else text

@@ -1,0 +1,88 @@
+"""The words of the console: which way it works now, what a line would do, what waits."""
+
+from __future__ import annotations
+
+from birdcage.station.raw import CONSOLE, Grade, MenuCommand, Verdict
+from birdcage.station.state import Link
+
+from birdcage_tui.view import View
+from birdcage_tui.words import age_text
+
+IDLE_S = 30.0
+"""After so long without a key or a line, control is given back."""
+
+GRADES = {
+    Grade.HARMLESS: ("", ""),
+    Grade.SETTING: ("warn-row", "▲ SETTING"),
+    Grade.MOVES: ("warn-row", "▲ MOVES"),
+    Grade.RUINS: ("fault-row", "✖ CAN RUIN"),
+}
+"""The ink, the glyph and the word of each grade."""
+
+
+def talking(view: View) -> bool:
+    """Return whether the console has control: polling pauses."""
+    return view.state.holder == CONSOLE
+
+
+def mode_words(view: View, quiet_s: float) -> tuple[str, str, str]:
+    """Return the mode, a sentence about it, and the ink of the mode."""
+    if not view.link_up:
+        return "NO LINK", "the dish does not answer; what you type stays", "fault-row"
+    if not talking(view):
+        return "WATCH", "live, polling goes on", "key"
+    age_s = view.position_age_s
+    known = "position unknown" if age_s is None else f"position {age_text(age_s)} old"
+    left_s = max(IDLE_S - quiet_s, 0.0)
+    return "TALK", f"polling paused, {known}, {left_s:.0f} s idle gives it back", "accent-row"
+
+
+def prompt_words(view: View, prompt: str) -> str:
+    """Return what stands before the line: a dash without a link, `?` while no prompt was seen."""
+    if view.state.link.state is not Link.UP:
+        return "—"
+    if not prompt:
+        return "?"
+    menu = view.state.menu
+    return prompt if menu is None or prompt.lower().rstrip("> ") == menu else f"{menu} {prompt}"
+
+
+def verdict_words(verdict: Verdict) -> str:
+    """Return a hazard in words: the grade, and what it does."""
+    word = GRADES[verdict.grade][1]
+    unlisted = "" if verdict.listed else " (not in the table)"
+    return f"{word}{unlisted}: {verdict.consequence}"
+
+
+def ink_of(verdict: Verdict) -> str:
+    """Return the ink of the hint: a broken limit is as bad as what can ruin."""
+    return "fault-row" if verdict.limit else GRADES[verdict.grade][0]
+
+
+def asks(verdict: Verdict) -> bool:
+    """Return whether a question is put before the line is sent; a change of a setting is armed in the line itself."""
+    return verdict.grade >= Grade.MOVES or bool(verdict.limit)
+
+
+def usage_words(command: MenuCommand) -> str:
+    """Return how a command is used, and what it does."""
+    told = "" if command.told_by_dish else "  (by the reference)"
+    return f"{command.usage}   {command.help}".rstrip() + told
+
+
+def offer_words(commands: tuple[MenuCommand, ...]) -> str:
+    """Return the names that fit what was typed."""
+    return "Tab: " + "  ".join(command.name for command in commands)
+
+
+def bytes_text(count: int) -> str:
+    """Return `340 B`, `1.2 kB`, `3.4 MB`."""
+    if count < 1000:
+        return f"{count} B"
+    return f"{count / 1000:.1f} kB" if count < 1_000_000 else f"{count / 1_000_000:.1f} MB"
+
+
+def question_words(verdict: Verdict) -> str:
+    """Return what is asked before a line that moves the dish, or that can ruin it."""
+    limit = f"\n\n✖ LIMIT: {verdict.limit}" if verdict.limit else ""
+    return f"{verdict_words(verdict)}{limit}\n\nNothing of birdcage holds it back once it is sent."

@@ -1,0 +1,51 @@
+"""Takes what passes on the wire from the threads that read and write it, from the first byte on."""
+
+from __future__ import annotations
+
+import threading
+from collections import deque
+from datetime import datetime
+
+from birdcage.station.raw import Entry
+
+KEPT = 5000
+"""How many events wait at most for somebody who looks."""
+
+
+class WireTap:
+    """Keeps the newest events until they are taken, and counts all. `take_in` is for any thread, and quick."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._events: deque[Entry] = deque(maxlen=KEPT)
+        self._missed = 0
+        self.bytes_in = 0
+        self.bytes_out = 0
+        self.since: datetime | None = None
+        """When the first byte passed."""
+
+    def take_in(self, event: Entry) -> None:
+        """Take one event."""
+        with self._lock:
+            if self.since is None:
+                self.since = event.utc
+            if event.direction == "<":
+                self.bytes_in += len(event.data)
+            elif event.direction == ">":
+                self.bytes_out += len(event.data)
+            if len(self._events) == KEPT:
+                self._missed += 1
+            self._events.append(event)
+
+    @property
+    def waiting(self) -> bool:
+        """Whether something has come that was not taken out."""
+        return bool(self._events)
+
+    def take_out(self) -> tuple[int, list[Entry]]:
+        """Return how many events were dropped before these, and these, which are then no longer here."""
+        with self._lock:
+            missed, events = self._missed, list(self._events)
+            self._missed = 0
+            self._events.clear()
+        return missed, events

@@ -1,0 +1,54 @@
+"""From events of the wire to lines of the log, and what the dish's prompt is now."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from datetime import datetime
+
+from birdcage.station.raw import LineJoiner
+
+from birdcage_tui.console.lines import Line
+from birdcage_tui.console.tap import WireTap
+
+PROMPT_LIMIT = 16
+"""No prompt is longer: what ends in `>` after more characters is text."""
+
+
+class WireLog:
+    """Takes from the tap what came since the last look."""
+
+    def __init__(self, tap: WireTap) -> None:
+        self._tap = tap
+        self._joiner = LineJoiner()
+        self._own: list[Line] = []
+        self.prompt = ""
+        """The last prompt as the dish wrote it; empty when none was seen."""
+
+    def remark(self, text: str, utc: datetime) -> None:
+        """Put a sentence of this console's own among the lines."""
+        self._own.append(Line(utc, "#", text.encode(), own=True))
+
+    def take(self, now: datetime) -> list[Line]:
+        """Return the lines that are new, in order."""
+        missed, found = self._tap.take_out()
+        joined = [line for event in found for line in self._joiner.join(event)]
+        if not found or found[-1].data.endswith(b">"):
+            joined += self._joiner.finish()  # quiet, or a prompt, which has no line end
+        lines = []
+        if missed:
+            words = f"{missed} events are not shown: nobody looked. The transcript file has them."
+            lines.append(Line(found[0].utc if found else now, "#", words.encode(), own=True))
+        lines += [Line(event.utc, event.direction, event.data) for event in joined]
+        self._note_prompt(lines)
+        lines += self._own
+        self._own = []
+        return lines
+
+    def forget_prompt(self) -> None:
+        """The link went: what answers next may be in another menu."""
+        self.prompt = ""
+
+    def _note_prompt(self, lines: Iterable[Line]) -> None:
+        for line in lines:
+            if line.is_prompt and len(line.data) <= PROMPT_LIMIT:
+                self.prompt = line.text
