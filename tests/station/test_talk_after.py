@@ -39,7 +39,9 @@ def test_after_a_raw_motion_the_position_is_unknown_until_it_is_read_again(bench
     assert bench.state.position_lost == "raw command"
     assert bench.state.turn is Turn.UNKNOWN
     assert bench.state.activity is Activity.UNKNOWN
+    assert bench.state.raw_motion
     bench.step(40)
+    assert not bench.state.raw_motion
     assert bench.state.position_lost is None
     assert bench.state.position.az_deg == pytest.approx(100, abs=0.1)
     assert bench.state.activity is Activity.IDLE

@@ -11,10 +11,7 @@ from birdcage.protocol.types import MOTOR_AZIMUTH, Position
 from birdcage.station.board import Board
 from birdcage.station.events import TranscriptLine
 from birdcage.station.mover import Mover
-from birdcage.station.state import Activity, Search
-
-LOST = "raw command"
-"""Why the position does not hold, on the board."""
+from birdcage.station.state import RAW_COMMAND, Activity, Search
 
 
 class RawEffects:
@@ -77,20 +74,21 @@ class RawEffects:
         if verdict.grade >= Grade.MOVES:
             self.moved = True
             self._mover.forget_target()
-            self._mover.activity(Activity.UNKNOWN, LOST)
+            self._mover.activity(Activity.UNKNOWN, RAW_COMMAND)
         if "position" in forgets:
             cable_deg = gate.cable_deg
             gate.forget("raw")
             if "turn" not in forgets:
                 gate.cable_deg = cable_deg
-            self._board.change(position_lost=LOST, turn=self._board.state.turn if gate.cable_deg else gate.model.turn)
+            turn = gate.model.turn if gate.cable_deg is None else self._board.state.turn
+            self._board.change(position_lost=RAW_COMMAND, turn=turn)
         if "homed" in forgets:
             self._board.change(homed=None)
             if verdict.restarts:
                 gate.released.clear()  # a dish that starts finds its references, or says that it has none
             elif not verdict.homes:
                 gate.release()  # what it reports from now on may not be where it is
-                self._board.change(position_lost=LOST)
+                self._board.change(position_lost=RAW_COMMAND)
         if "search" in forgets:
             self._board.change(search=Search.UNKNOWN)
         self.resurvey = self.resurvey or bool(forgets & {"limits", "search", "settings"})

@@ -52,6 +52,10 @@ class LimitSource(Enum):
     """`birdcage.toml` narrows it."""
 
 
+RAW_COMMAND = "raw command"
+"""Why something is not known any more: a person typed past the station."""
+
+
 class Search(Enum):
     """The firmware's TV search."""
 
@@ -209,3 +213,8 @@ class StationState:
     """Why no motion is taken at all (unreadable settings), else None."""
     readings: Mapping[str, Reading] = field(default_factory=lambda: MappingProxyType({}))
     """By feature: `rssi`, `rssi_peak`, `nvs.20`, `antenna_id`, `speed.0` (deg/s, in force until it restarts), …"""
+
+    @property
+    def raw_motion(self) -> bool:
+        """Whether a raw line may have set the dish in motion, and it was not seen at rest since."""
+        return self.activity is Activity.UNKNOWN and self.activity_text == RAW_COMMAND
