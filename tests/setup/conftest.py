@@ -54,7 +54,10 @@ class House:
     def _open(self, port, baud):
         if port not in [each.device for each in self.plugged]:
             raise LinkError(f"{port} is not there.", reason="missing")
-        sim = SimPort(self.device, port, baud=baud)
+        try:
+            sim = SimPort(self.device, port, baud=baud)
+        except ConnectionError as error:
+            raise LinkError(str(error), reason="missing") from error
         self.opened.append((port, baud))
         return Link(sim, self.clock)
 

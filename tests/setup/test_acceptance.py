@@ -101,3 +101,53 @@ def test_killed_half_way_it_goes_on_where_it_was(build):
     }  # fmt: skip
     assert not house.setup.area_clear
     assert "backup nvs-g2-" in house.view("search").evidence
+
+
+def test_killed_after_every_single_step_it_ends_the_same(build):
+    house = build("g2?nvs20=0&unhomed=1&heading=30")
+
+    def again(step):
+        house.kill()
+        house.start().run(8)
+        assert house.setup.current == step
+        house.setup.clear()
+
+    house.up()
+    house.choose("link", "keep")
+    again("search")
+    house.choose("search", "off")
+    again("search")
+    house.kill()
+    house.device.power_cycle()
+    house.clock.advance(20.0)  # it starts while nobody looks
+    house.start().run(8)
+    assert house.setup.current == "search"
+    house.choose("search", "cycled")
+    house.until(lambda: house.setup.current == "home")
+    again("home")
+    house.choose("home", "home")
+    again("feed")
+    house.choose("feed", "other", name="helix", beam_deg="12")
+    again("limits")
+    house.choose("limits", "own", ceiling="60", cable_min="-400")
+    again("direction")
+    house.choose("direction", "start")
+    house.choose("direction", "yes")
+    again("direction")  # half an answer is none
+    for answer in ("start", "yes", "yes"):
+        house.choose("direction", answer)
+    again("level")
+    house.choose("level", "typed", pitch_deg="1", roll_deg="-0.5")
+    again("place")
+    house.choose("place", "locator", locator="EM29dc")
+    again("place")
+    house.choose("place", "trust")
+    again("north")
+    house.choose("north", "typed", az_offset_deg="30", el_offset_deg="0.5")
+    again("first")
+    house.choose("first", "point")
+    assert house.setup.finished
+    assert house.state.feed_name == "helix"
+    assert house.state.el_max_deg == 60.5
+    assert house.looks_at()[0] == pytest.approx(house.state.position.az_deg, abs=0.1)
+    assert house.file().problems == ()

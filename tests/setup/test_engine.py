@@ -4,11 +4,19 @@ from __future__ import annotations
 
 import pytest
 from birdcage.base.config import edit, load
-from birdcage.base.errors import ConfigError
+from birdcage.base.errors import BirdcageError, ConfigError
 from birdcage.setup.engine import STEPS, Setup, is_first_run
 from birdcage.setup.step import NAMES, AreaNotClear, Mark, NoSuchChoice
 from birdcage.station.requests import Goto
 from birdcage.station.state import Link
+
+TYPED = {
+    "port": "/dev/ttyUSB0", "baud": "115200", "name": "helix", "beam_deg": "12", "lo_hz": "9750 MHz",
+    "floor": "20", "ceiling": "60", "cable_min": "-400", "cable_max": "20", "pitch_deg": "1", "roll_deg": "1",
+    "latitude_deg": "39.1", "longitude_deg": "-95.7", "locator": "EM29dc", "utc": "18:20:40", "el": "n",
+    "reading_deg": "12", "declination_deg": "2", "el_offset_deg": "0",
+}  # fmt: skip
+"""Something sensible for every field."""
 
 
 def test_there_are_always_eleven_in_order(build):
@@ -48,6 +56,25 @@ def test_nothing_moves_before_the_area_is_clear(house, step, choice):
     assert [line for line in house.moves() if line != "a"] == []
     house.setup.clear()
     house.setup.choose(step, choice)
+
+
+@pytest.mark.parametrize("address", ["g2?seed=1", "g2?unhomed=1&nvs20=0", "g2?boot=1&nvs20=0&home_fails=1"])
+def test_no_answer_that_claims_to_move_nothing_moves_the_dish(build, address):
+    house = build(address)
+    house.run(12)
+    for name in NAMES * 2:
+        for choice in house.view(name).choices:
+            values = {field.name: field.value or TYPED[field.name] for field in choice.fields}
+            try:
+                house.setup.choose(name, choice.name, values)
+            except AreaNotClear:
+                assert choice.moves
+            except BirdcageError:
+                assert not choice.moves
+            house.until(lambda: not house.setup.busy)
+    house.run(5)
+    assert [line for line in house.moves() if line != "a"] == []
+    assert not house.setup.area_clear
 
 
 def test_clear_holds_for_one_run(house):

@@ -95,6 +95,27 @@ class TestSearch:
         house.choose("search", "release")
         house.until(lambda: house.marks()["search"] == "done")
 
+    def test_silence_alone_is_no_power_cycle(self, build):
+        house = build("g2?nvs20=0&unhomed=1").up()
+        house.run(8)
+        house.choose("link", "keep")
+        house.choose("search", "off")
+        house.device.unplug()
+        house.run(5)
+        house.device.plug()
+        house.run(20)
+        assert house.view("link").mark.value == "done"
+        assert house.marks()["search"] == "todo"
+
+    def test_a_boot_that_is_seen_while_nobody_was_met_yet_counts(self, build):
+        house = build("g2?nvs20=0&unhomed=1").up()
+        house.run(8)
+        house.choose("search", "off")
+        house.kill()
+        house.device.power_cycle(0.5)
+        house.start()
+        house.until(lambda: house.marks()["search"] == "done")
+
     def test_a_dish_that_searches_is_quietened(self, build):
         house = build("g2?boot=1&nvs20=0&lat=-60")
         house.run(40)

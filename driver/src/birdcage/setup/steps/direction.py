@@ -8,7 +8,6 @@ from birdcage.base.errors import BirdcageError, MotionRefused
 from birdcage.setup.step import Choice
 from birdcage.setup.steps.base import Plan, Step
 from birdcage.station.requests import Goto
-from birdcage.station.state import Pointing
 
 STEP_DEG = 5.0
 _WRONG = {
@@ -29,7 +28,8 @@ class DirectionStep(Step):
     asked = ""
     """`az` or `el` while an answer is waited for."""
     _sign = 1.0
-    _start: Pointing | None = None
+    _start = (0.0, 0.0)
+    """Where it stood when it began, within the limits: azimuth and elevation."""
     _seen = ""
 
     def words(self) -> tuple[str, ...]:
@@ -63,26 +63,38 @@ class DirectionStep(Step):
         if choice == "release":
             self.begin(self.release(), "releasing")
         elif choice == "start":
-            self._start, self._seen = self.bench.position, ""
-            self.begin(self._try("az"), "turning")
+            self._seen = ""
+            self.begin(self._first(), "turning")
         elif choice == "no":
             self.bench.forget(self.name)  # whatever was kept before is not so
             self.begin(self._back(self.asked), "moving back")
         elif self.asked == "az":
-            self._seen = f"az {self._sign * STEP_DEG:+g} deg turned {'clockwise' if self._sign > 0 else 'back'}"
+            self._seen = (
+                f"az {self._sign * STEP_DEG:+g} deg turned {'clockwise' if self._sign > 0 else 'counterclockwise'}"
+            )
             self.begin(self._try("el"), "moving")
         else:
             self._seen += f", el {self._sign * STEP_DEG:+g} deg looked {'up' if self._sign > 0 else 'down'}"
             self.begin(self._back(""), "moving back")
 
+    def _first(self) -> Plan:
+        """Go to an elevation that is allowed, where homing has left it above the ceiling; then turn."""
+        position, state = self.bench.position, self.bench.state
+        assert position is not None, "the choice is only there with a position"
+        low = position.el_deg if state.el_min_deg is None else state.el_min_deg
+        high = position.el_deg if state.el_max_deg is None else state.el_max_deg
+        self._start = position.az_deg, min(max(position.el_deg, low), high)
+        if self._start[1] != position.el_deg:
+            yield self.bench.ask(Goto(*self._start, self.bench.holder))
+        yield from self._try("az")
+
     def _try(self, axis: str) -> Plan:
-        start = self._start
-        assert start is not None, "the choice is only there with a position"
+        az_start, el_start = self._start
         self.asked = ""
         refusal: BirdcageError | None = None
         for sign in (1.0, -1.0):
-            az_deg = (start.az_deg + sign * STEP_DEG) % 360.0 if axis == "az" else start.az_deg
-            el_deg = start.el_deg + sign * STEP_DEG if axis == "el" else start.el_deg
+            az_deg = (az_start + sign * STEP_DEG) % 360.0 if axis == "az" else az_start
+            el_deg = el_start + sign * STEP_DEG if axis == "el" else el_start
             try:
                 yield self.bench.ask(Goto(az_deg, el_deg, self.bench.holder))
             except MotionRefused as refused:
@@ -95,10 +107,8 @@ class DirectionStep(Step):
         raise refusal
 
     def _back(self, wrong: str) -> Plan:
-        start = self._start
-        assert start is not None, "it has moved from there"
         self.asked = ""
-        yield self.bench.ask(Goto(start.az_deg, start.el_deg, self.bench.holder))
+        yield self.bench.ask(Goto(*self._start, self.bench.holder))
         if wrong:
             raise BirdcageError(_WRONG[wrong], reason="direction")
         self.bench.done(self.name, f"{self._seen}: seen by you")

@@ -8,7 +8,7 @@ from pathlib import Path
 from birdcage.setup.step import Choice
 from birdcage.setup.steps.base import Plan, Step
 from birdcage.station.requests import Connect, SetSearch
-from birdcage.station.state import Search
+from birdcage.station.state import Activity, Search
 
 
 class SearchStep(Step):
@@ -19,7 +19,7 @@ class SearchStep(Step):
     page = "console"
 
     gone = False
-    """Whether the dish was out of sight since, as it is while switched off."""
+    """Whether it has started anew since: its boot text was seen, or a person says so. Silence alone proves nothing."""
 
     @property
     def written(self) -> str:
@@ -96,7 +96,7 @@ class SearchStep(Step):
         state = self.bench.state
         if self.written:
             restarted = state.fault is not None and state.fault.reason == "reboot"
-            self.gone = self.gone or restarted or not self.bench.is_up
+            self.gone = self.gone or restarted or state.activity is Activity.INITIALIZING
             if not self.gone or not self._off_now() or state.fault is not None:
                 return
             self.bench.done(self.name, f"off: NVS 20 TRUE, saved (was FALSE; backup {self.written})")
