@@ -6,6 +6,7 @@ from concurrent.futures import Future
 from dataclasses import replace
 from types import MappingProxyType
 
+import setup_stand_in
 from birdcage.base.clock import VirtualClock
 from birdcage.protocol.g2_model import CARRYOUT_G2
 from birdcage.protocol.model import Turn
@@ -204,11 +205,12 @@ def samples(clock):
     ]
 
 
-def app_in(name, *, theme="dusk", tour=False, heard=True):
+def app_in(name, *, theme="dusk", tour=False, heard=True, **settings):
     clock = VirtualClock()
     state = STATES[name](clock)
     session = Session(state, clock)
-    settings = AppSettings(theme=theme, place=PLACE if state.demo else None, tour=tour)
+    settings.setdefault("setup", setup_stand_in.Engine)
+    settings = AppSettings(theme=theme, place=PLACE if state.demo else None, tour=tour, **settings)
     app = BirdcageApp(session, settings)
     if heard and state.position is not None:
         app._signal.extend(samples(clock))

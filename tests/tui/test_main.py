@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 import stand_in
 from birdcage.base.errors import BirdcageError
+from birdcage.base.paths import Paths
 from birdcage.link.ports import PortInfo
 from birdcage_tui import main, run
 from birdcage_tui.settings import AppSettings
@@ -67,11 +68,8 @@ def test_however_the_app_ends_the_session_is_closed(crash, monkeypatch, capsys):
     assert session.closed == 1
 
 
-def test_a_missing_port_and_an_unknown_firmware_are_one_sentence(monkeypatch, capsys, tmp_path):
+def test_an_unknown_firmware_and_a_missing_file_are_one_sentence(monkeypatch, capsys, tmp_path):
     monkeypatch.setenv("BIRDCAGE_HOME", str(tmp_path))
-    monkeypatch.setattr(run, "list_ports", list)
-    assert run.run(main.parser().parse_args([])) == 1
-    assert "--port" in capsys.readouterr().err
     assert run.run(main.parser().parse_args(["--port", "/dev/null", "--firmware", "nosuch"])) == 1
     assert "nosuch" in capsys.readouterr().err
     assert run.run(main.parser().parse_args(["--config", str(tmp_path / "none")])) == 1
@@ -86,7 +84,41 @@ def test_the_only_adapter_and_the_only_firmware_are_taken_when_none_is_named(mon
     assert run._firmware(None) == "g2"
     monkeypatch.setattr(run, "list_ports", lambda: [one, replace(one, device="/dev/ttyUSB8")])
     monkeypatch.setattr(run, "list_firmwares", lambda: ("g2", "hal205"))
-    with pytest.raises(BirdcageError, match="ttyUSB7, /dev/ttyUSB8"):
-        run._only_port()
+    assert run._only_port() == "", "which of two is not obvious: the setup asks"
     with pytest.raises(BirdcageError, match="one of g2, hal205"):
         run._firmware(None)
+
+
+ONE = PortInfo("/dev/ttyUSB7", None, "FTDI", "0403:6001", "A1", "1-1")
+
+
+@pytest.mark.parametrize(
+    ("plugged", "words", "file", "port", "page"),
+    [
+        ([], [], None, "", "setup"),
+        ([ONE], [], None, "/dev/ttyUSB7", "setup"),
+        ([], ["--port", "/dev/ttyUSB3"], None, "/dev/ttyUSB3", "setup"),
+        ([], [], '[dish]\nport = "/dev/ttyUSB3"\n', "/dev/ttyUSB3", "dashboard"),
+        ([ONE], [], '[setup]\nlink = "skipped 2026-03-20T12:00Z"\n', "/dev/ttyUSB7", "dashboard"),
+        ([], [], '[setup]\nlink = "skipped 2026-03-20T12:00Z"\n', "", "setup"),
+        ([ONE], ["--demo"], None, run.DEMO_PORT, "dashboard"),
+    ],
+)
+def test_the_setup_opens_by_itself_on_a_first_run_or_without_a_port(
+    plugged, words, file, port, page, monkeypatch, tmp_path
+):
+    monkeypatch.setenv("BIRDCAGE_HOME", str(tmp_path))
+    monkeypatch.setattr(run, "list_ports", lambda: plugged)
+    options = main.parser().parse_args(words)
+    paths = Paths.in_folder(tmp_path)
+    if file is not None:
+        paths.config_file.parent.mkdir(parents=True, exist_ok=True)
+        paths.config_file.write_text(file)
+    session, settings = run._build(options, paths)
+    try:
+        assert settings.first_page == page
+        assert session.station.state.port == port
+        assert settings.setup is not None
+        assert len(settings.setup().steps()) == 11
+    finally:
+        session.close()

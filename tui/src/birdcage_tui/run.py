@@ -5,12 +5,14 @@ from __future__ import annotations
 import argparse
 import sys
 from contextlib import ExitStack
+from dataclasses import replace
 from pathlib import Path
 
 from birdcage.base.clock import Clock, RealClock, ScaledClock
 from birdcage.base.config import Settings, load
 from birdcage.base.errors import BirdcageError
 from birdcage.base.paths import Paths, throw_away_paths
+from birdcage.setup.engine import Setup, is_first_run
 from birdcage.station.build import open_session
 from birdcage.station.doorbell import Doorbell
 from birdcage.station.inhibitor import SleepInhibitor
@@ -20,6 +22,7 @@ from birdcage.station.session import Session
 
 from birdcage_tui.app import BirdcageApp
 from birdcage_tui.settings import AppSettings, Place
+from birdcage_tui.setup.engine import SetupEngine
 
 DEMO_PLACE = Place(39.1, -95.7, "EM29, demo")
 DEMO_PORT = f"sim:g2?lat={DEMO_PLACE.latitude_deg}&lon={DEMO_PLACE.longitude_deg}"
@@ -68,8 +71,9 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSetti
         "app.theme": options.theme,
     }
     settings = load(paths.config_file, environ={} if options.demo else None, flags=flags)
+    port = settings.dish.port or _only_port()
     session = open_session(
-        port=settings.dish.port or _only_port(),
+        port=port,
         firmware=_firmware(settings.dish.firmware),
         baud=settings.dish.baud,
         settings=settings,
@@ -77,16 +81,20 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSetti
         clock=clock,
         survey=not options.skip_init,
     )
-    return session, _app_settings(settings, demo=options.demo)
+    # A first run begins with the setup, and so does one without a port: nothing else can be done there.
+    begin = "setup" if not options.demo and (not port or is_first_run(settings, paths)) else "dashboard"
+
+    def make_setup() -> SetupEngine:
+        return Setup(session, settings, paths, environ={} if options.demo else None, flags=flags)
+
+    app_settings = _app_settings(settings, demo=options.demo)
+    return session, replace(app_settings, setup=make_setup, first_page=begin)
 
 
 def _only_port() -> str:
     """Return the one USB adapter that is plugged in, when nobody named a port."""
     adapters = [port.device for port in list_ports() if port.identity is not None]
-    if len(adapters) == 1:
-        return adapters[0]
-    found = f"There are {', '.join(adapters)}." if adapters else "No USB adapter is plugged in."
-    raise BirdcageError(f"Say which port the dish is on, for example --port /dev/ttyUSB0. {found}")
+    return adapters[0] if len(adapters) == 1 else ""
 
 
 def _firmware(named: str | None) -> str:

@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from birdcage_tui.setup.engine import SetupEngine
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,3 +31,17 @@ class AppSettings:
     """Whether the dish shows itself off until the first key. Only with a simulated dish."""
     notice: str = ""
     """A sentence about the settings that a person must see (a damaged file, say)."""
+    glyphs: str = "braille"
+    """What pictures are drawn with: `braille`, `block` or `ascii`."""
+    update_hz: float = 10.0
+    """How many frames a second are drawn at most."""
+    history_file: Path | None = None
+    """Where lines typed into the console are kept; None: nowhere."""
+    logs_folder: Path | None = None
+    """Where the console saves what it shows; None: nowhere."""
+    presets_file: Path | None = None
+    """Where directions with names are kept; None: nowhere."""
+    setup: Callable[[], SetupEngine] | None = field(default=None, compare=False)
+    """Makes the engine of the setup page when it is first visited; None: there is no setup."""
+    first_page: str = "dashboard"
+    """The page that the app opens with."""

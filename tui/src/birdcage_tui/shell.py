@@ -113,6 +113,8 @@ class Shell(App[None]):
         self._unsubscribe = self.station.subscribe(self._tell)
         self.session.start()
         self._watch()
+        if self.settings.first_page != "dashboard":
+            self.show_page(self.settings.first_page)
         self.paint()
 
     def _tell(self, event: Event) -> None:

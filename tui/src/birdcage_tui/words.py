@@ -111,6 +111,8 @@ def bad_day(view: View) -> tuple[str, str] | None:
         fault = state.fault
         words = f"✖ FAULT {fault.what} {fault.utc:%H:%M:%S}. {fault.meaning} {fault.remedy}"
         return "fault-row", f"{words}  Enter acknowledge{_tags(view, 'FAULT', 'NOT HOMED')}"
+    if link.state is Link.LOST and not state.port:
+        return "warn-row", f"○ NO PORT  {link.detail}{_tags(view)}"
     if link.state is Link.LOST:
         trying = f"trying {state.port.rsplit('/', 1)[-1]}  {link.detail}"
         return "fault-row", f"○ LINK LOST {span_text(view.now - link.since)}  {_last_seen(view)}{trying}{_tags(view)}"
@@ -195,6 +197,8 @@ def next_steps(view: View) -> list[tuple[str, str]]:
             ("text", f"Opening {state.port or 'the port'} and listening for the dish."),
             ("dim", "Nothing is sent that moves it. Its position shows as soon as it has told it."),
         ]
+    if link is Link.LOST and not state.port:
+        return [("warn-strong", "No port is chosen."), ("text", state.link.detail)]
     if link in (Link.LOST, Link.SILENT):
         back = "The port is looked for again by itself." if link is Link.LOST else "It is asked again by itself."
         return [

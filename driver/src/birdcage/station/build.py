@@ -37,6 +37,7 @@ def open_session(
 ) -> Session:
     """Build a session that will speak `firmware` over `port`; nothing is opened before it is started or stepped.
 
+    An empty `port` is none yet: the link is then lost, and nothing is looked for before `Connect` names one.
     `survey` reads identity and limits once the dish rests; `reconnect` looks for a lost port again. KeyError for a
     firmware that this version does not speak.
     """

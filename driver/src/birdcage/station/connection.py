@@ -18,6 +18,7 @@ from birdcage.station.state import Activity, Link
 FIRST_RETRY_S = 0.5
 LONGEST_RETRY_S = 5.0
 SILENT_RETRY_S = 1.0
+NO_PORT = "No port is chosen yet. The setup does that: F8 in the app, or `birdcage setup`."
 CLOSE_S = 0.05
 """How long leaving may try to bring the console back to its root menu."""
 
@@ -84,6 +85,11 @@ class Connection:
         return True
 
     def _open(self) -> bool:
+        if not self._port:
+            # Nothing is looked for: `Connect` begins anew, with a port.
+            self.due = None
+            self._set(Link.LOST, NO_PORT)
+            return False
         port = self.find()
         if port is None:
             self._retry_later(Link.LOST, f"{self._port} is not there. Looking for it; plug it in.")

@@ -8,6 +8,7 @@ from birdcage_tui.pages.page import Page
 from birdcage_tui.pages.plain import PlainPage
 
 MADE = {
+    "setup": ("birdcage_tui.pages.setup", "SetupPage"),
     "dashboard": ("birdcage_tui.pages.dashboard", "DashboardPage"),
 }
 

@@ -1,0 +1,176 @@
+"""F8: from wires to the first satellite, step by step."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from birdcage.base.errors import BirdcageError
+from birdcage.setup.engine import CLEAR_QUESTION
+from birdcage.setup.step import Choice
+from textual import events, on
+
+from birdcage_tui.dialogs import QuestionScreen
+from birdcage_tui.setup.body import SetupBody
+from birdcage_tui.setup.form import AnswerForm, ChoiceButton
+from birdcage_tui.setup.steps import StepsPane
+
+
+class SetupPage(SetupBody):
+    """What the keys do. What is seen is in `SetupBody`."""
+
+    HELP = (
+        "Eleven steps. Enter does what is most often right, the other answers have their letters. What moves the dish "
+        "is marked; before the first one it is asked whether the area is clear. Arrows do not jog here: o opens the "
+        "page of a step, where they do; F8 comes back."
+    )
+
+    def do(self, command: str) -> bool:
+        """Carry out a command of this page; return False for one that it does not know."""
+        deeds = {
+            "setup-do": self.do_step,
+            "setup-up": lambda: self.look(-1),
+            "setup-down": lambda: self.look(1),
+            "setup-skip": self.skip,
+            "setup-back": self.back,
+            "setup-open": self.open_page,
+            "setup-wiring": self.show_wiring,
+            "setup-next-cause": lambda: self.walk(1),
+            "setup-previous-cause": lambda: self.walk(-1),
+            "setup-goto": self.goto,
+        }
+        if command not in deeds:
+            return False
+        deeds[command]()
+        return True
+
+    # Keys.
+
+    def do_step(self) -> None:
+        """Release first, then go to the step that is looked at, then take its main answer."""
+        state = self.host.station.state
+        if state.fault is not None or state.held is not None:
+            self.host.action_command("release")
+            return
+        if state.motion_refused_because and not self.limits_asked:
+            self.limits_asked = True
+            self.host.action_command("release")
+            return
+        main = next((choice for choice in self.answers() if choice.key == "enter"), None)
+        if main is not None:
+            self.take(main, typed=False)
+        elif self.step.busy:
+            self.remark(f"Wait: {self.step.busy}.")
+        else:
+            keys = ", ".join(choice.key for choice in self.answers())
+            self.remark(f"This step has no answer for Enter: press {keys}." if keys else "Nothing to do here now.")
+
+    def look(self, by: int) -> None:
+        """Look at another step; the wiring scrolls instead while it fills the page."""
+        if self.wiring_fills:
+            self.scroll_wiring(by)
+        else:
+            self.look_at(self.looked + by)
+
+    def skip(self) -> None:
+        """Leave the step that is looked at."""
+        self._attempt(lambda: self.engine.skip(self.step.name))
+
+    def back(self) -> None:
+        """Go to the step before."""
+        self._attempt(self.engine.back)
+        self.follow()
+
+    def open_page(self) -> None:
+        """Show the step's own page."""
+        page = self.step.page
+        if page:
+            self.host.show_page(page)
+        else:
+            self.remark(f"Step {self.step.number} has no page of its own: all of it is here.")
+
+    def show_wiring(self) -> None:
+        """Show the plug, or hide it."""
+        self.wiring = not self.wiring
+        self.host.paint()
+
+    def goto(self) -> None:
+        """Open the go-to line, once the area is clear."""
+        self._when_clear(lambda: self.host.action_command("goto"))
+
+    def on_key(self, event: events.Key) -> None:
+        """Take an answer by its key; Esc goes back to the steps."""
+        if event.key == "escape":
+            event.stop()
+            self.wiring = False
+            self.focus_steps()
+            self.host.paint()
+            return
+        if self.typing:
+            return
+        for choice in self.answers():
+            if choice.key != "enter" and event.character == choice.key:
+                event.stop()
+                self.take(choice, typed=False)
+                return
+
+    # Answers.
+
+    @on(ChoiceButton.Pressed)
+    def _pressed(self, event: ChoiceButton.Pressed) -> None:
+        event.stop()
+        self.take(event.choice, typed=any(value.strip() for value in self.form.values(event.choice).values()))
+
+    @on(AnswerForm.Submitted)
+    def _submitted(self, event: AnswerForm.Submitted) -> None:
+        event.stop()
+        self.take(event.choice, typed=True)
+
+    @on(StepsPane.Chosen)
+    def _chosen(self, event: StepsPane.Chosen) -> None:
+        event.stop()
+        self.look_at(event.index)
+
+    def take(self, choice: Choice, *, typed: bool) -> None:
+        """Take an answer: its fields first, then the question whether the area is clear, then the engine."""
+        if choice.fields and not typed:
+            self.form.focus_fields(choice)
+            return
+        step, values = self.step.name, self.form.values(choice)
+
+        def give() -> None:
+            if choice.name == "here":
+                self._attempt(lambda: self.engine.go(step))
+            elif choice.name == "use-baud":
+                rate = {"port": self.host.station.state.port, "baud": str(self.baud_that_mends)}
+                self._attempt(lambda: self.engine.choose("link", "other", rate))
+            else:
+                self._attempt(lambda: self.engine.choose(step, choice.name, values))
+
+        if choice.moves:
+            self._when_clear(give)
+        else:
+            give()
+
+    def _when_clear(self, then: Callable[[], None]) -> None:
+        if self.engine.area_clear:
+            then()
+            return
+
+        def answered(yes: bool | None) -> None:
+            if yes:
+                self.engine.clear()
+                then()
+            else:
+                self.remark("Nothing was moved.")
+
+        self.app.push_screen(QuestionScreen("Is the area clear?", CLEAR_QUESTION, "it is clear: go on"), answered)
+
+    def _attempt(self, deed: Callable[[], None]) -> None:
+        self.wrong = self.note = ""
+        try:
+            deed()
+        except BirdcageError as error:
+            self.wrong = str(error)
+        else:
+            self.focus_steps()
+        self.host.paint()

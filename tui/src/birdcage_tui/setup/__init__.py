@@ -1,0 +1,1 @@
+"""What the setup page is made of: the list of steps, the answers, the causes of silence, the wiring."""

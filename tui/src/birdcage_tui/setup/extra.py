@@ -1,0 +1,96 @@
+"""What stands under the words and answers of a step: causes, wiring, or a small compass."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from enum import Enum
+
+from birdcage.setup.case import Cause
+
+from birdcage_tui.canvas import Cells
+from birdcage_tui.pane import Pane
+from birdcage_tui.settings import Place
+from birdcage_tui.setup import causes as walk
+from birdcage_tui.setup import wiring
+from birdcage_tui.setup.compass import draw_compass
+from birdcage_tui.view import View
+
+COMPASS_STEPS = ("direction", "place", "north", "first")
+WIRED_STEPS = ("link", "dish")
+
+
+class Kind(Enum):
+    """What it shows."""
+
+    NOTHING = ""
+    CAUSES = "What may be wrong"
+    WIRING = "Wiring"
+    COMPASS = "Where it looks"
+    POINTING = "The dish now"
+    """The heading alone: the instrument under it is a pane of its own."""
+
+
+class ExtraPane(Pane):
+    """A heading in a line, and one of the kinds under it."""
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.kind = Kind.NOTHING
+        self.causes: Sequence[Cause] = ()
+        self.chosen = 0
+        self.seen = ""
+        self.firmware: str | None = None
+        self.place: Place | None = None
+
+    def needs(self, width: int) -> int:
+        """Return how many rows it could fill; 0 for as many as there are."""
+        if self.kind is Kind.WIRING:
+            return 1 + len(wiring.lines(wiring.connectors_for(self.firmware), width - 2))
+        if self.kind is Kind.CAUSES:
+            return 1 + len(walk.seen_lines(self.seen, width - 2)) + len(
+                walk.cause_lines(self.causes, self.chosen, width - 2, 10_000)
+            )  # fmt: skip
+        return 0
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Draw the heading and what belongs under it."""
+        if self.kind is Kind.NOTHING:
+            return
+        width = cells.width - 2
+        heading = self.kind.value
+        hint = "  ← → another cause" if self.kind is Kind.CAUSES and len(self.causes) > 1 else ""
+        cells.put(1, 0, "─" * width, "line")
+        x = cells.put(3, 0, f" {heading} ", "dim")
+        if hint:
+            cells.put(x, 0, f"{hint} ", "dim")
+            middle = x + len(hint) // 2
+            self.heat(x, 0, middle - x, "setup-previous-cause")
+            self.heat(middle, 0, len(hint) - (middle - x), "setup-next-cause")
+        if self.kind is Kind.COMPASS:
+            draw_compass(cells, 2, view, self.place)
+            return
+        if self.kind is Kind.POINTING:
+            return
+        for y, line in enumerate(self._lines(width, cells.height - 1), 1):
+            x = 1
+            for ink, text in line:
+                x = cells.put(x, y, text, ink)
+
+    def _lines(self, width: int, room: int) -> list[wiring.Line]:
+        if self.kind is Kind.WIRING:
+            return wiring.lines(wiring.connectors_for(self.firmware), width)
+        seen = walk.seen_lines(self.seen, width)
+        return [*seen, *walk.cause_lines(self.causes, self.chosen, width, max(room - len(seen), 1))]
+
+
+def kind_for(step: str, *, mute: bool, wiring_asked: bool, wide: bool) -> Kind:
+    """Return what stands under a step."""
+    if wiring_asked:
+        return Kind.WIRING
+    if mute and step == "link":
+        return Kind.CAUSES
+    if not wide:
+        return Kind.NOTHING
+    if step in WIRED_STEPS:
+        return Kind.WIRING
+    return Kind.COMPASS if step in COMPASS_STEPS else Kind.POINTING

@@ -1,0 +1,67 @@
+"""Which steps have a row of their own in a list that is too short for all, and what stands for the others."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from birdcage.setup.step import Mark, StepView
+
+GLYPHS = {
+    Mark.TODO: ("○", "dim"),
+    Mark.DONE: ("✓", "good"),
+    Mark.SKIPPED: ("–", "dim"),
+    Mark.FAILED: ("✕", "fault"),
+    Mark.LATER: ("…", "dim"),
+}
+PRESENT = ("▶", "accent-strong")
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """Steps `first` to `last`, counted from 0: one of them, or several folded into one row."""
+
+    first: int
+    last: int
+
+    @property
+    def single(self) -> bool:
+        """Whether it is one step."""
+        return self.first == self.last
+
+
+def fold(count: int, looked: int, room: int) -> tuple[Row, ...]:
+    """Return the rows for `count` steps when there is room for `room`; the one looked at is always its own."""
+    first = last = looked
+    while True:
+        # Below comes first: what is to come matters more than what is done.
+        for low, high in ((first, last + 1), (first - 1, last)):
+            if low >= 0 and high < count and _rows(count, low, high) <= room:
+                first, last = low, high
+                break
+        else:
+            break
+    rows = [Row(index, index) for index in range(first, last + 1)]
+    above = [Row(0, first - 1)] if first else []
+    below = [Row(last + 1, count - 1)] if last < count - 1 else []
+    return (*above, *rows, *below)
+
+
+def _rows(count: int, first: int, last: int) -> int:
+    return (first > 0) + (last - first + 1) + (last < count - 1)
+
+
+def folded_text(steps: Sequence[StepView]) -> str:
+    """Return the words for several steps in one row."""
+    titles = ", ".join(step.title for step in steps)
+    return f"{steps[0].number}–{steps[-1].number}  {titles}"
+
+
+def glyph_of(step: StepView, *, present: bool) -> tuple[str, str]:
+    """Return the mark of a step and its ink; the present one keeps ✕ when it failed."""
+    return PRESENT if present and step.mark is not Mark.FAILED else GLYPHS[step.mark]
+
+
+def cut(text: str, width: int) -> str:
+    """Return `text`, with an ellipsis where it was too long."""
+    return text if len(text) <= width else text[: max(width - 1, 0)] + "…"

@@ -1,0 +1,74 @@
+"""The present step in words: what it does, what to look at, what is under way, what went wrong."""
+
+from __future__ import annotations
+
+import textwrap
+from dataclasses import dataclass, field
+
+from birdcage.setup.step import Mark, StepView
+
+from birdcage_tui.canvas import Cells
+from birdcage_tui.pane import Pane
+from birdcage_tui.view import View
+from birdcage_tui.words import span_text
+
+
+@dataclass(slots=True)
+class Telling:
+    """What there is to tell of one step."""
+
+    step: StepView | None = None
+    present: bool = True
+    """Whether it is the present one."""
+    busy_s: float | None = None
+    """For how long something has been under way."""
+    note: str = ""
+    """What the last key did, or why it did nothing."""
+    wrong: str = ""
+    """Why the last answer was not taken."""
+    whole: bool = False
+    """Whether title and evidence are to be told as well: no list row shows them in full."""
+    extra: tuple[str, ...] = field(default_factory=tuple)
+    """Sentences of the page itself."""
+
+    def lines(self, width: int) -> list[tuple[str, str]]:
+        """Return (ink, line), wrapped."""
+        step = self.step
+        if step is None:
+            return []
+        found: list[tuple[str, str]] = []
+
+        def say(ink: str, words: str) -> None:
+            found.extend((ink, line) for line in textwrap.wrap(words, max(width, 10)))
+
+        if self.whole and step.evidence:
+            say({Mark.FAILED: "fault", Mark.DONE: "good"}.get(step.mark, "dim"), step.evidence)
+        if step.busy:
+            time = "" if self.busy_s is None else f"  {span_text(self.busy_s)}"
+            say("accent-strong", f"◌ {step.busy}{time}")
+        for sentence in step.words:
+            say("text" if self.present else "dim", sentence)
+        for sentence in self.extra:
+            say("dim", sentence)
+        if self.note:
+            say("accent", self.note)
+        if self.wrong:
+            say("warn-strong", f"▲ {self.wrong}")
+        return found
+
+
+class StepWords(Pane):
+    """Draws a `Telling`; `rows` says how many rows it needs."""
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.telling = Telling()
+
+    def rows(self, width: int) -> int:
+        """Return how many rows the words take at that width."""
+        return len(self.telling.lines(width - 2))
+
+    def draw(self, cells: Cells, view: View) -> None:  # noqa: ARG002 - the engine knows what this shows
+        """Write the lines."""
+        for y, (ink, line) in enumerate(self.telling.lines(cells.width - 2)):
+            cells.put(1, y, line, ink)
