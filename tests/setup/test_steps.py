@@ -11,8 +11,6 @@ from birdcage.setup.north import NotYet, az_offset_deg
 from birdcage.setup.step import NoSuchChoice
 from birdcage.sky.sun import sun
 
-from tests.setup.conftest import NOON
-
 PLACE = {"latitude_deg": "39.1", "longitude_deg": "-95.7", "height_m": "250"}
 
 
@@ -343,7 +341,7 @@ class TestNorth:
 
     def test_turns_to_the_sun(self, ready):
         ready.choose("north", "sun")
-        az_deg, el_deg = sun(NOON, 39.1, -95.7)
+        az_deg, el_deg = sun(ready.clock.utc(), 39.1, -95.7)
         assert ready.looks_at() == (pytest.approx(az_deg, abs=0.3), pytest.approx(el_deg, abs=0.3))
 
 
