@@ -10,6 +10,8 @@ import setup_stand_in
 from birdcage.base.clock import VirtualClock
 from birdcage.protocol.g2_model import CARRYOUT_G2
 from birdcage.protocol.model import Turn
+from birdcage.protocol.registry import get_protocol
+from birdcage.station.menu_commands import MenuCommands
 from birdcage.station.state import (
     Activity,
     Fault,
@@ -27,6 +29,7 @@ from birdcage_tui.app import BirdcageApp
 from birdcage_tui.settings import AppSettings, Place
 from birdcage_tui.view import Sample
 
+PROTOCOL = get_protocol("g2")
 PLACE = Place(40.4, -95.0, "EN10")
 
 
@@ -40,6 +43,12 @@ class Station:
     def submit(self, request):
         self.asked.append(request)
         return Future()
+
+    def judge(self, line):
+        return PROTOCOL.judge(line, self.state.menu, homed=self.state.homed)
+
+    def commands(self, menu):
+        return MenuCommands(PROTOCOL).of(menu)
 
     def stop(self, by):
         self.stops.append(by)
@@ -56,10 +65,15 @@ class Session:
     def __init__(self, state, clock):
         self.clock, self.station = clock, Station(state)
         self.started = self.closed = 0
+        self.wire = None
         self.crash = None
 
     def start(self):
         self.started += 1
+
+    def on_wire(self, listener):
+        self.wire = listener
+        return lambda: None
 
     def close(self):
         self.closed += 1

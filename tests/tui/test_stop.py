@@ -33,12 +33,14 @@ def test_stop_from_every_focusable_widget_of_every_page(page, key):
         app.show_page(page)
         await pilot.pause()
         await pilot.pause()
+        assert not isinstance(app.focused, Input), "no text field has the focus on arrival"
         focusable = [None, *(widget for widget in app.screen.query("*") if widget.focusable)]
+        if key == "space":  # which a text field types
+            focusable = [widget for widget in focusable if not isinstance(widget, Input)]
         for number, widget in enumerate(focusable, 1):
             app.set_focus(widget)
             await pilot.press(key)
             assert len(app.station.stops) == number, widget
-        assert app.focused is None or not isinstance(app.focused, Input)
 
     run(everywhere, "slewing")
 

@@ -9,20 +9,28 @@ from birdcage_tui.view import View
 
 
 class KeyBar(Pane):
-    """Keys and words from the table of commands. What cannot be done now is dim, and says why when pressed."""
+    """Keys and words from the table of commands; while one types, only those that still hold.
+
+    What cannot be done now is dim, and says why when pressed.
+    """
 
     INK = "bar-dim"
 
     def draw(self, cells: Cells, view: View) -> None:
         """Write STOP, then the keys from the nearest scope outward; at the right, the pages."""
-        pages = " 1-0 pages "
+        pages = " F1-F10 pages " if view.typing else " 1-0 pages "
         x = 1
         for command in in_force(view.scopes):
-            if not command.footer or x + len(command.shown) + len(command.footer) + 3 > cells.width - len(pages):
+            shown = command.shown
+            if view.typing and len(shown) == 1:
+                continue  # the field takes it
+            if view.typing and command.name == "stop":
+                shown = "Ctrl+C"
+            if not command.footer or x + len(shown) + len(command.footer) + 3 > cells.width - len(pages):
                 continue
             start = x
             dim = command.refused(view) is not None
-            x = cells.put(x, 0, f" {command.shown} ", "bar-dim" if dim else "key")
+            x = cells.put(x, 0, f" {shown} ", "bar-dim" if dim else "key")
             x = cells.put(x, 0, command.footer, "bar-dim" if dim else "bar")
             self.heat(start, 0, x - start, command.name)
             x += 2

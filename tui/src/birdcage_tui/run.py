@@ -87,7 +87,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSetti
     def make_setup() -> SetupEngine:
         return Setup(session, settings, paths, environ={} if options.demo else None, flags=flags)
 
-    app_settings = _app_settings(settings, demo=options.demo)
+    app_settings = _app_settings(settings, paths, demo=options.demo)
     return session, replace(app_settings, setup=make_setup, first_page=begin)
 
 
@@ -108,10 +108,17 @@ def _firmware(named: str | None) -> str:
     return named
 
 
-def _app_settings(settings: Settings, *, demo: bool) -> AppSettings:
+def _app_settings(settings: Settings, paths: Paths, *, demo: bool) -> AppSettings:
     place = settings.place
     here = DEMO_PLACE if demo else None
     if place.latitude_deg is not None and place.longitude_deg is not None:
         here = Place(place.latitude_deg, place.longitude_deg, place.name or "")
     notice = settings.problems[0].text if settings.problems else ""
-    return AppSettings(theme=settings.app.theme, place=here, tour=demo, notice=notice)
+    return AppSettings(
+        theme=settings.app.theme,
+        place=here,
+        tour=demo,
+        notice=notice,
+        history_file=paths.history,
+        logs_folder=paths.logs,
+    )

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from birdcage.base.errors import BirdcageError
 from birdcage.station.events import Event, MoveEnded, ReadingRead
 from birdcage.station.requests import Unwatch, Watch
 from textual import events, on
@@ -16,9 +17,10 @@ from textual.binding import Binding
 from textual.containers import Container
 from textual.driver import Driver
 from textual.timer import Timer
-from textual.widgets import ContentSwitcher, Static
+from textual.widgets import ContentSwitcher, Input, Static
 
 from birdcage_tui import commands
+from birdcage_tui.console.tap import WireTap
 from birdcage_tui.footer import KeyBar
 from birdcage_tui.goto import GotoLine
 from birdcage_tui.messages import StationEvent
@@ -37,6 +39,8 @@ from birdcage_tui.view import Sample, View
 
 if TYPE_CHECKING:
     from birdcage.station.session import Session
+
+    from birdcage_tui.console.overlay import ConsoleOverlay
 
 FRAME_S = 0.1
 """Between two frames while something moves, and between two repaints on change."""
@@ -66,6 +70,12 @@ class Shell(App[None]):
         """Keys that have stopped the dish already, on the thread that read them."""
         self.step_deg = 1.0
         """What one press of a jog key is."""
+        self.tap = WireTap()
+        """What passes on the wire, from the first byte on; the console takes it out."""
+        self.tap_problem = ""
+        """Why nothing of the wire is heard, as a sentence."""
+        self.sheet: ConsoleOverlay | None = None
+        """The console, once it was opened."""
         self._signal: deque[Sample] = deque(maxlen=KEPT_SAMPLES)
         self._note = ""
         self._tour = Tour(self.station.submit)
@@ -74,6 +84,7 @@ class Shell(App[None]):
         self._tour_says = ""
         self._unsubscribe: Callable[[], None] | None = None
         self._watching: str | None = None
+        self._features: frozenset[str] = frozenset()
         self._frames: Timer | None = None
         self._soon: Timer | None = None
         self._painted = 0.0
@@ -111,6 +122,10 @@ class Shell(App[None]):
         # waiting, and STOP behind it.
         gc.freeze()
         self._unsubscribe = self.station.subscribe(self._tell)
+        try:
+            self.session.on_wire(self.tap.take_in)
+        except BirdcageError as problem:
+            self.tap_problem = str(problem)
         self.session.start()
         self._watch()
         if self.settings.first_page != "dashboard":
@@ -143,6 +158,7 @@ class Shell(App[None]):
             self._watching is not None,
             tuple(scope.scope for scope in self.scopes()),
             self.step_deg,
+            typing=isinstance(self.screen_stack[0].focused, Input) if self.screen_stack else False,
         )
 
     def paint(self) -> None:
@@ -157,6 +173,8 @@ class Shell(App[None]):
                     row.show(view)
             base.query_one(BadDayRow).show(view)
             base.query_one(KeyBar).show(view)
+            if self.sheet is not None and self.sheet.is_open:
+                self.sheet.show(view)
             page = base.query_one("#pages", ContentSwitcher).visible_content
             if isinstance(page, Page):
                 page.show(view)
@@ -222,7 +240,29 @@ class Shell(App[None]):
 
     def show_page(self, name: str, then: str | None = None) -> None:
         """Show a page; it is composed on its first visit. `then` is one of its commands, to be done there."""
-        self.run_worker(self._show_page(name, then), group="page", exclusive=False)
+        work = self._show_console(then) if name.partition("-")[0] == "console" else self._show_page(name, then)
+        self.run_worker(work, group="page", exclusive=False)
+
+    async def _show_console(self, then: str | None) -> None:
+        """Slide the console over the page, or away again; with `then`, one of its commands, it stays."""
+        if self.sheet is None:
+            from birdcage_tui.console.overlay import ConsoleOverlay
+
+            self.sheet = ConsoleOverlay(self)
+            await self.screen_stack[0].query_one("#stage").mount(self.sheet)
+            self.sheet.open()
+        elif not self.sheet.is_open:
+            self.sheet.open()
+        elif then is None:
+            self.sheet.close()
+            self._arrive(self.screen_stack[0].query_one("#pages", ContentSwitcher))
+        if then is not None:
+            self.sheet.do(then)
+        self.call_after_refresh(self.paint)
+
+    def soon(self, work: Callable[[], None]) -> None:
+        """Do something soon on the app's thread. Any thread; nothing happens once the app has ended."""
+        self.call_later(work)
 
     async def _show_page(self, name: str, then: str | None) -> None:
         pages = self.screen_stack[0].query_one("#pages", ContentSwitcher)
@@ -240,7 +280,9 @@ class Shell(App[None]):
             self.page.do(then)
 
     def _arrive(self, pages: ContentSwitcher) -> None:
-        """Give the focus to what the page wants it on; never to a text field."""
+        """Give the focus to what the page wants it on; never to a text field. An open console keeps it."""
+        if self.sheet is not None and self.sheet.is_open:
+            return
         page = pages.visible_content
         first = page.FIRST_FOCUS if isinstance(page, Page) else None
         self.screen_stack[0].set_focus(page.query_one(first) if page is not None and first is not None else None)
@@ -256,19 +298,33 @@ class Shell(App[None]):
         """Return whose commands hold now, innermost first."""
         if not self.screen_stack:
             return ()
-        return scopes_of(self.screen_stack[0].focused, [self.page])
+        focused = self.screen_stack[0].focused
+        if self.sheet is None or not self.sheet.is_open:
+            return scopes_of(focused, [self.page])
+        # The console lies over the page, whose keys hold only while something of it has the focus.
+        in_page = focused is not None and self.page in focused.ancestors_with_self
+        return scopes_of(focused, [self.page, self.sheet] if in_page else [self.sheet])
 
     def _watch(self) -> None:
         """Ask the station to read what the visible page shows, and nothing else."""
         page = self.screen_stack[0].query_one("#pages", ContentSwitcher).visible_content
-        wanted = page.id if isinstance(page, Page) and page.WATCHES else None
-        if wanted == self._watching:
+        features = page.WATCHES if isinstance(page, Page) else frozenset()
+        if self.sheet is not None and self.sheet.typing:
+            features &= {"position"}  # the rest would change the menu while a person types for it
+        wanted = page.id if isinstance(page, Page) and features else None
+        if (wanted, features) == (self._watching, self._features):
             return
-        if self._watching is not None:
+        if self._watching not in (None, wanted):
             self.station.submit(Unwatch(self._watching))
         if wanted is not None and isinstance(page, Page):
-            self.station.submit(Watch(wanted, page.WATCHES, page.RATE_HZ))
-        self._watching = wanted
+            self.station.submit(Watch(wanted, features, page.RATE_HZ))
+        self._watching, self._features = wanted, features
+
+    def typing_changed(self) -> None:
+        """The console's line has the focus, or no longer (also because the app ends, page by page)."""
+        if self.screen_stack and self.screen_stack[0].query("#pages"):
+            self._watch()
+            self.paint()
 
     @property
     def page_names(self) -> tuple[str, ...]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from datetime import datetime
 
 from birdcage.base.geometry import shortest_turn
+from birdcage.station.raw import CONSOLE
 from birdcage.station.state import Activity, Link, StationState
 
 from birdcage_tui.settings import AppSettings
@@ -47,6 +48,9 @@ class View:
     """Whose commands hold, innermost first: the widget that has the focus, what it lies in, the page."""
     step_deg: float = 1.0
     """What one press of a jog key is."""
+
+    typing: bool = False
+    """Whether a text field has the focus: keys that print do nothing else, and Space is a space."""
 
     @property
     def position_age_s(self) -> float | None:
@@ -93,8 +97,9 @@ class View:
 
     @property
     def may_move(self) -> bool:
-        """Whether it moves, or may move by itself: then Esc stops first."""
-        return self.moving or bool(self.tour) or (self.state.holder is not None and self.state.held is None)
+        """Whether it moves, or may move by itself: then Esc stops first. A person who types moves nothing by that."""
+        by_itself = self.state.holder not in (None, CONSOLE) and self.state.held is None
+        return self.moving or self.state.raw_motion or bool(self.tour) or by_itself
 
     @property
     def to_go_deg(self) -> float | None:

@@ -12,8 +12,6 @@ from birdcage.station.requests import AcquireLease, ListCommands, Raw, ReleaseLe
 Submit = Callable[[Request], "Future[object]"]
 Later = Callable[[Callable[[], None]], None]
 """Runs something soon on the app's thread. May be called from any thread."""
-MOTION_S = 15.0
-"""How long a raw line that moves may go on moving the dish, when nothing better is known."""
 
 
 @dataclass(slots=True)
@@ -34,15 +32,12 @@ class LinesSent:
         self.under_way: list[Sent] = []
         self.last = 0.0
         """When a line was last sent or answered, in monotonic seconds: idle time counts from here."""
-        self._moves_until = 0.0
 
     def send(self, line: str, verdict: Verdict, now: float, *, confirmed: bool = False) -> None:
         """Send a line. What fails is told with the line, so that nothing typed is lost."""
         sent = Sent(line, verdict, now)
         self.under_way.append(sent)
         self.last = now
-        if verdict.grade >= Grade.MOVES:
-            self._moves_until = now + max(verdict.takes_s, MOTION_S)
         self._submit(Raw(line, CONSOLE, confirmed)).add_done_callback(
             lambda future: self._later(lambda: self._done(sent, future))
         )
@@ -87,10 +82,6 @@ class LinesSent:
         if self.under_way:
             self.end_line(now)
         self._submit(ReleaseLease(CONSOLE))
-
-    def may_move(self, now: float) -> bool:
-        """Return whether a line that was sent may still move the dish. Any thread."""
-        return now < self._moves_until
 
     def heard(self, now: float) -> None:
         """An answer came: idle time begins anew."""

@@ -107,10 +107,6 @@ class ConsoleOverlay(Container):
         """Polling goes on as before."""
         self._shell.typing_changed()
 
-    def may_move(self, now: float) -> bool:
-        """Return whether a line sent from here may still move the dish. Any thread."""
-        return self._sent.may_move(now)
-
     # What is seen.
 
     @property

@@ -28,11 +28,6 @@ WILL = {
         "Each value with its unit, age and the command it came from.",
         "Changes shown as a difference before anything is written.",
     ),
-    "console": (
-        "Every byte that passes on the wire, with its time.",
-        "The dish's own prompt, with its commands and their help.",
-        "A warning in words before a command that could harm it.",
-    ),
     "camera": (
         "A picture every so often, or at the events of a pass.",
         "Files named by time, target and direction, never overwritten.",
