@@ -161,3 +161,10 @@ def test_elsewhere_nothing_is_known(device, proc, tmp_path, monkeypatch):
     monkeypatch.setattr("birdcage.link.system.python.platform", "darwin")
     assert look(device, proc, tmp_path) == SystemFacts(str(device))
     assert SystemFacts(str(device)).hindrances == ()
+
+
+def test_who_holds_a_pseudo_terminal_open_takes_nothing_away(proc):
+    holder = run(proc, 900, "birdcage")
+    (proc / "900" / "fd").mkdir()
+    (proc / "900" / "fd" / "3").symlink_to("/dev/pts/7")
+    assert other_program("/dev/pts/7", proc) is None, holder
