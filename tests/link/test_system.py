@@ -163,8 +163,8 @@ def test_elsewhere_nothing_is_known(device, proc, tmp_path, monkeypatch):
     assert SystemFacts(str(device)).hindrances == ()
 
 
-def test_who_holds_a_pseudo_terminal_open_takes_nothing_away(proc):
-    holder = run(proc, 900, "birdcage")
-    (proc / "900" / "fd").mkdir()
-    (proc / "900" / "fd" / "3").symlink_to("/dev/pts/7")
-    assert other_program("/dev/pts/7", proc) is None, holder
+def test_who_holds_a_pseudo_terminal_open_takes_nothing_away(proc, tmp_path):
+    link = tmp_path / "dish"
+    link.symlink_to("/dev/pts/7")
+    run(proc, 900, "birdcage", opened="/dev/pts/7")
+    assert other_program(str(link), proc) is None
