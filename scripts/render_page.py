@@ -26,9 +26,11 @@ async def demo(seconds: float, size: tuple[int, int], theme: str, keys: list[str
         return on.svg(), on.text()
 
 
-async def shown(name: str, size: tuple[int, int], theme: str, keys: list[str]) -> tuple[str, str]:
+async def shown(
+    name: str, size: tuple[int, int], theme: str, keys: list[str], glyphs: str = "braille"
+) -> tuple[str, str]:
     """Return the SVG and the text of the app in a state of the stand-in."""
-    app = stand_in.app_in(name, theme=theme)
+    app = stand_in.app_in(name, theme=theme, glyphs=glyphs)
     async with app.run_test(size=size) as pilot:
         await pilot.pause()
         if keys:
@@ -47,6 +49,7 @@ def main() -> int:
     parse.add_argument("states", nargs="*", default=[], help=", ".join(stand_in.STATES))
     parse.add_argument("--size", default="80x24")
     parse.add_argument("--theme", default="dusk")
+    parse.add_argument("--glyphs", default="braille")
     parse.add_argument("--keys", default="", help="keys to press first, with commas")
     parse.add_argument("--demo", type=float, metavar="SECONDS", help="instead of states: the demo, so long after start")
     parse.add_argument(
@@ -59,10 +62,11 @@ def main() -> int:
     for name in names:
         keys = [key for key in options.keys.split(",") if key]
         if options.demo is None:
-            svg, text = asyncio.run(shown(name, (width, height), options.theme, keys))
+            svg, text = asyncio.run(shown(name, (width, height), options.theme, keys, options.glyphs))
         else:
             svg, text = asyncio.run(demo(options.demo, (width, height), options.theme, keys, options.after))
-        stem = options.out / f"{name}-{options.size}-{options.theme}"
+        look = options.theme if options.glyphs == "braille" else f"{options.theme}-{options.glyphs}"
+        stem = options.out / f"{name}-{options.size}-{look}"
         stem.with_suffix(".svg").write_text(svg)
         stem.with_suffix(".png").write_bytes(picture.png(svg))
         stem.with_suffix(".txt").write_text(text)

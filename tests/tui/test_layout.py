@@ -144,18 +144,6 @@ def test_a_real_dish_is_not_called_a_demo():
     assert "DEMO" not in run(read, "lost", (160, 48))
 
 
-def test_below_80x24_it_says_so_and_keeps_status_and_stop():
-    async def small(app, pilot):
-        await pilot.press("space")
-        return stand_in.text_of(app), app.station.stops
-
-    text, stops = run(small, "slewing", (60, 20))
-    assert "smaller than 80x24" in text
-    assert "AZ 201.30°" in text
-    assert "■ STOP" in text
-    assert stops == ["you"]
-
-
 @pytest.mark.parametrize("name", [name for name, _, _ in PAGES if name not in (*MADE, "console")])
 def test_pages_to_come_are_honest(name):
     async def visit(app, pilot):

@@ -18,8 +18,10 @@ _DOT = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
 class Cells:
     """A rectangle of characters, each with the name of its ink. Only characters one cell wide belong in here."""
 
-    def __init__(self, width: int, height: int, ink: str = "text") -> None:
+    def __init__(self, width: int, height: int, ink: str = "text", glyphs: str = "braille") -> None:
         self.width, self.height = max(width, 0), max(height, 0)
+        self.glyphs = glyphs
+        """The set that the finished row is put into (`glyphs`): for shapes that have one of their own in it."""
         self._chars = [[" "] * self.width for _ in range(self.height)]
         self._inks = [[ink] * self.width for _ in range(self.height)]
 

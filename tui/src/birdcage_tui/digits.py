@@ -26,6 +26,12 @@ _GLYPHS = {
     ".": (" ", " ", "•"),
     "°": ("°", " ", " "),
 }
+_SEGMENTS = {
+    "0": "abcdef", "1": "bc", "2": "abged", "3": "abgcd", "4": "fgbc", "5": "afgcd", "6": "afgedc", "7": "abc",
+    "8": "abcdefg", "9": "abcdfg", "-": "g", " ": "",
+}  # fmt: skip
+"""Which of the seven segments burn, for plain ASCII: a top, then clockwise to f, g in the middle."""
+_ASIDE = {".": (" ", " ", "."), "°": ("o", " ", " ")}
 _RIGHT, _LEFT = "╭╰─├╶┌└┴┬", "╮╯─┤╴┐┘┴┬"
 _DOWN, _UP = "╭╮│├┤╷┌┐", "╰╯│├┤╵└┘┴"
 
@@ -43,6 +49,21 @@ def width_of(text: str, *, large: bool = False) -> int:
 
 def _glyph(char: str, *, large: bool) -> tuple[str, ...]:
     return _stretched(char) if large else _GLYPHS[char]
+
+
+@cache
+def _burning(char: str, *, large: bool) -> tuple[str, ...]:
+    """Return the glyph in `_` and `|`, as large as the one in lines."""
+    if char in _ASIDE:
+        top, middle, low = _ASIDE[char]
+        return (top, " ", middle, " ", low) if large else (top, middle, low)
+    on, wide = _SEGMENTS[char], 3 if large else 1
+
+    def row(left: str, line: str, right: str) -> str:
+        return ("|" if left in on else " ") + ("_" if line in on else " ") * wide + ("|" if right in on else " ")
+
+    rows = [" " + ("_" if "a" in on else " ") * wide + " ", row("f", "g", "b"), row("e", "d", "c")]
+    return (rows[0], row("f", "?", "b"), rows[1], row("e", "?", "c"), rows[2]) if large else tuple(rows)
 
 
 @cache
@@ -64,7 +85,7 @@ def _stretched(char: str) -> tuple[str, ...]:
 def put_big(cells: Cells, x: int, y: int, text: str, ink: str, *, large: bool = False) -> int:
     """Draw `text` (digits, point, minus, degree sign). Return the column after it."""
     for char in text:
-        glyph = _glyph(char, large=large)
+        glyph = _burning(char, large=large) if cells.glyphs == "ascii" else _glyph(char, large=large)
         for row, piece in enumerate(glyph):
             cells.put(x, y + row, piece, "dim" if char == "°" else ink)
         x += len(glyph[0])

@@ -8,7 +8,7 @@ from rich.text import Text
 from textual.app import ComposeResult
 from textual.containers import Vertical
 from textual.widget import Widget
-from textual.widgets import OptionList, Static
+from textual.widgets import OptionList
 from textual.widgets.option_list import Option
 
 from birdcage_tui.commands import Command, in_force
@@ -29,13 +29,13 @@ def help_words(focused: Widget | None, page: Widget) -> str:
     return ""
 
 
-def line_of(command: Command, view: View) -> Text:
-    """Return a command's key and words; what cannot be done now says why."""
+def line_of(command: Command, view: View, width: int) -> Text:
+    """Return a command's key and words; what cannot be done now says why, and its key is not bold."""
     title = command.title if command.title.endswith("…") else f"{command.title}."
     reason = command.refused(view)
     why = "" if reason is None else f" Not now: {reason}"
-    rows = textwrap.wrap(f"{title} {command.help}{why}", WIDTH - 11)
-    return Text.assemble((f"{command.shown:>8}  ", "bold"), (f"\n{'':10}".join(rows), "dim" if reason else ""))
+    rows = textwrap.wrap(f"{title} {command.help}{why}", max(width - 11, 12))
+    return Text.assemble((f"{command.shown:>8}  ", "bold" if reason is None else ""), f"\n{'':10}".join(rows))
 
 
 class HelpScreen(Dialog[str | None]):
@@ -53,8 +53,6 @@ class HelpScreen(Dialog[str | None]):
         with Vertical() as frame:
             frame.border_title = "Help"
             frame.border_subtitle = "Enter does it, Esc closes"
-            if self._words:
-                yield Static(self._words, markup=False)
             yield OptionList(*self._options())
 
     def on_mount(self) -> None:
@@ -64,12 +62,15 @@ class HelpScreen(Dialog[str | None]):
 
     def _options(self) -> list[Option]:
         options: list[Option] = []
+        width = min(WIDTH, self.app.size.width - 6)
+        if self._words:
+            options.append(Option(Text(self._words), disabled=True))
         group = ""
         for command in in_force(self._view.scopes):
             if command.group != group:
                 group = command.group
                 options.append(Option(Text(group, "bold underline"), disabled=True))
-            options.append(Option(line_of(command, self._view), id=command.name))
+            options.append(Option(line_of(command, self._view, width), id=command.name))
         options.append(Option(Text(f"Always\n{ALWAYS}"), disabled=True))
         return options
 

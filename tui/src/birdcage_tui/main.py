@@ -20,6 +20,9 @@ def parser() -> argparse.ArgumentParser:
     parse.add_argument("--baud", type=int, help="baud rate, when it is not the dialect's own")
     parse.add_argument("--speed", type=float, help="run the simulated dish this many times faster; only with --demo")
     parse.add_argument("--theme", choices=("dusk", "daylight", "night"), help="the look; T changes it")
+    parse.add_argument(
+        "--glyphs", choices=("braille", "block", "ascii"), help="what is drawn with; by default what the terminal takes"
+    )
     parse.add_argument("--skip-init", action="store_true", help="do not wait for the dish to boot, and change nothing")
     parse.add_argument("--config", help="another birdcage.toml")
     parse.add_argument("--version", action="version", version=f"birdcage-tui {version('birdcage-tui')}")

@@ -67,7 +67,7 @@ class Pane(Widget):
         self.view = view
         if not self.size or not self.is_attached:
             return
-        cells = Cells(self.size.width, self.size.height, self.INK)
+        cells = Cells(self.size.width, self.size.height, self.INK, view.settings.glyphs)
         self.hot = []
         self.draw(cells, view)
         strips = cells.strips(self.inks)

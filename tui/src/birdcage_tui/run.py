@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from contextlib import ExitStack
 from dataclasses import replace
@@ -21,6 +22,7 @@ from birdcage.station.ring import owners_folder
 from birdcage.station.session import Session
 
 from birdcage_tui.app import BirdcageApp
+from birdcage_tui.glyphs import fitting
 from birdcage_tui.settings import AppSettings, Place
 from birdcage_tui.setup.engine import SetupEngine
 
@@ -69,6 +71,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSetti
         "dish.firmware": "g2" if options.demo else options.firmware,
         "dish.baud": None if options.demo else options.baud,
         "app.theme": options.theme,
+        "app.glyphs": options.glyphs,
     }
     settings = load(paths.config_file, environ={} if options.demo else None, flags=flags)
     port = settings.dish.port or _only_port()
@@ -114,6 +117,7 @@ def _app_settings(settings: Settings, paths: Paths, *, demo: bool) -> AppSetting
     if place.latitude_deg is not None and place.longitude_deg is not None:
         here = Place(place.latitude_deg, place.longitude_deg, place.name or "")
     notice = settings.problems[0].text if settings.problems else ""
+    chosen = "app.glyphs" in settings.sources
     return AppSettings(
         theme=settings.app.theme,
         place=here,
@@ -121,4 +125,6 @@ def _app_settings(settings: Settings, paths: Paths, *, demo: bool) -> AppSetting
         notice=notice,
         history_file=paths.history,
         logs_folder=paths.logs,
+        glyphs=settings.app.glyphs if chosen else fitting(os.environ),
+        update_hz=settings.app.update_hz,
     )

@@ -12,12 +12,12 @@ from birdcage.base.errors import BirdcageError
 from birdcage.station.events import Event, MoveEnded, ReadingRead
 from birdcage.station.requests import Unwatch, Watch
 from textual import events, on
-from textual.app import App, ComposeResult
+from textual.app import ComposeResult
 from textual.binding import Binding
 from textual.containers import Container
 from textual.driver import Driver
 from textual.timer import Timer
-from textual.widgets import ContentSwitcher, Input, Static
+from textual.widgets import ContentSwitcher, Input
 
 from birdcage_tui import commands
 from birdcage_tui.console.tap import WireTap
@@ -28,12 +28,11 @@ from birdcage_tui.pages.dashboard import DashboardPage
 from birdcage_tui.pages.page import Page
 from birdcage_tui.pages.register import make_page
 from birdcage_tui.palette import CommandProvider
-from birdcage_tui.pane import Pane
 from birdcage_tui.scope import Scope, scopes_of
 from birdcage_tui.settings import AppSettings
 from birdcage_tui.status import BadDayRow, StatusLine, StopButton, TopRow
 from birdcage_tui.stopping import focused_widget, is_stop_key, stop_first
-from birdcage_tui.themes import DEFAULT, LOOKS
+from birdcage_tui.surface import Surface
 from birdcage_tui.tour import Tour
 from birdcage_tui.view import Sample, View
 
@@ -42,14 +41,14 @@ if TYPE_CHECKING:
 
     from birdcage_tui.console.overlay import ConsoleOverlay
 
-FRAME_S = 0.1
-"""Between two frames while something moves, and between two repaints on change."""
 LISTEN_S = 0.4
 """Between two looks at how long the dish has been silent."""
 KEPT_SAMPLES = 2000
+POCKET_TALL = 20
+"""From so many rows on the pocket view's buttons are three rows tall."""
 
 
-class Shell(App[None]):
+class Shell(Surface):
     """What is seen, and when; what commands do is in `app`."""
 
     TITLE = "birdcage"
@@ -62,9 +61,8 @@ class Shell(App[None]):
     """One for each key of the table: what it does depends on what has the focus."""
 
     def __init__(self, session: Session, settings: AppSettings | None = None) -> None:
-        super().__init__()
+        super().__init__(settings or AppSettings())
         self.session = session
-        self.settings = settings or AppSettings()
         self.station = session.station
         self.stopped_keys: deque[events.Key] = deque(maxlen=16)
         """Keys that have stopped the dish already, on the thread that read them."""
@@ -85,13 +83,10 @@ class Shell(App[None]):
         self._unsubscribe: Callable[[], None] | None = None
         self._watching: str | None = None
         self._features: frozenset[str] = frozenset()
+        self._pocket: Page | None = None
+        self._folded = False
         self._frames: Timer | None = None
-        self._soon: Timer | None = None
-        self._painted = 0.0
         self._late = False
-        for look in LOOKS.values():
-            self.register_theme(look.theme())
-        self.theme = self.settings.theme if self.settings.theme in LOOKS else DEFAULT
 
     def get_driver_class(self) -> type[Driver]:
         """Return the platform's driver, with STOP in front."""
@@ -101,9 +96,6 @@ class Shell(App[None]):
         """Rows 1 and 2, the pages, the footer."""
         yield TopRow()
         yield BadDayRow()
-        yield Static(
-            "The terminal is smaller than 80x24: make it larger to see the pages. Space stops.", id="too-small"
-        )
         with Container(id="stage"), ContentSwitcher(initial="page-dashboard", id="pages"):
             yield DashboardPage(id="page-dashboard")
         yield GotoLine()
@@ -112,7 +104,7 @@ class Shell(App[None]):
     def on_mount(self) -> None:
         """Show a first frame; the session begins only after it has been painted."""
         self.theme_changed_signal.subscribe(self, self._recolour)
-        self._frames = self.set_interval(FRAME_S, self._tick, pause=True)
+        self._frames = self.set_interval(self._frame_s, self._tick, pause=True)
         self.set_interval(1.0, self._tick)
         self.set_interval(LISTEN_S, self._listen)
         self.call_after_refresh(self._begin)
@@ -171,12 +163,12 @@ class Shell(App[None]):
             for screen in self.screen_stack:
                 for row in (*screen.query(StatusLine), *screen.query(StopButton)):
                     row.show(view)
-            base.query_one(BadDayRow).show(view)
-            base.query_one(KeyBar).show(view)
+            for row in (*base.query(BadDayRow), *base.query(KeyBar)):  # none are left when the app ends
+                row.show(view)
             if self.sheet is not None and self.sheet.is_open:
                 self.sheet.show(view)
-            page = base.query_one("#pages", ContentSwitcher).visible_content
-            if isinstance(page, Page):
+            page = self._seen()
+            if page is not None:
                 page.show(view)
         self._painted = self._loop_time()
         if self._frames is not None:
@@ -192,26 +184,11 @@ class Shell(App[None]):
             self._late = late
             self.paint()
 
-    def _loop_time(self) -> float:
-        return self._loop.time() if self._loop is not None else 0.0
-
     def _tick(self) -> None:
         """Move the tour on and draw: ages and the time have changed."""
         self._tour_says = self._tour.step(self.view())
-        if self._loop_time() - self._painted >= FRAME_S / 2:
+        if self._due():
             self.paint()
-
-    def _changed(self) -> None:
-        """Draw soon: at once when the last frame is a while ago, else at the next beat."""
-        wait_s = FRAME_S - (self._loop_time() - self._painted)
-        if wait_s <= 0:
-            self.paint()
-        elif self._soon is None:
-            self._soon = self.set_timer(wait_s, self._paint_soon)
-
-    def _paint_soon(self) -> None:
-        self._soon = None
-        self.paint()
 
     @on(StationEvent)
     def _hear(self, message: StationEvent) -> None:
@@ -222,19 +199,39 @@ class Shell(App[None]):
             self._note = event.reason
         self._changed()
 
-    def on_resize(self) -> None:
+    def on_resize(self, event: events.Resize) -> None:
         """Choose the layout: one size may need both its width and its height."""
-        width, height = self.size
+        width, height = event.size  # `self.size` may still be the old one
         screen = self.screen_stack[0]
-        screen.set_class(width < 80 or height < 24, "-tiny")
+        tiny = width < 80 or height < 24
+        for node in (screen, self):
+            node.set_class(tiny, "-tiny")
+        screen.set_class(tiny and height >= POCKET_TALL, "-thumb")
+        self._fold(tiny)
         screen.set_class(width >= 100 and height >= 30, "-wide")
         screen.set_class(width >= 150, "-grand")
         screen.set_class(height >= 44, "-tall")
         self.call_after_refresh(self.paint)
 
-    def _recolour(self, _: object) -> None:
-        for pane in self.screen_stack[0].query(Pane):
-            pane.redraw()
+    def _fold(self, tiny: bool) -> None:
+        """Below 80x24 the pocket view stands in for every page; it is made when it is first needed."""
+        if tiny and self._pocket is None:
+            from birdcage_tui.pages.pocket import PocketPage
+
+            self._pocket = PocketPage()
+            self.screen_stack[0].mount(self._pocket, before="#stage")
+        if tiny != self._folded:
+            self._folded = tiny
+            self.screen_stack[0].set_focus(None)
+            if self._unsubscribe is not None:
+                self._watch()
+
+    def _seen(self) -> Page | None:
+        """Return the page that is seen; None before one is there, and when the app ends."""
+        if self._folded:
+            return self._pocket
+        pages = self.screen_stack[0].query("#pages > Page").results(Page)
+        return next((page for page in pages if page.display), None)
 
     # Pages.
 
@@ -245,6 +242,10 @@ class Shell(App[None]):
 
     async def _show_console(self, then: str | None) -> None:
         """Slide the console over the page, or away again; with `then`, one of its commands, it stays."""
+        if self._folded:
+            self._note = "The console needs 80x24: make the terminal larger."
+            self.paint()
+            return
         if self.sheet is None:
             from birdcage_tui.console.overlay import ConsoleOverlay
 
@@ -273,7 +274,11 @@ class Shell(App[None]):
             await pages.mount(page)
         if pages.current != page_id:
             pages.current = page_id
-            self._arrive(pages)
+            if not self._folded:
+                self._arrive(pages)
+        if self._folded:
+            self._note = "Pages need 80x24: make the terminal larger."
+            then = None
         self._watch()
         self.call_after_refresh(self.paint)
         if then is not None:
@@ -290,33 +295,34 @@ class Shell(App[None]):
     @property
     def page(self) -> Page:
         """The page that is seen."""
-        page = self.screen_stack[0].query_one("#pages", ContentSwitcher).visible_content
-        assert isinstance(page, Page), "the switcher holds pages only"
+        page = self._seen()
+        assert page is not None, "the first page is composed with the app"
         return page
 
     def scopes(self) -> tuple[Scope, ...]:
         """Return whose commands hold now, innermost first."""
-        if not self.screen_stack:
+        page = self._seen() if self.screen_stack else None
+        if page is None:
             return ()
         focused = self.screen_stack[0].focused
-        if self.sheet is None or not self.sheet.is_open:
-            return scopes_of(focused, [self.page])
+        if self._folded or self.sheet is None or not self.sheet.is_open:
+            return scopes_of(focused, [page])
         # The console lies over the page, whose keys hold only while something of it has the focus.
-        in_page = focused is not None and self.page in focused.ancestors_with_self
-        return scopes_of(focused, [self.page, self.sheet] if in_page else [self.sheet])
+        in_page = focused is not None and page in focused.ancestors_with_self
+        return scopes_of(focused, [page, self.sheet] if in_page else [self.sheet])
 
     def _watch(self) -> None:
         """Ask the station to read what the visible page shows, and nothing else."""
-        page = self.screen_stack[0].query_one("#pages", ContentSwitcher).visible_content
-        features = page.WATCHES if isinstance(page, Page) else frozenset()
+        page = self._seen()
+        features = page.WATCHES if page is not None else frozenset()
         if self.sheet is not None and self.sheet.typing:
             features &= {"position"}  # the rest would change the menu while a person types for it
-        wanted = page.id if isinstance(page, Page) and features else None
+        wanted = page.id if page is not None and features else None
         if (wanted, features) == (self._watching, self._features):
             return
         if self._watching not in (None, wanted):
             self.station.submit(Unwatch(self._watching))
-        if wanted is not None and isinstance(page, Page):
+        if wanted is not None and page is not None:
             self.station.submit(Watch(wanted, features, page.RATE_HZ))
         self._watching, self._features = wanted, features
 

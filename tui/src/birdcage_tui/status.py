@@ -15,6 +15,9 @@ from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
 from birdcage_tui.words import ACTIVITY, LATE, LINK, age_text, bad_day, calm
 
+NARROW = 68
+"""Below so many columns not every field finds room."""
+
 
 class StatusLine(Pane):
     """Everything a person must know in one second. Fields keep their widths, so that nothing jumps."""
@@ -31,7 +34,12 @@ class StatusLine(Pane):
             end -= 6
             cells.put(end, 0, " DEMO ", "target-row")
         x = 1
-        for text, ink in self._fields(view, wide=cells.width >= 110):
+        fields = self._fields(view, wide=cells.width >= 110)
+        if cells.width < NARROW:
+            # The big digits below say where it points; who has control stands nowhere else.
+            link, az, el, activity, holder, *_ = fields
+            fields = [link, holder, activity, az, el]
+        for text, ink in fields:
             if x + len(text) > end:
                 break
             x = cells.put(x, 0, text, ink) + 2

@@ -42,6 +42,13 @@ def stop_first(base: type[Driver]) -> type[Driver]:
     class StopFirst(base):  # type: ignore[misc, valid-type]
         """Sees every key before the event loop does."""
 
+        @property
+        def unwritten(self) -> int:
+            """How many pieces of output wait for a terminal that is slower than the app; 0 where nothing queues."""
+            # Textual hands output to a thread of its own, and says nothing about how far that is.
+            queue = getattr(getattr(self, "_writer_thread", None), "_queue", None)
+            return 0 if queue is None else queue.qsize()
+
         def send_message(self, message: Message) -> None:
             stop_key: StopKey | None = getattr(self._app, "stop_key", None)
             if isinstance(message, Key) and stop_key is not None and stop_key(message):

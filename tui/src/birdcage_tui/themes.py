@@ -9,6 +9,18 @@ from rich.style import Style
 from textual.theme import Theme
 
 
+def _luminance(colour: str) -> float:
+    channels = [int(colour[index : index + 2], 16) / 255 for index in (1, 3, 5)]
+    red, green, blue = (c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in channels)
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
+def contrast(one: str, other: str) -> float:
+    """Return the contrast of two colours, `#rrggbb`, from 1 to 21 (WCAG 2.1, section 1.4.3)."""
+    high, low = sorted((_luminance(one), _luminance(other)), reverse=True)
+    return (high + 0.05) / (low + 0.05)
+
+
 @dataclass(frozen=True)
 class Look:
     """The colours of one theme, as `#rrggbb`. A state always has a glyph and a word besides its colour."""
@@ -33,6 +45,8 @@ class Look:
     warn: str
     fault: str
     dark: bool = True
+    row: str = ""
+    """Ground of rows that must be seen, with `fault` as their ink; empty: the state's own colour, inked in `ground`."""
 
     @cached_property
     def inks(self) -> dict[str, Style]:
@@ -43,7 +57,8 @@ class Look:
         inks["big"] = Style(color=self.accent, bgcolor=self.ground, bold=True)
         for ink in ("accent", "target", "good", "warn", "fault"):
             inks[f"{ink}-strong"] = Style(color=getattr(self, ink), bgcolor=self.ground, bold=True)
-            inks[f"{ink}-row"] = Style(color=self.ground, bgcolor=getattr(self, ink), bold=True)
+            colour, back = (self.fault, self.row) if self.row else (self.ground, getattr(self, ink))
+            inks[f"{ink}-row"] = Style(color=colour, bgcolor=back, bold=True)
         inks["key"] = Style(color=self.text, bgcolor=self.raised, bold=True)
         inks["bar"] = Style(color=self.text, bgcolor=self.raised)
         inks["bar-warn"] = Style(color=self.warn, bgcolor=self.raised, bold=True)
@@ -94,10 +109,10 @@ LOOKS = {
             line="#3d4854",
             focus="#7f95ad",
             accent="#63c7f2",
-            target="#f3c64f",
+            target="#f3d264",
             good="#b5d6c3",
-            warn="#ff9e4a",
-            fault="#ff7a7a",
+            warn="#ff9438",
+            fault="#ff6b7d",
         ),
         Look(
             name="daylight",
@@ -109,10 +124,10 @@ LOOKS = {
             line="#a4aeb8",
             focus="#3f5366",
             accent="#004f8c",
-            target="#8a6d00",
+            target="#846800",
             good="#24503a",
-            warn="#9a3a00",
-            fault="#b00020",
+            warn="#7d3300",
+            fault="#c2004a",
             dark=False,
         ),
         Look(
@@ -129,6 +144,7 @@ LOOKS = {
             good="#ff2a1a",
             warn="#ff2a1a",
             fault="#ff4a3a",
+            row="#4a0000",
         ),
     )
 }

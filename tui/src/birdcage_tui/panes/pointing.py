@@ -9,6 +9,42 @@ from birdcage_tui.view import View
 from birdcage_tui.words import age_text, motion_text, stop_text
 
 
+def motion_ink(view: View) -> str:
+    """Return the ink of the line that says what it does."""
+    if view.waiting:
+        return "dim"
+    if not view.link_up:
+        return "warn"
+    return "accent-strong" if view.moving else "text"
+
+
+def cable_gauge(cells: Cells, y: int, view: View) -> None:
+    """Draw where the cable stands between its two stops; hatched when its turn is not known."""
+    state = view.state
+    cable = state.dish.cable if state.dish is not None else None
+    if state.dish is not None and cable is None:
+        cells.put(1, y, "cable: this dish has no stop", "dim")
+        return
+    turn = state.position.cable_deg if state.position is not None else None
+    if cable is None or turn is None:
+        words, ink = " turn unknown", "dim" if view.waiting else "warn"
+        cells.put(1, y, "cable ", "dim")
+        cells.put(7, y, "▕" + "▨" * max(cells.width - 10 - len(words), 0) + "▏", "line")
+        cells.put(cells.width - 1 - len(words), y, words, ink)
+        return
+    left, right = turn - cable.min_deg, cable.max_deg - turn
+    x = cells.put(1, y, "cable ", "dim")
+    x = cells.put(x, y, f"CCW {left:3.0f}° ", "text")
+    tail = f" {right:3.0f}° CW"
+    width = cells.width - 1 - x - len(tail) - 2
+    if width < 3:
+        return
+    mark = min(width - 1, max(0, int(left / (left + right) * width)))
+    cells.put(x, y, "▕" + "─" * width + "▏", "dim")
+    cells.put(x + 1 + mark, y, "◉", "dim" if view.stale else "accent")
+    cells.put(x + width + 2, y, tail, "text")
+
+
 class PointingPane(Pane):
     """Big digits, the motion with its bar, STOP's power, the cable gauge."""
 
@@ -21,18 +57,10 @@ class PointingPane(Pane):
         air = 1 if cells.height >= 10 else 0
         large = cells.width >= 55 and cells.height >= 12
         y = self._digits(cells, view, large=large) + air
-        cells.put(1, y, motion_text(view)[: cells.width - 2], self._ink(view))
+        cells.put(1, y, motion_text(view)[: cells.width - 2], motion_ink(view))
         self._bar(cells, y + 1, view)
         cells.put(1, y + 2, stop_text(view)[: cells.width - 2], "text" if view.moving else "dim")
-        self._cable(cells, y + 3 + air, view)
-
-    @staticmethod
-    def _ink(view: View) -> str:
-        if view.waiting:
-            return "dim"
-        if not view.link_up:
-            return "warn"
-        return "accent-strong" if view.moving else "text"
+        cable_gauge(cells, y + 3 + air, view)
 
     @staticmethod
     def _digits(cells: Cells, view: View, *, large: bool) -> int:
@@ -72,30 +100,3 @@ class PointingPane(Pane):
         done = round(progress * width)
         cells.put(1, y, "━" * done, "accent")
         cells.put(1 + done, y, "─" * (width - done), "line")
-
-    @staticmethod
-    def _cable(cells: Cells, y: int, view: View) -> None:
-        """Draw where the cable stands between its two stops; hatched when its turn is not known."""
-        state = view.state
-        cable = state.dish.cable if state.dish is not None else None
-        if state.dish is not None and cable is None:
-            cells.put(1, y, "cable: this dish has no stop", "dim")
-            return
-        turn = state.position.cable_deg if state.position is not None else None
-        if cable is None or turn is None:
-            words, ink = " turn unknown", "dim" if view.waiting else "warn"
-            cells.put(1, y, "cable ", "dim")
-            cells.put(7, y, "▕" + "▨" * max(cells.width - 10 - len(words), 0) + "▏", "line")
-            cells.put(cells.width - 1 - len(words), y, words, ink)
-            return
-        left, right = turn - cable.min_deg, cable.max_deg - turn
-        x = cells.put(1, y, "cable ", "dim")
-        x = cells.put(x, y, f"CCW {left:3.0f}° ", "text")
-        tail = f" {right:3.0f}° CW"
-        width = cells.width - 1 - x - len(tail) - 2
-        if width < 3:
-            return
-        mark = min(width - 1, max(0, int(left / (left + right) * width)))
-        cells.put(x, y, "▕" + "─" * width + "▏", "dim")
-        cells.put(x + 1 + mark, y, "◉", "dim" if view.stale else "accent")
-        cells.put(x + width + 2, y, tail, "text")

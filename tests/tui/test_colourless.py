@@ -1,0 +1,126 @@
+"""NO_COLOR and terminals of few colours: what colours say is said by attributes, signs and words too."""
+
+import asyncio
+
+import pytest
+import stand_in
+from birdcage_tui import attributes
+from birdcage_tui.themes import LOOKS
+from rich.color import ColorSystem
+
+
+def rows(state, *keys, size=(80, 24), theme="dusk"):
+    """Every row as (text, style) pieces, as they go to a terminal."""
+
+    async def main():
+        app = stand_in.app_in(state, theme=theme)
+        async with app.run_test(size=size) as pilot:
+            await pilot.pause()
+            for key in keys:
+                await pilot.press(key)
+                await pilot.pause()
+            await pilot.wait_for_scheduled_animations()
+            app.paint()
+            await pilot.pause()
+            return [[(text, style) for text, style, _ in strip] for strip in app.screen._compositor.render_strips()]
+
+    return asyncio.run(main())
+
+
+def style_of(found, words):
+    """The style of the piece that holds these words."""
+    return next(style for row in found for text, style in row if words in text)
+
+
+@pytest.fixture
+def no_color(monkeypatch):
+    monkeypatch.setenv("NO_COLOR", "1")
+
+
+@pytest.mark.parametrize(
+    ("environ", "without"),
+    [({"NO_COLOR": "1"}, True), ({"NO_COLOR": ""}, False), ({"TERM": "vt100"}, True), ({"TERM": "dumb"}, True),
+     ({"TERM": "linux"}, False), ({"TERM": "xterm-16color"}, False), ({}, False)],
+)  # fmt: skip
+def test_when_there_are_no_colours(environ, without):
+    assert attributes.wanted(environ) is without
+
+
+@pytest.mark.usefixtures("no_color")
+@pytest.mark.parametrize("theme", LOOKS)
+@pytest.mark.parametrize("keys", [(), ("H",), ("g",), ("question_mark",), ("colon",), ("semicolon",)], ids=str)
+def test_no_colour_goes_out(keys, theme):
+    coloured = [
+        (text, str(style))
+        for row in rows("held", *keys, theme=theme)
+        for text, style in row
+        if style is not None and not (style.color is None and style.bgcolor is None)
+    ]
+    assert coloured == []
+
+
+@pytest.mark.usefixtures("no_color")
+@pytest.mark.parametrize("theme", LOOKS)
+@pytest.mark.parametrize(
+    ("state", "words"),
+    [("held", "■ HELD"), ("fault", "✖ FAULT"), ("lost", "○ LINK LOST"), ("not-homed", "▲ NOT HOMED")],
+)
+@pytest.mark.parametrize("size", [(80, 24), (40, 12)], ids=str)
+def test_what_is_wrong_stands_out_without_colour(state, words, size, theme):
+    found = rows(state, size=size, theme=theme)
+    assert style_of(found, words).reverse
+    assert style_of(found, "STOP" if size == (80, 24) else "S T O P").reverse
+    assert not style_of(found, "12:00:00Z").reverse
+
+
+@pytest.mark.usefixtures("no_color")
+@pytest.mark.parametrize("theme", LOOKS)
+def test_keys_that_hold_and_keys_that_do_not_look_different(theme):
+    held, idle = rows("held", theme=theme)[-1:], rows("idle", theme=theme)[-1:]
+    assert style_of(held, " g ").dim
+    assert not style_of(held, " g ").bold
+    assert style_of(idle, " g ").bold
+    assert not style_of(idle, " g ").dim
+
+
+@pytest.mark.usefixtures("no_color")
+@pytest.mark.parametrize("theme", LOOKS)
+def test_cursors_and_labels_are_reversed_and_frames_quiet(theme):
+    assert style_of(rows("idle", "question_mark", theme=theme), "Stop everything now").reverse
+    assert style_of(rows("idle", "semicolon", theme=theme), " s ").reverse
+    page = rows("idle", theme=theme)
+    assert style_of(page, "╭").dim
+    assert not style_of(page, "IDLE, at rest").dim
+
+
+@pytest.mark.usefixtures("no_color")
+@pytest.mark.parametrize("look", LOOKS.values(), ids=LOOKS)
+def test_the_frame_of_what_has_the_focus_is_bold(look):
+    from rich.style import Style
+
+    focused = attributes.without_colour(Style(color=look.focus, bgcolor=look.ground), look)
+    other = attributes.without_colour(Style(color=look.line, bgcolor=look.ground), look)
+    assert (focused.bold, focused.dim) == (True, False)
+    assert (other.bold, other.dim) == (False, True)
+
+
+def test_what_a_click_finds_is_kept():
+    from rich.style import Style
+
+    style = attributes.without_colour(Style(color="#ffffff", meta={"option": 3}), LOOKS["dusk"])
+    assert style.meta == {"option": 3}
+    assert style.color is None
+
+
+@pytest.mark.parametrize("look", LOOKS.values(), ids=LOOKS)
+def test_in_16_colours_nothing_that_is_read_vanishes(look):
+    def in_16(colour):
+        return colour.downgrade(ColorSystem.STANDARD).number
+
+    for name, style in look.inks.items():
+        if name != "faint":
+            assert in_16(style.color) != in_16(style.bgcolor), name
+    assert in_16(look.inks["dim"].color) != in_16(look.inks["text"].color)
+    for name in ("warn-row", "fault-row"):
+        if look.name != "night":
+            assert in_16(look.inks[name].bgcolor) != in_16(look.inks["text"].bgcolor), name

@@ -1,0 +1,64 @@
+"""Below 80x24: digits, cable, signal, jog and STOP, for a phone over ssh while standing at the dish."""
+
+from __future__ import annotations
+
+from textual.app import ComposeResult
+from textual.containers import Horizontal, Vertical
+
+from birdcage_tui.pages.page import Page
+from birdcage_tui.panes.next import NextPane
+from birdcage_tui.panes.signal import SignalPane
+from birdcage_tui.panes.sky import SkyPane
+from birdcage_tui.pocket.keys import PocketKeys, StopBar
+from birdcage_tui.pocket.layout import Layout, arrange
+from birdcage_tui.pocket.reading import PocketReading, wrong_rows
+from birdcage_tui.view import View
+
+
+class PocketPage(Page):
+    """One column, or readings beside the sky where it is wide; every row is given by `arrange`."""
+
+    WATCHES = frozenset({"position", "rssi"})
+    RATE_HZ = 2.0
+    HELP = "The pocket view, for less than 80x24: the arrows step the dish, - and + change the step."
+
+    def __init__(self) -> None:
+        super().__init__(id="page-pocket")
+        self._layout: Layout | None = None
+
+    def compose(self) -> ComposeResult:
+        """Readings, signal, words and sky; under them what can be pressed."""
+        with Horizontal(id="pocket-body"):
+            with Vertical(id="pocket-column"):
+                yield PocketReading()
+                yield SignalPane()
+                yield NextPane()
+            yield SkyPane()
+        yield PocketKeys()
+        yield StopBar()
+
+    def show(self, view: View) -> None:
+        """Give the room to what has something to show, then draw."""
+        width, height = self.size
+        if width and height:
+            layout = arrange(
+                width, height, heard=bool(view.signal), wrong_in=lambda columns: len(wrong_rows(view, columns)[1])
+            )
+            if layout != self._layout:
+                self._layout = layout
+                self._apply(layout)
+        super().show(view)
+
+    def _apply(self, layout: Layout) -> None:
+        self.query_one(PocketReading).cramped = layout.keys == 0
+        body = self.query_one("#pocket-body")
+        body.styles.layout = "horizontal" if layout.beside else "vertical"
+        column = self.query_one("#pocket-column")
+        column.styles.width = layout.column if layout.beside else "1fr"
+        column.styles.height = "1fr" if layout.beside else layout.reading + layout.signal + layout.words
+        for kind, rows in ((PocketReading, layout.reading), (SignalPane, layout.signal), (NextPane, layout.words),
+                           (PocketKeys, layout.keys), (StopBar, layout.stop)):  # fmt: skip
+            pane = self.query_one(kind)
+            pane.display = rows > 0
+            pane.styles.height = rows
+        self.query_one(SkyPane).display = layout.sky

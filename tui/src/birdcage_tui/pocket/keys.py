@@ -1,0 +1,73 @@
+"""The pocket view's touch targets: jog, step, a few commands, and STOP over the whole width."""
+
+from __future__ import annotations
+
+from textual.geometry import Region
+
+from birdcage_tui.canvas import Cells
+from birdcage_tui.commands import BY_NAME
+from birdcage_tui.commands.table import can_release
+from birdcage_tui.pane import Pane
+from birdcage_tui.status import StopButton
+from birdcage_tui.view import View
+
+JOG = (("left", "◀"), ("up", "▲"), ("down", "▼"), ("right", "▶"))
+MORE = (("goto", "g go to"), ("home", "H home"), ("help", "? help"), ("palette", ": all"))
+STEP_WIDTH = 13
+"""Columns of `[-] 0.05° [+]`."""
+
+
+def _centred(words: str, width: int) -> str:
+    """Return `words` in the middle, or one to the right of it: a jump label covers the left end."""
+    words = words[:width]
+    return words.rjust((width + len(words) + 1) // 2).ljust(width)
+
+
+class PocketKeys(Pane):
+    """Two rows of buttons; the jog buttons grow when the pane is taller."""
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Draw the jog row, as tall as there is room for, and the row of commands."""
+        tall = max(cells.height - 1, 1)
+        room = max(cells.width - 2 - STEP_WIDTH - 1, 3 * len(JOG))
+        for index, (command, sign) in enumerate(JOG):
+            x, end = 1 + room * index // len(JOG), 1 + room * (index + 1) // len(JOG)
+            self._key(cells, Region(x, 0, end - x, tall), command, sign, view)
+        x = cells.width - 1 - STEP_WIDTH
+        self._key(cells, Region(x, 0, 3, tall), "step-down", "-", view)
+        cells.put(x + 3, tall // 2, f"{view.step_deg:g}°".center(7), "strong")
+        self._key(cells, Region(x + 10, 0, 3, tall), "step-up", "+", view)
+        if cells.height < 2:
+            return
+        release = (("release", "Enter release"), *MORE[2:]) if can_release(view) is None else MORE
+        wide, taken = cells.width - 2, 0
+        for command, words in release:
+            x, taken = 1 + wide * taken // len(MORE), taken + (2 if command == "release" else 1)
+            self._key(cells, Region(x, tall, 1 + wide * taken // len(MORE) - x, 1), command, words, view)
+
+    def _key(self, cells: Cells, place: Region, command: str, words: str, view: View) -> None:
+        """Draw one button and make it press: in brackets; in round ones, and dim, while it is refused."""
+        refused = BY_NAME[command].refused(view) is not None
+        ink = "dim" if refused else "key"
+        middle = place.y + place.height // 2
+        left, right = "()" if refused else "[]"
+        if place.height > 1:
+            left, right = ("╎", "╎") if refused else ("│", "│")
+            line = ("╌" if refused else "─") * (place.width - 2)
+            for y in range(place.y, place.bottom):
+                cells.put(place.x, y, f"{left}{' ' * (place.width - 2)}{right}", ink)
+            cells.put(place.x, place.y, f"╭{line}╮", ink)
+            cells.put(place.x, place.bottom - 1, f"╰{line}╯", ink)
+            words = f"({words})" if refused and place.width >= 5 else words
+        cells.put(place.x, middle, f"{left}{_centred(words, place.width - 2)}{right}", ink)
+        self.hot.append((place, command))
+
+
+class StopBar(StopButton):
+    """STOP for a thumb: the press counts, wherever it lands on the bar."""
+
+    def draw(self, cells: Cells, view: View) -> None:  # noqa: ARG002 - it looks the same whatever happens
+        """Say what it is, in the middle."""
+        for y in range(cells.height):
+            words = "■  S T O P" if y == cells.height // 2 else ""
+            cells.put(0, y, words.center(cells.width), "fault-row")

@@ -1,0 +1,80 @@
+"""What the app looks like on this terminal, and how often it is drawn: theme, glyph set, attributes, frames."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+
+from textual.app import App
+from textual.filter import LineFilter, Monochrome
+from textual.timer import Timer
+
+from birdcage_tui import attributes
+from birdcage_tui.glyphs import GlyphFilter
+from birdcage_tui.pane import Pane
+from birdcage_tui.settings import AppSettings
+from birdcage_tui.themes import DEFAULT, LOOKS, Look
+
+
+class Surface(App[None]):
+    """The base of the shell: what is drawn is the shell's, when and in which signs and colours is settled here."""
+
+    def __init__(self, settings: AppSettings) -> None:
+        super().__init__()
+        self.settings = settings
+        self._frame_s = 1.0 / settings.update_hz
+        """Between two frames while something moves, and between two repaints on change, at least."""
+        self._soon: Timer | None = None
+        self._painted = 0.0
+        for look in LOOKS.values():
+            self.register_theme(look.theme())
+        self.theme = settings.theme if settings.theme in LOOKS else DEFAULT
+        self._glyph_filter = GlyphFilter(settings.glyphs)
+        self._attribute_filter = attributes.AttributeFilter(self._look)
+        self._colourless = attributes.wanted(os.environ)
+
+    def _look(self) -> Look:
+        return LOOKS.get(self.theme, LOOKS[DEFAULT])
+
+    def get_line_filters(self) -> Sequence[LineFilter]:
+        """Return what finished rows go through: another glyph set, and attributes in place of colours."""
+        filters = [one for one in super().get_line_filters() if not (self._colourless and isinstance(one, Monochrome))]
+        if self._colourless:
+            filters.append(self._attribute_filter)
+        if self._glyph_filter.enabled:
+            filters.append(self._glyph_filter)
+        return filters
+
+    def _recolour(self, _: object) -> None:
+        for pane in self.screen_stack[0].query(Pane):
+            pane.redraw()
+
+    def paint(self) -> None:
+        """Draw a frame."""
+        raise NotImplementedError
+
+    def _loop_time(self) -> float:
+        return self._loop.time() if self._loop is not None else 0.0
+
+    def _due(self) -> bool:
+        """Return whether the next frame of a motion may be drawn."""
+        return self._loop_time() - self._painted >= self._frame_s / 2 and not self._terminal_lags()
+
+    def _changed(self) -> None:
+        """Draw soon: at once when the last frame is a while ago, else at the next beat."""
+        wait_s = self._frame_s - (self._loop_time() - self._painted)
+        if wait_s <= 0 and not self._terminal_lags():
+            self.paint()
+        elif self._soon is None:
+            self._soon = self.set_timer(max(wait_s, self._frame_s / 2), self._paint_soon)
+
+    def _paint_soon(self) -> None:
+        self._soon = None
+        if self._terminal_lags():
+            self._changed()
+        else:
+            self.paint()
+
+    def _terminal_lags(self) -> bool:
+        """Return whether a frame still waits to be written: another one would only stand behind it."""
+        return getattr(self._driver, "unwritten", 0) > 0
