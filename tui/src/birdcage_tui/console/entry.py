@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from enum import Enum
 from typing import cast
 
@@ -24,14 +25,18 @@ class ConsoleInput(Input):
     # Tab would leave the line: the screen's own binding comes before those of the app.
     BINDINGS = [Binding("tab", "complete", show=False)]  # noqa: RUF012
 
+    def __init__(self, do: Callable[[str], bool]) -> None:
+        super().__init__(select_on_focus=False)
+        self._do = do
+
     @property
     def scope(self) -> str:
         """Its commands' `where`."""
         return "console-input"
 
-    def do(self, command: str) -> bool:  # noqa: ARG002 - the console around it does them all
-        """Leave it to the console."""
-        return False
+    def do(self, command: str) -> bool:
+        """Have the console around it do it."""
+        return self._do(command)
 
     def action_complete(self) -> None:
         """Complete what was typed."""
@@ -57,8 +62,9 @@ class FindInput(Input):
             super().__init__()
             self.kept = kept
 
-    def __init__(self) -> None:
+    def __init__(self, do: Callable[[str], bool]) -> None:
         super().__init__(select_on_focus=False, disabled=True)
+        self._do = do
         self.purpose = Purpose.LOG
         self.display = False
 
@@ -67,9 +73,9 @@ class FindInput(Input):
         """Its commands' `where`."""
         return "console-find"
 
-    def do(self, command: str) -> bool:  # noqa: ARG002 - the console around it does them all
-        """Leave it to the console."""
-        return False
+    def do(self, command: str) -> bool:
+        """Have the console around it do it."""
+        return self._do(command)
 
     def open(self, purpose: Purpose) -> None:
         """Show it, and take the focus."""

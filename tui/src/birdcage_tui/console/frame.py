@@ -78,6 +78,7 @@ class HintLine(Pane):
         rows = self.lines(cells.width)
         for y, (row, ink) in enumerate(rows):
             cells.put(0, y, f" {row}".ljust(cells.width), ink)
+            self.heat(0, y, cells.width, "console-type")
 
 
 class PromptCell(Pane):
@@ -98,6 +99,7 @@ class PromptCell(Pane):
     def draw(self, cells: Cells, view: View) -> None:  # noqa: ARG002 - what it says is set by the console
         """Write it, right-aligned, so that it stands against what is typed."""
         cells.right(cells.width - 1, 0, self.words, self.ink)
+        self.heat(0, 0, cells.width, "console-type")
 
 
 class KeysLine(Edge):

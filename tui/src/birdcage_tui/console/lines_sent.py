@@ -14,7 +14,7 @@ Later = Callable[[Callable[[], None]], None]
 """Runs something soon on the app's thread. May be called from any thread."""
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, eq=False)
 class Sent:
     """One line under way."""
 

@@ -40,7 +40,7 @@ class ConsoleOverlay(Container):
     def __init__(self, shell: Shell) -> None:
         super().__init__(id="console")
         self._shell, self._tap, self._wire = shell, shell.tap, WireLog(shell.tap)
-        self._pane, self._entry, self._finder = LogView(), ConsoleInput(select_on_focus=False), FindInput()
+        self._pane, self._entry, self._finder = LogView(), ConsoleInput(self.do), FindInput(self.do)
         self._head, self._hinted, self._prompt, self._keys = HeadLine(), HintLine(), PromptCell(), KeysLine()
         self._sent = LinesSent(shell.station.submit, shell.soon, self._failed)
         self._asking = Asking(shell.station, self._sent, History(shell.settings.history_file), self._ask)
@@ -156,7 +156,7 @@ class ConsoleOverlay(Container):
         log, tap = self._pane, self._tap
         if log.needle:
             number = f"{log.match_number} of {len(log.matches)}" if log.matches else "no match"
-            return (f'"{log.needle}" {number}', "target-strong"), "console-next"
+            return (f'"{log.needle}" {number}  n N', "target-strong"), "console-next"
         if not log.following:
             return (f"▼ {log.fresh} new, End follows", "warn-strong"), "console-end"
         if tap.since is None:
@@ -252,6 +252,8 @@ class ConsoleOverlay(Container):
             if answer:
                 then()
 
+        if isinstance(self.app.screen, QuestionScreen):
+            return  # Enter was pressed twice
         self.app.push_screen(QuestionScreen(title, words, yes), answered)
 
     def _failed(self, line: str, error: BaseException) -> None:
