@@ -14,12 +14,11 @@ from birdcage_tui.commands.jog import DIRECTIONS, STEPS_DEG
 from birdcage_tui.dialogs import QuestionScreen
 from birdcage_tui.goto import GotoLine
 from birdcage_tui.help import HelpScreen, help_words
+from birdcage_tui.host import YOU
 from birdcage_tui.jump import JumpScreen, Target, targets
 from birdcage_tui.messages import CommandChosen
 from birdcage_tui.shell import Shell
 from birdcage_tui.themes import LOOKS
-
-YOU = "you"
 
 
 class BirdcageApp(Shell):
@@ -50,7 +49,7 @@ class BirdcageApp(Shell):
             deed()
         else:
             # Another page's: go there, and do it.
-            self.show_page(command.where[0], then=name)
+            self.show_page(command.page or command.where[0], then=name)
 
     def _deed(self, name: str) -> Callable[[], object] | None:
         """Return what the app itself does for a command; None for what a page does."""
@@ -61,7 +60,7 @@ class BirdcageApp(Shell):
         deeds: dict[str, Callable[[], object]] = {
             "stop": self.stop_now,
             "release": self.release,
-            "goto": lambda: self.query_one(GotoLine).open(),
+            "goto": self.open_goto,
             "step-up": lambda: self.change_step(1),
             "step-down": lambda: self.change_step(-1),
             "home": self.ask_home,
@@ -87,6 +86,10 @@ class BirdcageApp(Shell):
                 self._loop.call_soon_threadsafe(self.say, str(error))
 
         self.station.submit(request).add_done_callback(done)
+
+    def open_goto(self, text: str = "") -> None:
+        """Open the go-to line, over whatever page is seen."""
+        self.screen_stack[0].query_one(GotoLine).open(text)
 
     def jog(self, az_steps: float, el_steps: float) -> None:
         """Step from the last commanded target."""

@@ -1,33 +1,64 @@
-"""The one-line go-to above the footer."""
+"""The go-to line: lies over the last rows while it is open, and says what Enter would do while one types."""
 
 from __future__ import annotations
 
-import math
+import textwrap
+from typing import cast
 
 from textual import events
 from textual.app import ComposeResult
-from textual.containers import Horizontal
+from textual.containers import Horizontal, Vertical
 from textual.message import Message
+from textual.widget import Widget
 from textual.widgets import Input, Label
 
+from birdcage_tui.canvas import Cells
+from birdcage_tui.commands.table import can_move
+from birdcage_tui.control.reach import forbidden, way_words
+from birdcage_tui.goto_text import EXAMPLES, Aim, parse, resolve
+from birdcage_tui.host import Host
+from birdcage_tui.pane import Pane
+from birdcage_tui.view import View
 
-def parse_direction(text: str) -> tuple[float, float]:
-    """Return azimuth and elevation from `231.4 44`, space, comma or slash between.
 
-    ValueError says what is wrong.
-    """
-    words = text.replace(",", " ").replace("/", " ").replace("°", " ").split()
+def aim_of(text: str, view: View) -> Aim:
+    """Return where `text` leads from where things stand now. ValueError says what to type instead."""
+    return resolve(parse(text, view.presets), view.state)
+
+
+def foretell(text: str, view: View) -> tuple[str, str]:
+    """Return the ink and the words for what Enter would do with `text`."""
+    if not text.strip():
+        return "dim", f"Type {EXAMPLES}. A sign counts from the last target."
     try:
-        az_deg, el_deg = map(float, words)
-    except ValueError:
-        raise ValueError("Type two numbers, azimuth and elevation: 231.4 44") from None
-    if not (math.isfinite(az_deg) and math.isfinite(el_deg)):
-        raise ValueError("Both must be finite numbers.")
-    return az_deg, el_deg
+        aim = aim_of(text, view)
+    except ValueError as wrong:
+        return "warn", f"▲ {wrong}"
+    reason = can_move(view) or forbidden(view.state, aim.az_deg, aim.el_deg)
+    if reason is not None:
+        return "warn", f"▲ Refused: {reason}"
+    return "text", f"✕ {way_words(view, aim)}"
 
 
-class GotoLine(Horizontal):
-    """One line above the footer: azimuth and elevation; Enter sends it and gives the focus back."""
+class GotoPreview(Pane):
+    """What Enter would do, in two rows at most."""
+
+    INK = "bar"
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.text = ""
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Write the words."""
+        ink, words = foretell(self.text, view)
+        rows = textwrap.wrap(words, max(cells.width - 2, 10), max_lines=cells.height, placeholder=" …")
+        for y, row in enumerate(rows):
+            cells.put(1, y, row, {"text": "bar", "dim": "bar-dim", "warn": "bar-warn"}[ink])
+
+
+class GotoLine(Vertical):
+    """A field and what Enter would do; Enter sends it, and what had the focus has it again."""
 
     class Sent(Message):
         """A direction to go to."""
@@ -36,36 +67,67 @@ class GotoLine(Horizontal):
             super().__init__()
             self.az_deg, self.el_deg = az_deg, el_deg
 
-    def compose(self) -> ComposeResult:
-        """A label and a field, which has no focus before `open`."""
-        yield Label("go to  az el:")
-        yield Input(placeholder="231.4 44      Enter goes there, Esc closes, Ctrl+C stops", disabled=True)
+    def __init__(self) -> None:
+        super().__init__()
+        self._before: Widget | None = None
 
-    def open(self) -> None:
-        """Show the line and take the focus."""
-        self.add_class("-open")
+    @property
+    def is_open(self) -> bool:
+        """Whether it is seen."""
+        return self.has_class("-open")
+
+    def compose(self) -> ComposeResult:
+        """A label and a field, which has no focus before `open`; the preview."""
+        with Horizontal():
+            yield Label("go to")
+            yield Input(placeholder="Enter goes there, Esc closes, Ctrl+C stops", disabled=True)
+        yield GotoPreview()
+
+    def open(self, text: str = "") -> None:
+        """Show the line with `text` in it and take the focus."""
         field = self.query_one(Input)
+        if not self.is_open:
+            self._before = self.screen.focused
+        self.add_class("-open")
         field.disabled = False
-        field.value = ""
+        field.value = text
+        field.cursor_position = len(text)
         field.focus()
+        self._foretell(text)
 
     def close(self) -> None:
         """Hide the line and give the focus back."""
         self.remove_class("-open")
         self.query_one(Input).disabled = True
-        self.screen.set_focus(None)
+        before, self._before = self._before, None
+        back = before is not None and before.is_attached and before.focusable
+        self.screen.set_focus(before if back else None)
+
+    def show(self, view: View) -> None:
+        """Foretell from where things stand now."""
+        if self.is_open:
+            self.query_one(GotoPreview).show(view)
+
+    def _foretell(self, text: str) -> None:
+        preview = self.query_one(GotoPreview)
+        preview.text = text
+        preview.show(cast(Host, self.app).view())
+
+    def on_input_changed(self, event: Input.Changed) -> None:
+        """Say what it means so far."""
+        event.stop()
+        self._foretell(event.value)
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
-        """Send what was typed, or say what is wrong with it."""
+        """Send what was typed; what cannot be read stays there, and the line below says why."""
         event.stop()
         try:
-            az_deg, el_deg = parse_direction(event.value)
-        except ValueError as wrong:
-            self.query_one(Input).value = ""
-            self.query_one(Input).placeholder = str(wrong)
+            aim = aim_of(event.value, cast(Host, self.app).view())
+        except ValueError:
+            self._foretell(event.value)
             return
         self.close()
-        self.post_message(self.Sent(az_deg, el_deg))
+        self.post_message(self.Sent(aim.az_deg, aim.el_deg))
 
     def on_key(self, event: events.Key) -> None:
         """Esc closes the line (the app has stopped the dish first, if it could move)."""

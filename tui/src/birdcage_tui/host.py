@@ -4,11 +4,20 @@ from __future__ import annotations
 
 from typing import Protocol
 
+from birdcage.station.requests import Request
+
+from birdcage_tui.control.book import PresetBook
 from birdcage_tui.view import View
+
+YOU = "you"
+"""Who asks, when a person at the keys does."""
 
 
 class Host(Protocol):
     """The app, seen from inside."""
+
+    presets: PresetBook
+    """Directions with names."""
 
     def view(self) -> View:
         """Return what one frame shows, now."""
@@ -18,3 +27,12 @@ class Host(Protocol):
 
     def action_command(self, name: str) -> None:
         """Do a command of the table, or say why not."""
+
+    def say(self, words: str) -> None:
+        """Put a sentence into row 2, where the calm line is."""
+
+    def ask(self, request: Request) -> None:
+        """Submit a request; if it fails, the sentence of its error is shown."""
+
+    def open_goto(self, text: str = "") -> None:
+        """Open the go-to line with `text` in it."""

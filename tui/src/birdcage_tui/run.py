@@ -125,6 +125,7 @@ def _app_settings(settings: Settings, paths: Paths, *, demo: bool) -> AppSetting
         notice=notice,
         history_file=paths.history,
         logs_folder=paths.logs,
+        presets_file=paths.presets_file,
         glyphs=settings.app.glyphs if chosen else fitting(os.environ),
         update_hz=settings.app.update_hz,
     )

@@ -21,6 +21,7 @@ from textual.widgets import ContentSwitcher, Input
 
 from birdcage_tui import commands
 from birdcage_tui.console.tap import WireTap
+from birdcage_tui.control.book import PresetBook
 from birdcage_tui.footer import KeyBar
 from birdcage_tui.goto import GotoLine
 from birdcage_tui.messages import StationEvent
@@ -35,6 +36,7 @@ from birdcage_tui.stopping import focused_widget, is_stop_key, stop_first
 from birdcage_tui.surface import Surface
 from birdcage_tui.tour import Tour
 from birdcage_tui.view import Sample, View
+from birdcage_tui.words import ended_text
 
 if TYPE_CHECKING:
     from birdcage.station.session import Session
@@ -74,6 +76,8 @@ class Shell(Surface):
         """Why nothing of the wire is heard, as a sentence."""
         self.sheet: ConsoleOverlay | None = None
         """The console, once it was opened."""
+        self.presets = PresetBook(self.settings.presets_file)
+        """Directions with names; read after the first frame."""
         self._signal: deque[Sample] = deque(maxlen=KEPT_SAMPLES)
         self._note = ""
         self._tour = Tour(self.station.submit)
@@ -113,6 +117,7 @@ class Shell(Surface):
         # What the start has made lives as long as the app: a full collection would look at it all, every other thread
         # waiting, and STOP behind it.
         gc.freeze()
+        self.presets.load()
         self._unsubscribe = self.station.subscribe(self._tell)
         try:
             self.session.on_wire(self.tap.take_in)
@@ -151,6 +156,7 @@ class Shell(Surface):
             tuple(scope.scope for scope in self.scopes()),
             self.step_deg,
             typing=isinstance(self.screen_stack[0].focused, Input) if self.screen_stack else False,
+            presets=self.presets.entries,
         )
 
     def paint(self) -> None:
@@ -167,6 +173,7 @@ class Shell(Surface):
                 row.show(view)
             if self.sheet is not None and self.sheet.is_open:
                 self.sheet.show(view)
+            base.query_one(GotoLine).show(view)
             page = self._seen()
             if page is not None:
                 page.show(view)
@@ -196,7 +203,7 @@ class Shell(Surface):
         if isinstance(event, ReadingRead) and event.feature == "rssi":
             self._signal.append(Sample(event.at, float(event.value)))
         if isinstance(event, MoveEnded):
-            self._note = event.reason
+            self._note = ended_text(event)
         self._changed()
 
     def on_resize(self, event: events.Resize) -> None:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from datetime import datetime
 
 from birdcage.base.geometry import shortest_turn
+from birdcage.base.presets import Preset
 from birdcage.station.raw import CONSOLE
 from birdcage.station.state import Activity, Link, StationState
 
@@ -48,6 +49,8 @@ class View:
     """Whose commands hold, innermost first: the widget that has the focus, what it lies in, the page."""
     step_deg: float = 1.0
     """What one press of a jog key is."""
+    presets: Sequence[Preset] = ()
+    """Directions with names."""
 
     typing: bool = False
     """Whether a text field has the focus: keys that print do nothing else, and Space is a space."""

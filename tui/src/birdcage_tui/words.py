@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from birdcage.station.events import End, MoveEnded
 from birdcage.station.state import Activity, Link, Search
 
 from birdcage_tui.view import View
@@ -243,3 +244,12 @@ def _doing(view: View) -> tuple[str, str]:
         return "warn-strong", "The dish is not homed."
     who = state.holder or "nobody"
     return "strong", f"At rest. {who.capitalize()} {'have' if who == 'you' else 'has'} control."
+
+
+def ended_text(event: MoveEnded) -> str:
+    """Return how a motion ended, and where."""
+    reason = f"{event.reason[:1].upper()}{event.reason[1:]}"
+    position = event.position
+    if event.end is not End.ARRIVED or position is None:
+        return reason
+    return f"{reason} at {position.az_deg:.2f}°/{position.el_deg:.2f}°."

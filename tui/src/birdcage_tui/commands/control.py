@@ -1,7 +1,106 @@
-"""Commands of the control page alone."""
+"""Commands of the control page, of its digits, and of its list of presets."""
 
 from __future__ import annotations
 
-from birdcage_tui.commands.table import Command
+from birdcage_tui.commands.table import Command, can_move, can_release
+from birdcage_tui.view import View
 
-CONTROL: tuple[Command, ...] = ()
+PAGE, HERE = "control", ("control",)
+DIGITS, PRESETS = ("digits",), ("presets",)
+
+
+def can_power(view: View) -> str | None:
+    """Return why the motors' current cannot be switched now. STOP's hold is no reason: it moves nothing."""
+    dish = view.state.dish
+    if not view.link_up:
+        return "The dish does not answer."
+    if dish is not None and not dish.has_motor_power:
+        return f"The {dish.name} has no command for the current of its motors."
+    return None
+
+
+def can_stow(view: View) -> str | None:
+    """Return why the dish cannot be folded flat now."""
+    state = view.state
+    if not view.link_up or state.dish is None:
+        return "The dish does not answer."
+    if not state.dish.has_stow:
+        return f"The {state.dish.name} has no stow."
+    if not state.stow_allowed:
+        return f"Stow is locked by the feed {state.feed_name or 'in use'}."
+    if state.fault is not None:
+        return "A fault waits: Enter acknowledges it."
+    if state.held is not None:
+        return "STOP is latched: Enter releases it."
+    return state.motion_refused_because
+
+
+def can_set_speed(view: View) -> str | None:
+    """Return why no speed can be set."""
+    dish = view.state.dish
+    if not view.link_up or dish is None:
+        return "The dish does not answer."
+    return None if dish.has_speeds else "This dish has no speed setting."
+
+
+def can_go(view: View) -> str | None:
+    """Return why Enter on a preset does nothing; while something is held, it releases that first, as everywhere."""
+    return None if can_release(view) is None else can_move(view)
+
+
+CONTROL = (
+    Command(
+        "digits", ("n",), "n", "Nudge digits", "Go to the digits of the target: choose one, step it up or down.",
+        "Control", where=HERE, footer="digits",
+    ),
+    Command(
+        "presets", ("p",), "p", "Presets", "Go to the list of directions with names.", "Control", where=HERE,
+        footer="presets",
+    ),
+    Command(
+        "engage", ("E",), "E", "Engage the motors …", "Put the current back on. Asks first.", "Control", can_power,
+        where=HERE,
+    ),
+    Command(
+        "release-motors", ("R",), "R", "Release the motors …", "Take the current off: the dish may fall. Asks first.",
+        "Control", can_power, where=HERE,
+    ),
+    Command("stow", ("W",), "W", "Stow …", "Fold the dish flat. Asks first.", "Control", can_stow, where=HERE),
+    Command(
+        "speeds", ("v",), "v", "Greatest speeds …", "Until the dish restarts, in degrees a second.", "Control",
+        can_set_speed, where=HERE,
+    ),
+    Command(
+        "preset-add", ("a",), "a", "Keep as preset …", "Give where the dish points a name.", "Presets", where=HERE,
+    ),
+    Command("preset-undo", ("u",), "u", "Undo deletion", "Bring back the preset deleted last.", "Presets", where=HERE),
+    Command("preset-filter", ("slash",), "/", "Filter presets", "Type a part of name or note.", "Presets", where=HERE),
+    Command(
+        "digit-left", ("left", "h"), "← h", "Digit to the left", "Choose a coarser digit.", "Digits", where=DIGITS,
+        page=PAGE,
+    ),
+    Command(
+        "digit-right", ("right", "l"), "→ l", "Digit to the right", "Choose a finer digit.", "Digits", where=DIGITS,
+        page=PAGE, footer="digit",
+    ),
+    Command(
+        "digit-up", ("up", "k"), "↑ k", "Digit up", "One step of this digit, from the target.", "Digits", can_move,
+        where=DIGITS, page=PAGE, footer="nudge",
+    ),
+    Command(
+        "digit-down", ("down", "j"), "↓ j", "Digit down", "One step back of this digit, from the target.", "Digits",
+        can_move, where=DIGITS, page=PAGE,
+    ),
+    Command(
+        "preset-go", ("enter",), "Enter", "Go to the preset", "Turn the dish to the one chosen in the list.",
+        "Presets", can_go, "go", where=PRESETS, page=PAGE,
+    ),
+    Command("preset-up", ("up", "k"), "↑ k", "Preset above", "Choose the one above.", "Presets", where=PRESETS,
+            page=PAGE),
+    Command("preset-down", ("down", "j"), "↓ j", "Preset below", "Choose the one below.", "Presets", where=PRESETS,
+            page=PAGE),
+    Command("preset-edit", ("e",), "e", "Edit the preset …", "Name, azimuth, elevation, note.", "Presets",
+            where=PRESETS, page=PAGE, footer="edit"),
+    Command("preset-delete", ("d", "delete"), "d", "Delete the preset", "u brings it back.", "Presets", where=PRESETS,
+            page=PAGE, footer="delete"),
+)  # fmt: skip

@@ -71,3 +71,5 @@ class Command:
     """The scopes (pages, or widgets with a `scope`) that it belongs to and that do it; empty: everywhere."""
     priority: bool = False
     """Whether its key is taken before the widget that has the focus sees it."""
+    page: str = ""
+    """The page on which its scope is, where that is a widget's."""

@@ -10,6 +10,7 @@ from birdcage_tui.pages.plain import PlainPage
 MADE = {
     "setup": ("birdcage_tui.pages.setup", "SetupPage"),
     "dashboard": ("birdcage_tui.pages.dashboard", "DashboardPage"),
+    "control": ("birdcage_tui.pages.control", "ControlPage"),
 }
 
 

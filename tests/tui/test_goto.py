@@ -1,0 +1,276 @@
+"""The go-to line: what may be typed, what it means, and what is said before Enter."""
+
+import asyncio
+import re
+from dataclasses import replace
+
+import pytest
+import stand_in
+from birdcage.base.clock import VirtualClock
+from birdcage.base.config.sections import NoGoSector
+from birdcage.base.presets import Preset
+from birdcage.station.requests import Goto
+from birdcage_tui.goto import GotoLine, foretell
+from birdcage_tui.goto_text import Aim, Part, Wish, parse, resolve
+from birdcage_tui.settings import AppSettings
+from birdcage_tui.view import View
+from textual.widgets import Input
+
+PRESETS = (Preset("Wall", 10.0, 20.0), Preset("Astra 28.2E", 151.3, 27.2), Preset("Astra 19.2E", 160.0, 30.0))
+
+
+@pytest.mark.parametrize(
+    ("typed", "az", "el"),
+    [
+        ("180 45", Part(180), Part(45)),
+        ("180,45", Part(180), Part(45)),
+        ("180, 45", Part(180), Part(45)),
+        ("180/45", Part(180), Part(45)),
+        ("180;45", Part(180), Part(45)),
+        ("231.4,44", Part(231.4), Part(44)),
+        ("231.4 44.25", Part(231.4), Part(44.25)),
+        (" 180°  45° ", Part(180), Part(45)),
+        ("180°/45°", Part(180), Part(45)),
+        ("180,5 45", Part(180.5), Part(45)),
+        ("180,5 45,25", Part(180.5), Part(45.25)),
+        ("180,5/45", Part(180.5), Part(45)),
+        ("az=180", Part(180), None),
+        ("AZ = 180", Part(180), None),
+        ("az 180", Part(180), None),
+        ("azimuth: 180", Part(180), None),
+        ("el=40", None, Part(40)),
+        ("el=+3", None, Part(3, True)),
+        ("el=-3", None, Part(-3, True)),
+        ("az=180 el=40", Part(180), Part(40)),
+        ("el=40 az=180", Part(180), Part(40)),
+        ("az=180,el=40", Part(180), Part(40)),
+        ("az=180 el=40,5", Part(180), Part(40.5)),
+        ("az=+5 el=-2", Part(5, True), Part(-2, True)),
+        ("S", Part(180), None),
+        ("ssw", Part(202.5), None),
+        ("NNW", Part(337.5), None),
+        ("S 40", Part(180), Part(40)),
+        ("S,40", Part(180), Part(40)),
+        ("S +3", Part(180), Part(3, True)),
+        ("az=180 +3", Part(180), Part(3, True)),
+        ("+5", Part(5, True), None),
+        ("-5", Part(-5, True), None),
+        ("−5", Part(-5, True), None),
+        ("+5 -2", Part(5, True), Part(-2, True)),
+        ("+5,-2", Part(5, True), Part(-2, True)),
+        ("+.5", Part(0.5, True), None),
+        ("0 90", Part(0), Part(90)),
+        ("360 45", Part(360), Part(45)),
+    ],
+)
+def test_what_may_be_typed(typed, az, el):
+    assert parse(typed) == Wish(az, el)
+
+
+@pytest.mark.parametrize(
+    ("typed", "says"),
+    [
+        ("", "Type where to: 180 45"),
+        ("   ", "Type where to: 180 45"),
+        ("231", "Type two numbers, 231 45; or az=231"),
+        ("north up", "north is no direction and no preset: type 180 45"),
+        ("1 2 3", "too much"),
+        ("S N", "too much"),
+        ("nan 5", "nan is no direction"),
+        ("inf 5", "inf is no direction"),
+        ("1e3 5", "1e3 is no direction"),
+        ("400 45", "more than a full turn: type one from 0 to 360"),
+        ("+200", "more than half a turn"),
+        ("180 999", "Elevation 999 is no elevation"),
+        ("231,4,44", "could be read in two ways: write 180.5 45"),
+        ("231,4,44,5", "could be read in two ways"),
+        ("az=180,5", "could be read in two ways"),
+        ("1.180,5 40", "could be read in two ways"),
+        ("az=180 az=190", "Azimuth stands there twice"),
+        ("az=", "is no direction"),
+        ("Astra", "Astra is no direction and no preset"),
+        ("5 --2", "--2 is no direction"),
+    ],
+)
+def test_what_is_refused_says_what_to_type(typed, says):
+    with pytest.raises(ValueError, match=re.escape(says)) as wrong:
+        parse(typed, PRESETS)
+    assert len(str(wrong.value)) <= 100, "it fits into a line"
+
+
+@pytest.mark.parametrize(("typed", "name"), [("wall", "Wall"), ("WALL", "Wall"), ("astra 28", "Astra 28.2E")])
+def test_a_presets_name_or_the_only_one_that_begins_so(typed, name):
+    assert parse(typed, PRESETS).name == name
+
+
+def test_a_wind_is_never_a_preset():
+    assert parse("S", (Preset("S", 1.0, 2.0),)) == Wish(Part(180), None)
+
+
+def test_relative_ones_count_from_the_last_commanded_target():
+    state = stand_in.slewing(VirtualClock())
+    assert resolve(parse("+5 -2"), state) == Aim(pytest.approx(165.7), pytest.approx(38.21))
+    assert resolve(parse("az=20"), state) == Aim(20.0, 40.21)
+
+
+def test_without_a_target_they_count_from_the_position():
+    state = replace(stand_in.at_rest(VirtualClock()), target_az_deg=None, target_el_deg=None)
+    assert resolve(parse("+180"), state) == Aim(pytest.approx(9.16), 42.87)
+    assert resolve(parse("el=+1"), state) == Aim(189.16, 43.87)
+
+
+def test_with_neither_they_are_refused_and_whole_ones_are_not():
+    state = stand_in.not_homed(VirtualClock())
+    with pytest.raises(ValueError, match="not known: type both"):
+        resolve(parse("S"), state)
+    assert resolve(parse("180 45"), state) == Aim(180.0, 45.0)
+
+
+def view_of(state_of=stand_in.at_rest, **changes):
+    clock = VirtualClock()
+    state = replace(state_of(clock), **changes)
+    return View(state, clock.monotonic(), clock.utc(), AppSettings(), presets=PRESETS)
+
+
+@pytest.mark.parametrize(
+    ("typed", "words"),
+    [
+        ("231.4 44", ("az 231.40° SW", "el 44.00°", "42.24° clockwise", "1.13° up", " s")),
+        ("-5", ("az 184.16°", "5.00° counterclockwise", "elevation stays")),
+        ("el=40", ("azimuth stays", "2.87° down")),
+        ("wall", ("Wall: az 10.00° N", "el 20.00°")),
+    ],
+)
+def test_while_typing_it_says_where_how_far_and_how_long(typed, words):
+    ink, said = foretell(typed, view_of())
+    assert ink == "text"
+    for word in words:
+        assert word in said, said
+
+
+def test_how_long_follows_the_dishs_own_speed():
+    seconds = [float(re.search(r"([\d.]+) s$", foretell(f"+{way}", view_of())[1]).group(1)) for way in (1, 20, 100)]
+    assert seconds == sorted(seconds)
+    assert 0.0 < seconds[0] < seconds[2] < 10.0
+
+
+@pytest.mark.parametrize(
+    ("typed", "changes", "says"),
+    [
+        ("180 10", {}, "Elevation 10.00° is 8.00° below the floor of 18.00°. Type 18 to 65."),
+        ("180 70.5", {}, "Elevation 70.50° is 5.50° above the limit of 65.00°."),
+        (
+            "300 40",
+            {"cable_min_deg": -130.0, "cable_max_deg": -100.0},
+            "Azimuth 300.00° would turn the cable 90.84° beyond its stop at -100°.",
+        ),
+        (
+            "120 40",
+            {"cable_min_deg": -130.0, "cable_max_deg": -100.0},
+            "Azimuth 120.00° would turn the cable 59.16° beyond its stop at -130°.",
+        ),
+        (
+            "250 25",
+            {"no_go_sectors": (NoGoSector(220.0, 240.0, 30.0),)},
+            "no-go sector 220° to 240°, 5.00° too low: go above 30° first.",
+        ),
+        ("180 10", {"homed": False, "position": None}, "home it first"),
+    ],
+)
+def test_a_limit_is_named_with_how_far_beyond_it_before_enter(typed, changes, says):
+    ink, said = foretell(typed, view_of(**changes))
+    assert ink == "warn"
+    assert "Refused: " in said
+    assert says in said
+
+
+def test_a_sector_is_no_hindrance_above_it_or_the_other_way_round():
+    sector = {"no_go_sectors": (NoGoSector(220.0, 240.0, 30.0),)}
+    assert foretell("250 40", view_of(**sector))[0] == "text"
+    assert foretell("150 25", view_of(**sector))[0] == "text"
+
+
+def test_the_long_way_round_is_told_when_the_cable_leaves_no_other():
+    said = foretell("300 40", view_of(cable_min_deg=-400.0, cable_max_deg=-100.0))[1]
+    assert "249.16° counterclockwise" in said
+
+
+@pytest.mark.parametrize("name", ["held", "lost", "not-homed", "fault", "refused"])
+def test_what_forbids_every_motion_is_said_first(name):
+    assert "Refused" in foretell("180 40", view_of(stand_in.STATES[name]))[1]
+
+
+def run(test, name="idle", size=(80, 24), **options):
+    async def body():
+        app = stand_in.app_in(name, **options)
+        async with app.run_test(size=size) as pilot:
+            await pilot.pause()
+            return await test(app, pilot)
+
+    return asyncio.run(body())
+
+
+@pytest.mark.parametrize("size", [(80, 24), (120, 36)])
+def test_the_line_lies_over_the_last_rows_and_moves_nothing(size):
+    async def open_it(app, pilot):
+        pages = app.query_one("#pages").region
+        await pilot.press("g", *"300")
+        await pilot.pause()
+        line = app.query_one(GotoLine).region
+        assert app.query_one("#pages").region == pages
+        assert line.bottom == size[1]
+        assert line.height == 3
+        return stand_in.text_of(app).splitlines()
+
+    rows = run(open_it, size=size)
+    assert "go to" in rows[-3]
+    assert "Type two numbers, 300 45" in rows[-2]
+
+
+def test_the_preview_follows_each_letter_and_enter_sends_what_it_said():
+    async def go(app, pilot):
+        app.show_page("control")
+        await pilot.pause()
+        await pilot.pause()
+        before = app.focused
+        await pilot.press("g", "plus", "5")
+        await pilot.pause()
+        text = stand_in.text_of(app)
+        await pilot.press("space", "minus", "2")
+        await pilot.pause()
+        other = stand_in.text_of(app)
+        await pilot.press("enter")
+        await pilot.pause()
+        assert app.focused is before is not None
+        assert app.focused.id == "rose"
+        return text, other, app.station.asked_for(Goto)
+
+    text, other, asked = run(go)
+    assert "az 194.16° SSW, el 42.87°   5.00° clockwise, elevation stays" in text
+    assert "el 40.87°" in other
+    assert asked == [Goto(pytest.approx(194.16), pytest.approx(40.87), "you")]
+
+
+def test_what_cannot_be_read_stays_and_is_explained():
+    async def go(app, pilot):
+        await pilot.press("g", *"231", "enter")
+        await pilot.pause()
+        return app.query_one(Input).value, stand_in.text_of(app), app.station.asked_for(Goto)
+
+    value, text, asked = run(go)
+    assert value == "231"
+    assert "Type two numbers, 231 45; or az=231, or el=231." in text
+    assert asked == []
+
+
+def test_esc_gives_the_focus_back_and_ctrl_c_stops():
+    async def leave(app, pilot):
+        app.show_page("control")
+        await pilot.pause()
+        await pilot.pause()
+        await pilot.press("g", "1", "ctrl+c")
+        stops = list(app.station.stops)
+        await pilot.press("escape")
+        return stops, app.focused.id, app.station.asked_for(Goto)
+
+    assert run(leave) == (["you"], "rose", [])

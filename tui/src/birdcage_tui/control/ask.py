@@ -1,0 +1,142 @@
+"""The words of the page's questions, and the forms that it has filled in."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
+
+from birdcage.base.presets import Preset, checked
+
+from birdcage_tui.control.book import PresetBook
+from birdcage_tui.control.fields import Field, FieldsScreen, Values
+from birdcage_tui.goto_text import is_direction
+from birdcage_tui.view import View
+
+Change = Callable[[], str]
+"""Changes the presets; returns what was done. ConfigError says why not."""
+LEAST_DEG_S = 0.1
+
+
+def engage() -> tuple[str, str, str]:
+    """Return title, words and consent of engaging the motors."""
+    words = (
+        "The current is put back on the motors, and they hold the dish where it is now. It may jerk a little. "
+        "If they were released before, where it points stays unknown until it is homed."
+    )
+    return "Engage the motors", words, "engage"
+
+
+def release() -> tuple[str, str, str]:
+    """Return title, words and consent of releasing the motors."""
+    words = (
+        "The current is taken off both motors. The dish may fall under its own weight: keep clear, or hold it. "
+        "Its position is unknown afterwards, and nothing moves it before it is homed."
+    )
+    return "Release the motors", words, "let go of it"
+
+
+def stow(view: View) -> tuple[str, str, str]:
+    """Return title, words and consent of stowing."""
+    stops = "" if view.state.dish is None else " What STOP can do to it is not known: keep a hand on the 12 V switch."
+    words = (
+        "The firmware folds the dish flat, its own way and beyond the limits that hold here. Whatever is mounted in "
+        f"place of the stock feed would be crushed.{stops} Afterwards it must be homed before it points again."
+    )
+    return "Stow the dish", words, "it is clear: fold it flat"
+
+
+def _number(text: str) -> float | None:
+    try:
+        value = float(text.strip().replace(",", ".").rstrip("°").strip())
+    except ValueError:
+        return None
+    return value if math.isfinite(value) else None
+
+
+# Speeds.
+
+
+class Limit(NamedTuple):
+    """An axis: its motor's number, what to call it, the most it does."""
+
+    motor: int
+    name: str
+    most_deg_s: float
+
+
+def _limits(view: View) -> tuple[Limit, ...]:
+    dish = view.state.dish
+    axes = () if dish is None else (dish.azimuth, dish.elevation)
+    return tuple(Limit(axis.index, axis.name, axis.speed_deg_s) for axis in axes)
+
+
+def speeds(view: View) -> FieldsScreen:
+    """Return the form for both speeds, filled with those in force."""
+    fields = []
+    for axis in _limits(view):
+        reading = view.state.readings.get(f"speed.{axis.motor}")
+        known = reading is not None and isinstance(reading.value, int | float)
+        fields.append(
+            Field(axis.name, f"{reading.value:g}" if reading is not None and known else "",
+                  f"{LEAST_DEG_S:g} to {axis.most_deg_s:g} °/s; empty leaves it")
+        )  # fmt: skip
+
+    def check(values: Values) -> str:
+        for axis, text in zip(_limits(view), values, strict=True):
+            value = _number(text)
+            if text.strip() and (value is None or not LEAST_DEG_S <= value <= axis.most_deg_s):
+                return f"{axis.name}: type {LEAST_DEG_S:g} to {axis.most_deg_s:g} degrees a second, or nothing."
+        return ""
+
+    words = "The greatest speed of each axis, in degrees a second, until the dish restarts. Nothing moves by this."
+    return FieldsScreen("Greatest speeds", words, fields, check)
+
+
+def speeds_of(values: Values | None, view: View) -> Iterator[tuple[int, float]]:
+    """Yield motor and speed of those that were typed and differ from what is in force."""
+    for axis, text in zip(_limits(view), values or (), strict=False):
+        value, reading = _number(text), view.state.readings.get(f"speed.{axis.motor}")
+        if value is not None and (reading is None or reading.value != value):
+            yield axis.motor, value
+
+
+# Presets.
+
+
+def preset_fields(preset: Preset | None) -> tuple[Field, ...]:
+    """Return the four lines of a preset, filled with what is known of it."""
+    az, el = ("", "") if preset is None else (f"{preset.az_deg:.2f}", f"{preset.el_deg:.2f}")
+    name, note = ("", "") if preset is None else (preset.name, preset.note)
+    return (
+        Field("name", name, "what to call it"),
+        Field("azimuth", az, "degrees, clockwise from true north"),
+        Field("elevation", el, "degrees above the horizon"),
+        Field("note", note, "may stay empty"),
+    )
+
+
+def preset_of(values: Values) -> Preset:
+    """Return the preset that was typed. ValueError says what is wrong with it."""
+    name, az, el, note = values
+    az_deg, el_deg = _number(az), _number(el)
+    if az_deg is None or el_deg is None:
+        raise ValueError("azimuth and elevation are numbers of degrees, such as 180.5 and 45")
+    if is_direction(name):
+        raise ValueError(f'"{name.strip()}" reads as a direction: the go-to line would never find it')
+    return checked(name, az_deg, el_deg, note)
+
+
+def preset(title: str, fields: tuple[Field, ...], book: PresetBook, old: str | None) -> FieldsScreen:
+    """Return the form for a preset; `old` is the name of the one that is edited."""
+
+    def check(values: Values) -> str:
+        try:
+            typed = preset_of(values)
+        except ValueError as wrong:
+            return f"{str(wrong)[:1].upper()}{str(wrong)[1:]}."
+        names = {entry.name.casefold() for entry in book.entries} - {(old or "").casefold()}
+        return f'There is a preset "{typed.name}" already.' if typed.name.casefold() in names else ""
+
+    words = "A direction with a name. Going there is another key: nothing moves by this."
+    return FieldsScreen(title, words, fields, check)

@@ -1,0 +1,104 @@
+"""The cable-wrap gauge over the full width: stops, whole turns, where the cable stands, where the target brings it."""
+
+from __future__ import annotations
+
+import math
+
+from birdcage_tui.canvas import Cells
+from birdcage_tui.control.reach import cable_limits, turns_to
+from birdcage_tui.pane import Pane
+from birdcage_tui.view import View
+
+ENDS = 2
+"""Hatched cells beyond each stop."""
+
+
+class CablePane(Pane):
+    """Two rows: the gauge, and the numbers under it; a third in words where there is room."""
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.border_title = "Cable"
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Draw the gauge, hatched while the turn is not known."""
+        state, limits = view.state, cable_limits(view.state)
+        if limits is None:
+            words = "The cable is not known yet." if state.dish is None else "This dish's cable has no stop."
+            cells.put(1, 0, words, "dim")
+            return
+        turn = state.position.cable_deg if state.position is not None else None
+        if turn is None:
+            self._unknown(cells, limits, view)
+            return
+        left, right = max(0.0, turn - limits[0]), max(0.0, limits[1] - turn)
+        head, tail = f"cable CCW {left:3.0f}° left ", f" CW {right:3.0f}° left"
+        start, width = 1 + len(head), cells.width - 2 - len(head) - len(tail)
+        if width < 12:
+            return
+        near = min(left, right) < 20.0
+        cells.put(1, 0, head, "warn" if near and left < right else "text")
+        cells.right(cells.width - 1, 0, tail, "warn" if near and right <= left else "text")
+        scale = _Scale(limits, start + ENDS, width - 2 * ENDS)
+        self._track(cells, scale, limits)
+        here, ink = scale.column(turn), "dim" if view.stale else "accent-strong"
+        turns = () if state.target_az_deg is None else turns_to(state, state.target_az_deg)
+        if turns:
+            there = scale.column(turns[0])
+            low, high = sorted((here, there))
+            cells.put(low, 0, "━" * (high - low + 1), "accent")
+            if there != here:
+                cells.put(there, 0, "✕", "target-strong")
+        cells.put(here, 0, "◉", ink)
+        if cells.height > 2:
+            self._words(cells, view, turn, turns[0] if turns else None, limits)
+
+    @staticmethod
+    def _track(cells: Cells, scale: _Scale, limits: tuple[float, float]) -> None:
+        """Draw the track between its hatched ends, with a mark at each whole turn and a number under each."""
+        cells.put(scale.start - ENDS, 0, "▨" * ENDS, "warn")
+        cells.put(scale.start, 0, "─" * scale.width, "line")
+        cells.put(scale.start + scale.width, 0, "▨" * ENDS, "warn")
+        marks = [*limits, *(360.0 * k for k in range(math.ceil(limits[0] / 360), math.floor(limits[1] / 360) + 1))]
+        step = 90.0 if scale.width >= 60 else 180.0
+        for k in range(math.ceil(limits[0] / step), math.floor(limits[1] / step) + 1):
+            cells.put(scale.column(k * step), 0, "┴", "line")
+        for mark in marks:
+            column = scale.column(mark)
+            text = f"{mark:+.0f}°" if mark else "0"
+            if mark not in limits:
+                cells.put(column, 0, "┼", "text")
+            at = min(max(column - len(text) // 2, 1), cells.width - 1 - len(text))
+            if cells.free(at - 1, 1, len(text) + 2):
+                cells.put(at, 1, text, "dim")
+
+    @staticmethod
+    def _unknown(cells: Cells, limits: tuple[float, float], view: View) -> None:
+        cells.put(1, 0, "cable ", "dim")
+        cells.put(7, 0, "▕" + "▨" * max(cells.width - 10, 0) + "▏", "line")
+        words = "turn unknown" if view.waiting or not view.link_up else "turn unknown: H homes the dish and counts it"
+        cells.put(8, 1, words, "dim" if view.waiting else "warn")
+        cells.right(cells.width - 1, 1, f"{limits[0]:+.0f}° to {limits[1]:+.0f}°", "dim")
+
+    @staticmethod
+    def _words(cells: Cells, view: View, turn: float, there: float | None, limits: tuple[float, float]) -> None:
+        """Say where it stands, and what the target would leave."""
+        x = cells.put(1, 2, f"stands at {turn:+.1f}° from home", "dim")
+        if there is not None and abs(there - turn) >= 0.05:
+            left = f"CCW {there - limits[0]:.0f}°, CW {limits[1] - there:.0f}° left"
+            cells.put(x, 2, f"   the target brings it to {there:+.1f}°: {left}", "target")
+        elif view.state.target_az_deg is not None and there is None:
+            cells.put(x, 2, "   no turn of it reaches the target", "warn")
+
+
+class _Scale:
+    """Where a turn stands on the track."""
+
+    def __init__(self, limits: tuple[float, float], start: int, width: int) -> None:
+        self._limits, self.start, self.width = limits, start, max(width, 1)
+
+    def column(self, turn_deg: float) -> int:
+        """Return the cell of a turn, on the track."""
+        low, high = self._limits
+        part = (turn_deg - low) / (high - low) if high > low else 0.5
+        return self.start + min(self.width - 1, max(0, round(part * (self.width - 1))))

@@ -1,0 +1,159 @@
+"""The elevation seen from the side: a quarter circle with floor and ceiling, the needle, and a scale with tenths."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import cast
+
+from textual import events
+
+from birdcage_tui.canvas import Braille, Cells
+from birdcage_tui.control.needle import draw_needle
+from birdcage_tui.control.tape import ROWS, draw_tape
+from birdcage_tui.host import Host
+from birdcage_tui.pane import Pane
+from birdcage_tui.view import View
+
+QUIET = ("faint", "line", "dim")
+
+
+@dataclass(frozen=True, slots=True)
+class Quarter:
+    """A quarter circle with its hub at the lower left, in dots on `width` by `height` cells."""
+
+    width: int
+    height: int
+
+    @property
+    def radius(self) -> float:
+        """Dots from the hub to the arc."""
+        return max(4.0, min(self.width * 2 - 10, self.height * 4 - 8))
+
+    @property
+    def hub(self) -> tuple[float, float]:
+        """The hub: the arc stands in the middle of the height."""
+        left = max(2.0, (self.width * 2 - 8 - self.radius) / 2)
+        return left, (self.height * 4 + self.radius) / 2
+
+    def dot(self, el_deg: float, part: float = 1.0) -> tuple[float, float]:
+        """Return the dot at an elevation, at a part of the radius."""
+        x, y = self.hub
+        el = math.radians(el_deg)
+        return x + self.radius * part * math.cos(el), y - self.radius * part * math.sin(el)
+
+    def cell(self, el_deg: float, part: float = 1.0) -> tuple[int, int]:
+        """Return the cell of that dot."""
+        x, y = self.dot(el_deg, part)
+        return math.floor(x / 2), math.floor(y / 4)
+
+    def direction(self, column: int, row: int) -> float | None:
+        """Return the elevation of a cell; None outside the quarter."""
+        x0, y0 = self.hub
+        dx, dy = column * 2 + 1 - x0, y0 - row * 4 - 2
+        el_deg = math.degrees(math.atan2(dy, dx))
+        reach = math.hypot(dx, dy)
+        return el_deg if 3 <= reach <= self.radius + 8 and -2.0 <= el_deg <= 92.0 else None
+
+    def hatch(self, canvas: Braille, low_deg: float, high_deg: float) -> None:
+        """Fill the part between two elevations with thin diagonals."""
+        x0, y0 = self.hub
+        reach = math.ceil(self.radius)
+        for up in range(reach + 1):
+            for across in range(reach + 1):
+                if (across - up) % 5 or not 0.25 <= math.hypot(across, up) / self.radius <= 0.98:
+                    continue
+                if low_deg <= math.degrees(math.atan2(up, across)) <= high_deg:
+                    canvas.dot(x0 + across, y0 - up, "line")
+
+
+class ElevationPane(Pane):
+    """The quarter circle over its scale."""
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.border_title = "Elevation"
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Draw the quarter, what limits it, the needle and the target."""
+        quarter, state = Quarter(cells.width, max(cells.height - ROWS, 1)), view.state
+        position, target = state.position, state.target_el_deg
+        canvas = Braille(quarter.width, quarter.height)
+        self._quarter(canvas, quarter, view)
+        if target is not None:
+            canvas.line(*quarter.dot(target, 0.3), *quarter.dot(target, 0.93), "target", 3)
+        if position is not None:
+            ink = "dim" if view.stale else "accent"
+            if state.el_offset_deg:
+                canvas.line(*quarter.dot(position.dish_el_deg, 0.1), *quarter.dot(position.dish_el_deg, 0.7), "dim", 2)
+            draw_needle(canvas, *quarter.hub, 90.0 - position.el_deg, quarter.radius * 0.88, 0.0, ink)
+        canvas.onto(cells, 0, 0)
+        self._labels(cells, quarter, view)
+        self._limits(cells, quarter, view)
+        if state.motion is not None and view.link_up:
+            cells.put(*quarter.cell(state.motion.to_el_deg, 0.9), "+", "accent-strong")
+        if target is not None:
+            cells.put(*quarter.cell(target), "✕", "target-strong")
+        if position is not None:
+            cells.put(*quarter.cell(0.0, 0.0), "◉", "dim" if view.stale else "accent-strong")
+        draw_tape(
+            cells, cells.height - ROWS, None if position is None else position.el_deg,
+            ink="dim" if view.stale else "accent-strong", target_deg=target,
+        )  # fmt: skip
+
+    @staticmethod
+    def _quarter(canvas: Braille, quarter: Quarter, view: View) -> None:
+        low, high = view.state.el_min_deg, view.state.el_max_deg
+        if low is not None and low > 0:
+            quarter.hatch(canvas, 0.0, low)
+        if high is not None and high < 90:
+            quarter.hatch(canvas, high, 90.0)
+        count = round(quarter.radius * 1.6)
+        canvas.dotted([quarter.dot(90 * step / count) for step in range(count + 1)], "dim", 1.0)
+        canvas.line(*quarter.dot(0.0, 0.0), *quarter.dot(0.0, 1.0), "line")
+        for el_deg in range(0, 91, 10):
+            length = 5.0 if el_deg % 30 == 0 else 3.0
+            canvas.line(*quarter.dot(el_deg), *quarter.dot(el_deg, 1 - length / quarter.radius), "dim")
+        for limit in (low, high):
+            if limit is not None:
+                canvas.line(*quarter.dot(limit, 0.25), *quarter.dot(limit, 1.0), "warn", 2)
+
+    @staticmethod
+    def _labels(cells: Cells, quarter: Quarter, view: View) -> None:
+        state = view.state
+        for limit in (state.el_min_deg, state.el_max_deg):
+            if limit is not None:
+                x, y = quarter.cell(limit, 1 + 4 / quarter.radius)
+                cells.put(min(x + 1, cells.width - 3), y, f"{limit:.0f}°", "warn")
+        if quarter.radius >= 24:
+            for el_deg in (0, 30, 60, 90):
+                x, y = quarter.cell(el_deg, 1 + 4 / quarter.radius)
+                text = f"{el_deg}"
+                x = min(x + 1, cells.width - len(text)) if el_deg < 90 else x - 1
+                if cells.free(x, y, len(text) + 1):
+                    cells.put(x, y, text, "dim")
+
+    @staticmethod
+    def _limits(cells: Cells, quarter: Quarter, view: View) -> None:
+        """Say how far it is to ceiling and floor, where there is room over and under the quarter."""
+        state, position = view.state, view.state.position
+        room = math.floor((quarter.hub[1] - quarter.radius) / 4)
+        if room < 3:
+            return
+        for y, name, limit in (
+            (0, "ceiling", state.el_max_deg),
+            (quarter.height - 1, "floor", state.el_min_deg),
+        ):
+            away = "" if limit is None or position is None else f", {abs(limit - position.el_deg):.1f}° off"
+            words = f"{name} --.-" if limit is None else f"{name} {limit:.1f}°"
+            words += away if len(words) + len(away) <= cells.width else ""
+            cells.put(max((cells.width - len(words)) // 2, 0), y, words, "dim")
+
+    def on_click(self, event: events.Click) -> None:
+        """Open the go-to line with the elevation under the mouse; Enter is still to be pressed."""
+        offset = event.get_content_offset(self)
+        quarter = Quarter(self.size.width, max(self.size.height - ROWS, 1))
+        el_deg = None if offset is None else quarter.direction(offset.x, offset.y)
+        if el_deg is not None:
+            event.stop()
+            cast(Host, self.app).open_goto(f"el={el_deg:.0f}")

@@ -1,0 +1,74 @@
+"""A dialog with a few lines to fill in."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from textual.app import ComposeResult
+from textual.containers import Horizontal, Vertical
+from textual.widgets import Input, Label, Static
+
+from birdcage_tui.dialogs import Dialog
+from birdcage_tui.status import TopRow
+
+Values = tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Field:
+    """One line: its name, what stands in it, and what it is for."""
+
+    label: str
+    value: str = ""
+    hint: str = ""
+
+
+class FieldsScreen(Dialog[Values | None]):
+    """Enter keeps all lines if `check` finds nothing wrong, else its sentence is shown; Esc keeps nothing."""
+
+    DEFAULT_CSS = """
+    FieldsScreen Horizontal { height: 1; }
+    FieldsScreen Label { width: 12; color: $dim; }
+    FieldsScreen Input, FieldsScreen Input:focus { width: 1fr; height: 1; border: none; padding: 0 1;
+        background: $panel; }
+    FieldsScreen #wrong { color: $warning; margin-top: 1; }
+    FieldsScreen #words { margin-bottom: 1; }
+    """
+    BINDINGS = [("escape", "leave", "close")]  # noqa: RUF012
+
+    def __init__(self, title: str, words: str, fields: Sequence[Field], check: Callable[[Values], str]) -> None:
+        super().__init__()
+        self._title, self._words, self._fields, self._check = title, words, fields, check
+
+    def compose(self) -> ComposeResult:
+        """The words, the lines, and room for what is wrong."""
+        yield TopRow()
+        with Vertical() as frame:
+            frame.border_title = self._title
+            frame.border_subtitle = "Enter keeps, Tab next line, Esc nothing, Ctrl+C stops"
+            yield Static(self._words, id="words", markup=False)
+            for field in self._fields:
+                with Horizontal():
+                    yield Label(field.label)
+                    yield Input(field.value, placeholder=field.hint, select_on_focus=False)
+            yield Static("", id="wrong", markup=False)
+
+    def on_mount(self) -> None:
+        """Give the focus to the first line: a person has asked for it."""
+        super().on_mount()
+        self.query(Input).first().focus()
+
+    def on_input_submitted(self, event: Input.Submitted) -> None:
+        """Keep, or say what is wrong."""
+        event.stop()
+        values = tuple(field.value for field in self.query(Input))
+        wrong = self._check(values)
+        if wrong:
+            self.query_one("#wrong", Static).update(f"▲ {wrong}")
+        else:
+            self.dismiss(values)
+
+    def action_leave(self) -> None:
+        """Keep nothing."""
+        self.dismiss(None)

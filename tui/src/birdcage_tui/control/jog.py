@@ -1,0 +1,37 @@
+"""The jog step, and the arrows for the mouse."""
+
+from __future__ import annotations
+
+from birdcage_tui.canvas import Cells
+from birdcage_tui.commands import BY_NAME
+from birdcage_tui.commands.jog import STEPS_DEG
+from birdcage_tui.pane import Pane
+from birdcage_tui.view import View
+
+ARROWS = (("left", "◀"), ("up", "▲"), ("down", "▼"), ("right", "▶"))
+
+
+class JogPane(Pane):
+    """One row: four arrows, the step between its two keys. With a second row: every step there is."""
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Write them."""
+        narrow = cells.width < 28
+        x = 0 if narrow else 1
+        for command, glyph in ARROWS:
+            dim = BY_NAME[command].refused(view) is not None
+            cells.put(x, 0, f" {glyph} ", "bar-dim" if dim else "key")
+            self.heat(x, 0, 3, command)
+            x += 4
+        shown = f"{view.step_deg:g}" if narrow else f"step {view.step_deg:g}°"
+        middle = 4 if narrow else 12
+        cells.put(x, 0, " - ", "key")
+        self.heat(x, 0, 3, "step-down")
+        cells.put(x + 3, 0, f"{shown:^{middle}}", "accent-strong")
+        cells.put(x + 3 + middle, 0, " + ", "key")
+        self.heat(x + 3 + middle, 0, 3, "step-up")
+        if cells.height > 1:
+            x = 1
+            for step in STEPS_DEG:
+                text = f"{step:g}".replace("0.", ".")
+                x = cells.put(x, 1, f" {text} ", "accent-row" if step == view.step_deg else "dim")

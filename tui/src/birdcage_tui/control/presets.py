@@ -1,0 +1,198 @@
+"""The list of directions with names."""
+
+from __future__ import annotations
+
+import textwrap
+from typing import cast
+
+from birdcage.base.presets import Preset
+from textual import events
+from textual.app import ComposeResult
+from textual.containers import Vertical
+from textual.geometry import Region
+from textual.widgets import Input
+
+from birdcage_tui.canvas import Cells
+from birdcage_tui.commands import BY_NAME
+from birdcage_tui.host import Host
+from birdcage_tui.pages.page import Page
+from birdcage_tui.pane import Pane
+from birdcage_tui.view import View
+
+KEYS = (("preset-go", "go"), ("preset-add", "add"), ("preset-edit", "edit"), ("preset-delete", "del"),
+        ("preset-filter", "find"), ("preset-undo", "undo"))  # fmt: skip
+
+
+class PresetsPane(Pane, can_focus=True):
+    """Rows to choose from, and their keys."""
+
+    HELP = (
+        "Up and down choose, Enter turns the dish there, e edits, d deletes and u brings back. "
+        "Esc goes back to the rose."
+    )
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.filter = ""
+        self.cursor = 0
+        self._top = 0
+        self._rows: list[tuple[Region, int]] = []
+
+    @property
+    def scope(self) -> str:
+        """What its commands have in `where`."""
+        return "presets"
+
+    def do(self, command: str) -> bool:
+        """Have the page do it: it asks, and it keeps the file."""
+        return self.query_ancestor(Page).do(command)
+
+    def shown(self, view: View) -> list[Preset]:
+        """Return those that the filter lets through."""
+        wanted = self.filter.casefold()
+        return [preset for preset in view.presets if wanted in f"{preset.name}\n{preset.note}".casefold()]
+
+    def chosen(self) -> Preset | None:
+        """Return the one under the cursor; None when there is none."""
+        view = cast(Host, self.app).view()
+        shown = self.shown(view)
+        return shown[min(self.cursor, len(shown) - 1)] if shown else None
+
+    def move(self, by: int) -> None:
+        """Move the cursor."""
+        if self.view is not None:
+            self.cursor = min(max(self.cursor + by, 0), max(len(self.shown(self.view)) - 1, 0))
+            self.show(self.view)
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Write the rows around the cursor, what is wrong with the file, and the keys."""
+        shown = self.shown(view)
+        self.cursor = min(self.cursor, max(len(shown) - 1, 0))
+        self._rows = []
+        bottom = self._keys(cells, view)
+        y = 0
+        problem = cast(Host, self.app).presets.problem
+        if problem and view.presets:
+            y = self._words(cells, y, f"▲ {problem}", "warn", min(3, bottom - 1))
+        elif problem:
+            y = self._words(cells, y, f"▲ {problem}", "warn", bottom)
+        elif not view.presets:
+            words = "No direction has a name yet. a keeps the one in which the dish points."
+            self._words(cells, 0, words, "dim", bottom)
+        elif not shown:
+            self._words(cells, 0, f'No name or note has "{self.filter}" in it. / changes that.', "dim", bottom)
+        room = max(bottom - y, 0)
+        self._top = min(max(self._top, self.cursor - room + 1), self.cursor)
+        for index, preset in list(enumerate(shown))[self._top : self._top + room]:
+            self._row(cells, y, index, preset)
+            y += 1
+
+    def _row(self, cells: Cells, y: int, index: int, preset: Preset) -> None:
+        here = index == self.cursor
+        ink = "accent-row" if here and self.has_focus else "text"
+        angles = f"{preset.az_deg:6.2f}° {preset.el_deg:5.2f}°"
+        if cells.width < 30:
+            angles = f"{preset.az_deg:3.0f}° {preset.el_deg:2.0f}°"
+        name_width = max(min(cells.width - len(angles) - 4, 20), 4)
+        name = preset.name if len(preset.name) <= name_width else preset.name[: name_width - 1] + "…"
+        note_width = cells.width - name_width - len(angles) - 6
+        note = preset.note if note_width >= 6 else ""
+        note = note if len(note) <= note_width else note[: max(note_width - 1, 0)] + "…"
+        line = f"{'▸' if here else ' '} {name:<{name_width}} {angles}  {note}"
+        cells.put(0, y, line.ljust(cells.width)[: cells.width], ink)
+        if ink == "text":
+            cells.put(0, y, line[:1], "accent-strong")
+            cells.put(2 + name_width + 1 + len(angles) + 2, y, note, "dim")
+        self._rows.append((Region(0, y, cells.width, 1), index))
+
+    def _keys(self, cells: Cells, view: View) -> int:
+        """Write the keys from the bottom, and return the row in which they begin."""
+        rows: list[list[tuple[str, str]]] = [[]]
+        x = 0
+        deleted = cast(Host, self.app).presets.deleted
+        for command, word in KEYS:
+            if command == "preset-undo" and not deleted:
+                continue
+            length = len(BY_NAME[command].shown) + 3 + len(word)
+            if x + length > cells.width and rows[-1]:
+                rows.append([])
+                x = 0
+            rows[-1].append((command, word))
+            x += length
+        top = max(cells.height - len(rows), 0)
+        for y, row in enumerate(rows, top):
+            x = 0
+            for command, word in row:
+                x = self.button(cells, x, y, command, view, word) - 1
+        return top
+
+    @staticmethod
+    def _words(cells: Cells, y: int, words: str, ink: str, rows: int) -> int:
+        if rows <= 0:
+            return y
+        for line in textwrap.wrap(words, max(cells.width - 2, 10), max_lines=rows, placeholder=" …"):
+            cells.put(1, y, line, ink)
+            y += 1
+        return y
+
+    def on_focus(self) -> None:
+        """Show the cursor, once Textual has taken the focus in."""
+        self.call_later(self.redraw)
+
+    def on_blur(self) -> None:
+        """Show that keys go elsewhere."""
+        self.call_later(self.redraw)
+
+    def on_click(self, event: events.Click) -> None:
+        """Choose a row; a second click in a row that is chosen is no Enter: the key below is."""
+        offset = event.get_content_offset(self)
+        for region, index in self._rows:
+            if offset is not None and region.contains_point(offset):
+                event.stop()
+                self.cursor = index
+                self.redraw()
+
+
+class PresetsBox(Vertical):
+    """The list, and over it the line to filter it with."""
+
+    def compose(self) -> ComposeResult:
+        """A filter that is not seen before it is asked for, and the list."""
+        field = Input(placeholder="part of a name; Enter keeps it, Esc clears it", id="preset-filter", disabled=True)
+        field.display = False
+        yield field
+        yield PresetsPane(id="presets")
+
+    def open_filter(self) -> None:
+        """Take the focus into the filter."""
+        field = self.query_one(Input)
+        field.disabled, field.display = False, True
+        field.focus()
+
+    def _close_filter(self, words: str) -> None:
+        field, pane = self.query_one(Input), self.query_one(PresetsPane)
+        field.value = words
+        pane.focus()
+        field.disabled, field.display = True, bool(words)
+
+    def on_input_changed(self, event: Input.Changed) -> None:
+        """Show what is left."""
+        event.stop()
+        pane = self.query_one(PresetsPane)
+        pane.filter, pane.cursor = event.value.strip(), 0
+        pane.redraw()
+
+    def on_input_submitted(self, event: Input.Submitted) -> None:
+        """Go back to the list, with the filter in force."""
+        event.stop()
+        self._close_filter(event.value.strip())
+
+    def on_key(self, event: events.Key) -> None:
+        """Esc in the filter clears it; in the list it goes back to the rose."""
+        if event.key != "escape":
+            return
+        event.stop()
+        if self.query_one(Input).has_focus:
+            self._close_filter("")
+        else:
+            self.screen.set_focus(self.screen.query_one("#rose"))

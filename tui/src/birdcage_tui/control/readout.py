@@ -1,0 +1,71 @@
+"""Where the dish points, in big digits; what it does; what stops it."""
+
+from __future__ import annotations
+
+import textwrap
+
+from birdcage_tui.canvas import Cells
+from birdcage_tui.digits import angle_text, put_big, width_of
+from birdcage_tui.pane import Pane
+from birdcage_tui.view import View
+from birdcage_tui.words import age_text, motion_text, stop_text
+
+
+class ReadoutPane(Pane):
+    """Side by side where there is room, else azimuth over elevation."""
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.border_title = "Pointing"
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Digits first; words as rows are left."""
+        position = view.state.position
+        ink = "dim" if view.stale else "big"
+        az = "---.--" if position is None else angle_text(position.az_deg, 3)
+        el = "--.--" if position is None else angle_text(position.el_deg, 2)
+        whole = width_of("000.00°00.00°")
+        beside = cells.width >= whole + 4
+        large = cells.width >= width_of("000.00°00.00°", large=True) + 4 and cells.height >= 8
+        if not beside:
+            self._stacked(cells, view, az, el, ink)
+            return
+        rows = 5 if large else 3
+        start_el = 1 + width_of("000.00°", large=large) + 3
+        put_big(cells, 1, 0, az + "°", ink, large=large)
+        put_big(cells, start_el, 0, el + "°", ink, large=large)
+        y = rows
+        if cells.height >= rows + 3:
+            true = view.state.az_offset_deg or view.state.el_offset_deg
+            cells.put(1, y, "azimuth true" if true else "azimuth", "dim")
+            cells.put(start_el, y, "elevation", "dim")
+            self._age(cells, start_el + 10, y, view)
+            y += 1
+        self._words(cells, y, view)
+
+    def _stacked(self, cells: Cells, view: View, az: str, el: str, ink: str) -> None:
+        right = 1 + width_of("000.00°")
+        put_big(cells, 1, 0, az + "°", ink)
+        put_big(cells, 1 + width_of("0"), 3, el + "°", ink)
+        cells.put(right + 1, 0, "az", "dim")
+        cells.put(right + 1, 3, "el", "dim")
+        age_s = view.position_age_s
+        if age_s is not None and view.stale:
+            cells.put(right + 1, 1, age_text(age_s), "warn")
+            cells.put(right + 1, 2, "old", "warn")
+        self._words(cells, 6, view)
+
+    @staticmethod
+    def _age(cells: Cells, x: int, y: int, view: View) -> None:
+        age_s = view.position_age_s
+        if age_s is not None and view.stale:
+            cells.put(x, y, f"{age_text(age_s)} old"[: max(cells.width - x, 0)], "warn")
+
+    @staticmethod
+    def _words(cells: Cells, y: int, view: View) -> None:
+        """Write what it does in one row, and what stops it in those that are left."""
+        left = 0 if cells.width < 30 else 1
+        ink = "dim" if view.waiting else "warn" if not view.link_up else "accent-strong" if view.moving else "text"
+        cells.put(left, y, motion_text(view)[: cells.width - left], ink)
+        for row, words in enumerate(textwrap.wrap(stop_text(view), cells.width - left), y + 1):
+            cells.put(left, row, words, "text" if view.moving else "dim")

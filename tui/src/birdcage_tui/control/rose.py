@@ -1,0 +1,173 @@
+"""The compass rose: where the dish points, to the tenth of a degree, where it was sent, and what is in the way."""
+
+from __future__ import annotations
+
+from typing import cast
+
+from birdcage.base.geometry import shortest_turn, wrap_360
+from birdcage.sky.sun import sun
+from textual import events
+
+from birdcage_tui.canvas import Braille, Cells
+from birdcage_tui.control.compass import Compass
+from birdcage_tui.control.needle import draw_needle
+from birdcage_tui.control.reach import cable_limits
+from birdcage_tui.control.tape import ROWS, draw_tape
+from birdcage_tui.control.unknown import why_unknown
+from birdcage_tui.goto_text import wind_of
+from birdcage_tui.host import Host
+from birdcage_tui.pane import Pane
+from birdcage_tui.view import View
+
+STOP_WEDGE_DEG = 7.0
+"""How much of the rose beyond a stop of the cable is hatched."""
+QUIET = ("faint", "line", "dim")
+
+
+class RosePane(Pane, can_focus=True):
+    """A dial as large as its pane, over a scale with tenths."""
+
+    HELP = (
+        "Arrows or h j k l step the dish; - and + change the step. "
+        "A click on the rose opens the go-to line with that azimuth."
+    )
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.border_title = "Azimuth"
+        self._static: tuple[object, Braille] | None = None
+
+    def _compass(self) -> Compass:
+        return Compass(self.size.width, max(self.size.height - ROWS, 1))
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Draw the dial, kept between frames, then what changes, then the scale."""
+        compass, state = Compass(cells.width, max(cells.height - ROWS, 1)), view.state
+        position = state.position
+        canvas = self._dial(compass, view).copy()
+        self._travel(canvas, compass, view)
+        if position is not None:
+            ink = "dim" if view.stale else "accent"
+            if state.az_offset_deg:
+                canvas.line(
+                    *compass.dot(position.dish_az_deg, 0.12), *compass.dot(position.dish_az_deg, 0.72), "dim", 2
+                )
+            draw_needle(canvas, *compass.middle, position.az_deg, compass.radius * 0.84, compass.radius * 0.2, ink)
+        canvas.onto(cells, 0, 0)
+        self._letters(cells, compass)
+        self._rim(cells, compass, view)
+        self._marks(cells, compass, view)
+        self._words(cells, compass, view)
+        draw_tape(
+            cells, cells.height - ROWS, None if position is None else position.az_deg,
+            ink="dim" if view.stale else "accent-strong", target_deg=state.target_az_deg, fold=wrap_360,
+        )  # fmt: skip
+
+    def _dial(self, compass: Compass, view: View) -> Braille:
+        state = view.state
+        limits = cable_limits(state)
+        key = (compass, limits, state.no_go_sectors, state.az_offset_deg)
+        if self._static is not None and self._static[0] == key:
+            return self._static[1]
+        canvas = Braille(compass.width, compass.height)
+        if limits is not None and limits[1] - limits[0] < 360.0:
+            compass.hatch(canvas, "line", limits[1] + state.az_offset_deg, 360.0 - limits[1] + limits[0], 0.3, 0.97)
+        for low, high, _ in state.no_go_sectors:
+            compass.hatch(canvas, "warn", low, (high - low) % 360.0, 0.6, 0.95)
+            for edge in (low, high):
+                canvas.line(*compass.dot(edge, 0.6), *compass.dot(edge, 0.97), "warn")
+        compass.ticks(canvas)
+        self._static = (key, canvas)
+        return canvas
+
+    @staticmethod
+    def _travel(canvas: Braille, compass: Compass, view: View) -> None:
+        """Draw the target's ray, the way there (past dotted, future solid), and the wedges beyond the stops."""
+        state = view.state
+        if state.target_az_deg is not None:
+            canvas.line(*compass.dot(state.target_az_deg, 0.3), *compass.dot(state.target_az_deg, 0.93), "target", 3)
+        motion = state.motion
+        if motion is not None and view.link_up:
+            way = shortest_turn(motion.from_az_deg, motion.to_az_deg)
+            gone = way * (view.progress or 0.0)
+            compass.arc(canvas, motion.from_az_deg, gone, 0.55, "accent", 4.0)
+            compass.arc(canvas, motion.from_az_deg + gone, way - gone, 0.55, "accent", 1.0)
+        for az_deg, beyond_deg in _stops(view):
+            start = az_deg if beyond_deg > 0 else az_deg - STOP_WEDGE_DEG
+            compass.hatch(canvas, "warn", start, STOP_WEDGE_DEG, 0.45, 0.97, every=3)
+            canvas.line(*compass.dot(az_deg, 0.4), *compass.dot(az_deg, 0.97), "warn")
+
+    @staticmethod
+    def _letters(cells: Cells, compass: Compass) -> None:
+        for az_deg, name in ((0.0, "N"), (90.0, "E"), (180.0, "S"), (270.0, "W")):
+            cells.put(*compass.cell(az_deg), name, "strong")
+        if compass.radius >= 30:
+            inner = 1 - 13.0 / compass.radius
+            for az_deg in range(0, 360, 30):
+                text = str(az_deg)
+                x, y = compass.cell(az_deg, inner)
+                x -= len(text) // 2
+                if az_deg % 90 and cells.free(x, y, len(text), *QUIET):
+                    cells.put(x, y, text, "dim")
+
+    @staticmethod
+    def _rim(cells: Cells, compass: Compass, view: View) -> None:
+        """Write presets, stops and the Sun on the rim."""
+        place = view.settings.place
+        for preset in view.presets:
+            cells.put(*compass.cell(preset.az_deg, 1 - 5.0 / compass.radius), "◆", "target")
+        for az_deg, _ in _stops(view):
+            cells.put(*compass.cell(az_deg), "▨", "warn")
+        if place is not None:
+            az_deg, el_deg = sun(view.utc, place.latitude_deg, place.longitude_deg)
+            if el_deg > 0:
+                cells.put(*compass.cell(az_deg), "☼", "target-strong")
+
+    @staticmethod
+    def _marks(cells: Cells, compass: Compass, view: View) -> None:
+        state = view.state
+        if state.motion is not None and view.link_up:
+            cells.put(*compass.cell(state.motion.to_az_deg, 0.9), "+", "accent-strong")
+        if state.target_az_deg is not None:
+            cells.put(*compass.cell(state.target_az_deg), "✕", "target-strong")
+        if state.position is not None:
+            cells.put(*compass.cell(0.0, 0.0), "◉", "dim" if view.stale else "accent-strong")
+
+    @staticmethod
+    def _words(cells: Cells, compass: Compass, view: View) -> None:
+        """Say in the corners which wind it is and what the second needle is; in the middle, why there is no needle."""
+        state, position = view.state, view.state.position
+        if position is None:
+            rows = why_unknown(view)
+            for offset, words in enumerate(rows):
+                text = f" {words} "
+                x = compass.width // 2 - len(text) // 2
+                y = compass.height // 2 - len(rows) // 2 + offset
+                cells.put(x, y, text, "dim" if view.waiting or offset else "warn-strong")
+            return
+        cells.put(0, 0, wind_of(position.az_deg), "dim")
+        if state.az_offset_deg:
+            cells.put(0, compass.height - 1, f"dish {position.dish_az_deg:.1f}°", "dim")
+        named = next((p.name for p in view.presets if abs(shortest_turn(p.az_deg, position.az_deg)) < 0.5), "")
+        if named and cells.free(cells.width - len(named), 0, len(named), *QUIET):
+            cells.right(cells.width, 0, named, "target")
+
+    def on_click(self, event: events.Click) -> None:
+        """Open the go-to line with the azimuth under the mouse; Enter is still to be pressed."""
+        offset = event.get_content_offset(self)
+        az_deg = None if offset is None else self._compass().direction(offset.x, offset.y)
+        if az_deg is not None:
+            event.stop()
+            cast(Host, self.app).open_goto(f"az={az_deg:.0f}")
+
+
+def _stops(view: View) -> list[tuple[float, float]]:
+    """Return the true azimuths of the stops that lie within a turn, and the direction (+1, -1) in which they stop."""
+    position, limits = view.state.position, cable_limits(view.state)
+    if position is None or position.cable_deg is None or limits is None:
+        return []
+    return [
+        (position.az_deg + end - position.cable_deg, sign)
+        for end, sign in zip(limits, (-1.0, 1.0), strict=True)
+        if abs(end - position.cable_deg) < 360.0
+    ]

@@ -1,0 +1,32 @@
+"""Why there is no needle, in a word or two."""
+
+from __future__ import annotations
+
+from birdcage.station.state import Activity, Link
+
+from birdcage_tui.view import View
+
+_LOST = {
+    "released": "MOTORS RELEASED",
+    "unhomed": "NOT HOMED",
+    "raw": "AFTER A RAW LINE",
+    "raw command": "AFTER A RAW LINE",
+}
+
+
+def why_unknown(view: View) -> tuple[str, ...]:
+    """Return a word for why the position is not known, and what would make it known."""
+    state = view.state
+    if view.waiting:
+        return "NOT READ YET", "opening the port"
+    if state.link.state is Link.LOST:
+        return "LINK LOST", "plug the cable in"
+    if state.link.state is Link.SILENT:
+        return "SILENT", "the dish is mute"
+    if state.activity is Activity.HOMING:
+        return "HOMING", "keep its swing clear"
+    if state.homed is False:
+        return "NOT HOMED", "H homes it"
+    if state.position_lost in _LOST:
+        return _LOST[state.position_lost], "H homes it"
+    return "NOT KNOWN", "not read yet"

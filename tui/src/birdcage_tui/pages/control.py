@@ -1,0 +1,220 @@
+"""F2: move the dish by hand, safely."""
+
+from __future__ import annotations
+
+from typing import cast
+
+from birdcage.base.errors import ConfigError
+from birdcage.base.presets import Preset
+from birdcage.station.requests import Engage, Goto, ReleaseMotors, SetSpeed, Stow
+from textual import events
+from textual.app import ComposeResult
+from textual.containers import Horizontal, Vertical
+
+from birdcage_tui.commands.table import can_release
+from birdcage_tui.control import ask
+from birdcage_tui.control.actions import ActionsPane
+from birdcage_tui.control.cable import CablePane
+from birdcage_tui.control.elevation import ElevationPane
+from birdcage_tui.control.jog import JogPane
+from birdcage_tui.control.last import LastLine
+from birdcage_tui.control.layout import sizes
+from birdcage_tui.control.nudge import DigitsPane
+from birdcage_tui.control.presets import PresetsBox, PresetsPane
+from birdcage_tui.control.readout import ReadoutPane
+from birdcage_tui.control.rose import RosePane
+from birdcage_tui.dialogs import QuestionScreen
+from birdcage_tui.host import YOU, Host
+from birdcage_tui.pages.page import Page
+
+
+class ControlPage(Page):
+    """Rose and elevation at the left, cable under them, words and keys at the right."""
+
+    DEFAULT_CSS = """
+    ControlPage { layout: vertical; }
+    ControlPage #control-top { height: 1fr; }
+    ControlPage RosePane, ControlPage ElevationPane, ControlPage #control-right { border: round $line; height: 1fr;
+        border-title-color: $dim; border-title-style: none; border-subtitle-color: $dim; }
+    ControlPage RosePane:focus { border: round $focus; border-title-color: $text; }
+    ControlPage #control-right { width: 1fr; }
+    ControlPage #control-hands { height: auto; }
+    ControlPage PresetsBox { height: 1fr; display: none; }
+    ControlPage PresetsPane { height: 1fr; }
+    ControlPage PresetsBox Input, ControlPage PresetsBox Input:focus { height: 1; border: none; padding: 0 1;
+        background: $panel; }
+    ControlPage LastLine { height: 1; }
+    ControlPage.-listing #control-hands, ControlPage.-listing ReadoutPane { display: none; }
+    ControlPage.-listing PresetsBox { display: block; }
+    ControlPage.-roomy #control-right { border: none; }
+    ControlPage.-roomy ReadoutPane, ControlPage.-roomy CablePane, ControlPage.-roomy #control-hands,
+    ControlPage.-roomy PresetsBox { border: round $line; border-title-color: $dim; border-title-style: none;
+        border-subtitle-color: $dim; display: block; }
+    ControlPage.-roomy #control-hands:focus-within, ControlPage.-roomy PresetsBox:focus-within {
+        border: round $focus; border-title-color: $text; }
+    """
+    RATE_HZ = 2.0
+    FIRST_FOCUS = "#rose"
+
+    def compose(self) -> ComposeResult:
+        """The parts, from the top left."""
+        with Horizontal(id="control-top"):
+            yield RosePane(id="rose")
+            yield ElevationPane(id="elevation")
+            with Vertical(id="control-right") as right:
+                right.border_title = "Command"
+                yield ReadoutPane(id="readout")
+                with Vertical(id="control-hands") as hands:
+                    hands.border_title = "Command"
+                    yield DigitsPane(id="digits")
+                    yield JogPane(id="jog")
+                    yield ActionsPane(id="actions")
+                with PresetsBox(id="presets-box") as box:
+                    box.border_title = "Presets"
+        yield CablePane(id="cable")
+        yield LastLine(id="last")
+
+    def on_resize(self) -> None:
+        """Choose the layout."""
+        found = sizes(*self.size)
+        self.set_class(found.roomy, "-roomy")
+        for name, width in (("#rose", found.rose), ("#elevation", found.elevation)):
+            self.query_one(name).styles.width = width
+        for name, height in (
+            ("#readout", found.readout), ("#digits", found.digits), ("#jog", found.jog), ("#actions", found.actions),
+            ("#cable", found.cable),
+        ):  # fmt: skip
+            self.query_one(name).styles.height = height
+        self._face()
+
+    def on_descendant_focus(self, _: events.DescendantFocus) -> None:
+        """Where there is no room for both, show what has the focus: the list, or the hands."""
+        self._face()
+
+    def on_descendant_blur(self, _: events.DescendantBlur) -> None:
+        """Show the hands again when the list has lost the focus to nothing here."""
+        self.call_after_refresh(self._face)
+
+    def _face(self) -> None:
+        box, focused = self.query_one(PresetsBox), self.screen.focused
+        listing = focused is not None and box in focused.ancestors and not self.has_class("-roomy")
+        self.set_class(listing, "-listing")
+        right = self.query_one("#control-right")
+        right.border_title = "Presets" if listing else "Command"
+        right.border_subtitle = "" if self.has_class("-roomy") else "Esc back" if listing else "p presets"
+
+    @property
+    def host(self) -> Host:
+        """The app."""
+        return cast(Host, self.app)
+
+    def do(self, command: str) -> bool:
+        """Do what is the page's own; hand on what a widget of it does."""
+        if command.startswith("digit-"):
+            return self.query_one(DigitsPane).do(command)
+        if command.startswith("preset"):
+            return self._preset(command)
+        match command:
+            case "digits":
+                self.set_class(False, "-listing")
+                self.query_one(DigitsPane).focus()
+            case "engage":
+                self._question(*ask.engage(), Engage(YOU))
+            case "release-motors":
+                self._question(*ask.release(), ReleaseMotors(YOU))
+            case "stow":
+                self._question(*ask.stow(self.host.view()), Stow(YOU))
+            case "speeds":
+                self._ask_speeds()
+            case _:
+                return False
+        return True
+
+    def _question(self, title: str, words: str, yes: str, request: Engage | ReleaseMotors | Stow) -> None:
+        def answered(agreed: bool | None) -> None:
+            if agreed:
+                self.host.ask(request)
+
+        self.app.push_screen(QuestionScreen(title, words, yes), answered)
+
+    def _ask_speeds(self) -> None:
+        view = self.host.view()
+
+        def answered(values: tuple[str, ...] | None) -> None:
+            for axis, speed in ask.speeds_of(values, view):
+                self.host.ask(SetSpeed(axis, speed, YOU))
+
+        self.app.push_screen(ask.speeds(view), answered)
+
+    # Presets.
+
+    def _preset(self, command: str) -> bool:
+        pane, book = self.query_one(PresetsPane), self.host.presets
+        match command:
+            case "presets":
+                self._list()
+            case "preset-up" | "preset-down":
+                pane.move(1 if command == "preset-down" else -1)
+            case "preset-filter":
+                self._list()
+                self.query_one(PresetsBox).open_filter()
+            case "preset-undo":
+                self._tell(book.undo)
+            case "preset-add":
+                self._add()
+            case "preset-go" | "preset-edit" | "preset-delete":
+                self._with_chosen(command, pane.chosen())
+            case _:
+                return False
+        return True
+
+    def _list(self) -> None:
+        if not self.has_class("-roomy"):
+            self.set_class(True, "-listing")
+        self.query_one(PresetsPane).focus()
+
+    def _with_chosen(self, command: str, preset: Preset | None) -> None:
+        if command == "preset-go" and can_release(self.host.view()) is None:
+            self.host.action_command("release")
+        elif preset is None:
+            self.host.say("No preset is chosen: a keeps the direction in which the dish points.")
+        elif command == "preset-go":
+            self.host.say(f'To "{preset.name}", {preset.az_deg:.2f}°/{preset.el_deg:.2f}°.')
+            self.host.ask(Goto(preset.az_deg, preset.el_deg, YOU))
+        elif command == "preset-delete":
+            self._tell(lambda: self.host.presets.delete(preset.name))
+        else:
+            self._edit(preset)
+
+    def _tell(self, change: ask.Change) -> None:
+        """Change the presets, and say what was done or why not."""
+        try:
+            words = change()
+        except ConfigError as refused:
+            words = str(refused)
+        self.host.say(words)
+
+    def _add(self) -> None:
+        book, position = self.host.presets, self.host.view().state.position
+        if book.problem:
+            self.host.say(book.problem)
+            return
+        fields = ask.preset_fields(None if position is None else Preset("", position.az_deg, position.el_deg))
+
+        def answered(values: tuple[str, ...] | None) -> None:
+            if values is not None:
+                self._tell(lambda: book.add(ask.preset_of(values)))
+
+        self.app.push_screen(ask.preset("Keep as preset", fields, book, None), answered)
+
+    def _edit(self, old: Preset) -> None:
+        book = self.host.presets
+        if book.problem:
+            self.host.say(book.problem)
+            return
+
+        def answered(values: tuple[str, ...] | None) -> None:
+            if values is not None:
+                self._tell(lambda: book.replace(old.name, ask.preset_of(values)))
+
+        self.app.push_screen(ask.preset("Edit preset", ask.preset_fields(old), book, old.name), answered)
