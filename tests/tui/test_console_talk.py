@@ -1,0 +1,192 @@
+"""The console before a line goes out: hazards named, control asked for, failures told."""
+
+from concurrent.futures import Future
+
+import pytest
+from birdcage.base.errors import Held, LeaseDenied
+from birdcage.station.raw import CONSOLE, Grade
+from birdcage.station.requests import AcquireLease, ReleaseLease, Watch
+from birdcage_tui.dialogs import QuestionScreen
+from console_desk import desk
+
+HAZARDS = [
+    ("root", "q"), ("root", "reboot"), ("root", "stow"), ("os", "reboot"), ("a3981", "reset"), ("adc", "scan"),
+    ("dvb", "def"), ("dvb", "lnbdc odu"), ("dvb", "srch"), ("dvb", "e 1 2"), ("eeprom", "ee 1 2"), ("eeprom", "inv 3"),
+    ("eeprom", "def"), ("nvs", "e 20 1"), ("nvs", "s"), ("gpio", "w 3 1"), ("mot", "a 0 9999"), ("mot", "g 100 40"),
+    ("mot", "h 0"), ("mot", "h *"), ("mot", "e"), ("mot", "r"), ("mot", "w 0 OFF"), ("mot", "sp 0 10"),
+    ("mot", "sw 0 1"), ("mot", "vms 0 1 1"), ("mot", "motorboth"), ("mot", "sd"), ("mot", "azscan 1 2 3"),
+    ("mot", "azscanwxp 0 10 10 1"), ("mot", "mv 0 10"), ("mot", "ma 0 10"), ("mot", "pid 0 1 2 3"),
+    ("step", "v 0 100"), ("step", "p 0 100"), ("peak", "pxy1"), ("peak", "pw"), ("peak", "stb"), ("mot", "frobnicate"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("homed", [True, False], ids=["homed", "unhomed"])
+def test_each_hazard_names_its_consequence_before_enter_counts(homed):
+    async def warn(at):
+        await at.press("i")
+        for menu, typed in HAZARDS:
+            at.app.station.asked.clear()
+            at.state(holder=CONSOLE, menu=menu, homed=homed)
+            at.line.value = typed
+            await at.look()
+            verdict = at.app.station.judge(typed)
+            assert verdict.grade > Grade.HARMLESS, typed
+            assert verdict.consequence in at.words()
+            assert verdict.limit in at.words()
+            await at.press("enter")
+            await at.look()
+            assert at.raw() == [], f"the first Enter sends nothing: {typed}"
+            if verdict.grade >= Grade.MOVES or verdict.limit:
+                assert isinstance(at.app.screen, QuestionScreen)
+                assert verdict.consequence in at.words()
+                await at.press("enter")
+                assert at.raw() == [], f"Enter is no answer: {typed}"
+                await at.press("enter", "y")
+            else:
+                assert "Enter again sends it" in at.words()
+                await at.press("enter")
+            assert at.raw() == [(typed, True)]
+            assert at.line.value == ""
+
+    desk(warn, size=(120, 36))
+
+
+def test_a_change_of_the_text_or_escape_takes_the_first_enter_back():
+    async def arm(at):
+        at.state(holder=CONSOLE, menu="nvs")
+        await at.type("s")
+        await at.press("enter", "backspace", "s", "enter")
+        assert at.raw() == []
+        await at.press("escape")
+        await at.look()
+        assert "Enter again" not in at.words()
+        await at.press("enter")
+        assert at.raw() == []
+        await at.press("enter")
+        assert at.raw() == [("s", True)]
+
+    desk(arm)
+
+
+def test_another_menu_takes_the_first_enter_back():
+    async def arm(at):
+        at.state(holder=CONSOLE, menu="nvs")
+        await at.type("s")
+        await at.press("enter")
+        at.state(menu="mot")
+        await at.look()
+        await at.press("enter")
+        return at.raw()
+
+    assert desk(arm) == []
+
+
+def test_a_harmless_line_goes_out_at_once():
+    async def send(at):
+        at.state(holder=CONSOLE, menu="mot")
+        await at.type("a")
+        await at.press("enter")
+        return at.raw(), at.line.value
+
+    assert desk(send) == ([("a", False)], "")
+
+
+def test_enter_twice_asks_once():
+    async def twice(at):
+        at.state(menu="mot")
+        took = []
+
+        def submit(request):
+            at.app.station.asked.append(request)
+            took.append(Future())
+            return took[-1]
+
+        at.app.sheet._sent._submit = submit
+        await at.type("a 0 200")
+        await at.press("enter", "enter")
+        for future in took:
+            future.set_result(None)
+        await at.look()
+        depth = len(at.app.screen_stack)
+        await at.press("escape")
+        return depth, len(at.app.screen_stack), at.raw()
+
+    assert desk(twice) == (2, 1, [])
+
+
+def test_the_first_enter_takes_control_and_another_holder_is_named_first():
+    async def take(at):
+        at.state(holder="Gpredict", menu="mot")
+        await at.type("a")
+        await at.press("enter")
+        await at.look()
+        assert "Gpredict has control" in at.words()
+        assert at.app.station.asked_for(AcquireLease) == []
+        await at.press("y")
+        return at.app.station.asked_for(AcquireLease)
+
+    assert desk(take) == [AcquireLease(CONSOLE, take_over=True)]
+
+
+def test_talk_says_that_polling_pauses_and_how_old_the_position_is():
+    async def talk(at):
+        at.state(holder=CONSOLE)
+        at.clock.advance(12)
+        return await at.look()
+
+    text = desk(talk)
+    assert "TALK" in text
+    assert "polling paused, position 12s old" in text
+
+
+def test_closing_gives_control_back():
+    async def close(at):
+        at.state(holder=CONSOLE)
+        await at.press("f5")
+        return at.app.station.asked_for(ReleaseLease)
+
+    assert desk(close) == [ReleaseLease(CONSOLE)]
+
+
+def test_while_one_types_only_the_position_is_polled_so_that_the_menu_stays():
+    async def watches(at):
+        await at.press("i")
+        await at.press("escape")
+        return [set(each.features) for each in at.app.station.asked_for(Watch)]
+
+    first, typing, after = desk(watches)
+    assert typing == {"position"}
+    assert "rssi" in first
+    assert after == first
+
+
+@pytest.mark.parametrize("error", [Held("STOP is latched."), LeaseDenied("Gpredict has control.")])
+def test_a_line_that_failed_is_told_and_comes_back(error):
+    async def fail(at):
+        at.state(holder=CONSOLE, menu="mot")
+        failed = Future()
+        at.app.sheet._sent._submit = lambda request: failed
+        await at.type("a")
+        await at.press("enter")
+        failed.set_exception(error)
+        await at.pilot.pause()
+        return await at.look(), at.line.value
+
+    text, value = desk(fail)
+    assert f"# `a`: {error}" in text
+    assert value == "a"
+
+
+def test_a_line_that_prints_on_says_so_and_enter_ends_it():
+    async def stream(at):
+        at.state(holder=CONSOLE, menu="dvb")
+        await at.type("agc")
+        await at.press("enter")
+        at.clock.advance(3)
+        text = await at.look()
+        await at.press("enter")
+        return text, at.raw()
+
+    text, raw = desk(stream)
+    assert "`agc` running 3 s, Enter ends it." in text
+    assert raw == [("agc", False), ("", False)]
