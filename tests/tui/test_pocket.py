@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 import stand_in
 from birdcage.station.requests import AcknowledgeFault, Goto, Home, Jog, Release
+from birdcage_tui.dialogs import QuestionScreen
 from birdcage_tui.goto import GotoLine
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.panes.sky import SkyPane
@@ -136,7 +137,7 @@ def test_what_is_wrong_is_a_touch_target_and_says_which_key(name):
     async def let_go(app, pilot):
         text = stand_in.text_of(app)
         await click(app, pilot, "HELD by" if name == "held" else "Azimuth stalled")
-        await click(app, pilot, "Enter release", last=True)
+        await click(app, pilot, "Enter release" if name == "held" else "Enter acknowledge", last=True)
         return text, app.station.asked_for(Release if name == "held" else AcknowledgeFault)
 
     text, asked = run(let_go, name)
@@ -165,6 +166,12 @@ def test_refused_keys_are_told_apart_without_colour():
     assert "[" in next(row for row in run(read).splitlines() if "◀" in row)
     assert "╎" in run(read, "held", (60, 40))
     assert "╎" not in run(read, "idle", (60, 40))
+
+
+def test_width_makes_the_digits_larger():
+    assert "┌───┘" in run(read, "slewing", (60, 40))
+    assert "┌───┘" in run(read, "slewing", (120, 20))
+    assert "┌───┘" not in run(read, "slewing", (50, 20))
 
 
 def test_an_old_position_says_its_age():
@@ -231,6 +238,23 @@ def test_dialogs_fit(key, words):
     rows = text.splitlines()
     assert len(rows) == 12
     assert "G2 ●" in rows[0]
+
+
+def test_a_long_question_scrolls_and_its_answers_do_not():
+    async def ask(app, pilot):
+        app.push_screen(QuestionScreen("Release", "It may fall. " * 40 + "Last words.", "release"))
+        await pilot.pause()
+        before = stand_in.text_of(app)
+        await press(app, pilot, "end")
+        await pilot.wait_for_scheduled_animations()
+        return before, stand_in.text_of(app)
+
+    before, after = run(ask)
+    assert "Last words." not in before
+    assert "Last words." in after
+    for text in (before, after):
+        assert "y   release" in text
+        assert "Esc  do nothing" in text
 
 
 def test_help_scrolls_to_its_last_line():

@@ -59,11 +59,16 @@ class QuestionScreen(Dialog[bool]):
         yield TopRow()
         with Vertical() as frame:
             frame.border_title = self._title
-            with VerticalScroll(can_focus=False):
+            with VerticalScroll():
                 yield Static(self._words, markup=False)
             with Vertical(id="answers"):
                 yield Answer(" y ", self._yes, yes=True)
                 yield Answer("Esc", "do nothing", yes=False)
+
+    def on_mount(self) -> None:
+        """Let the arrows scroll words that are longer than the screen."""
+        super().on_mount()
+        self.query_one(VerticalScroll).focus()
 
     @on(Answer.Given)
     def _given(self, answer: Answer.Given) -> None:

@@ -50,7 +50,8 @@ class PocketPage(Page):
         super().show(view)
 
     def _apply(self, layout: Layout) -> None:
-        self.query_one(PocketReading).cramped = layout.keys == 0
+        reading = self.query_one(PocketReading)
+        reading.cramped, reading.digits = layout.keys == 0, layout.digits
         body = self.query_one("#pocket-body")
         body.styles.layout = "horizontal" if layout.beside else "vertical"
         column = self.query_one("#pocket-column")

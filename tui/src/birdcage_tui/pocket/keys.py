@@ -23,6 +23,13 @@ def _centred(words: str, width: int) -> str:
     return words.rjust((width + len(words) + 1) // 2).ljust(width)
 
 
+def _release_words(view: View) -> str:
+    """Return what Enter does to what is wrong."""
+    if view.state.fault is not None:
+        return "Enter acknowledge"
+    return "Enter release" if view.state.held is not None else "Enter own limits"
+
+
 class PocketKeys(Pane):
     """Two rows of buttons; the jog buttons grow when the pane is taller."""
 
@@ -39,7 +46,7 @@ class PocketKeys(Pane):
         self._key(cells, Region(x + 10, 0, 3, tall), "step-up", "+", view)
         if cells.height < 2:
             return
-        release = (("release", "Enter release"), *MORE[2:]) if can_release(view) is None else MORE
+        release = (("release", _release_words(view)), *MORE[2:]) if can_release(view) is None else MORE
         wide, taken = cells.width - 2, 0
         for command, words in release:
             x, taken = 1 + wide * taken // len(MORE), taken + (2 if command == "release" else 1)

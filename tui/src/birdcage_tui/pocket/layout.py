@@ -19,6 +19,8 @@ TALL = 19
 class Layout:
     """Rows of each part; 0 is not shown. `beside`: the sky stands right of a column `column` wide."""
 
+    digits: int
+    """Rows of the angles, which are part of `reading`."""
     reading: int
     signal: int
     words: int
@@ -39,21 +41,23 @@ def arrange(width: int, height: int, *, heard: bool, wrong_in: Callable[[int], i
     keys = 0 if small else 2 if height < TALL else 4
     body = max(height - stop - keys, 0)
     if small:
-        return Layout(body, 0, 0, 0, stop, sky=False, beside=False, column=width)
+        digits = digit_rows(width, body, wrong_in(width))
+        return Layout(digits, body, 0, 0, 0, stop, sky=False, beside=False, column=width)
     beside = width >= LEAST_WIDTH + SKY_WIDTH + 4 and body >= SKY_HEIGHT
     column = width
     if beside:
         column = max(LEAST_WIDTH, min(LARGE_WIDTH + 2, width - body * 2 - 4, width - SKY_WIDTH))
     wrong = wrong_in(column)
     # Digits, what it does or what is wrong, what STOP can do, cable.
-    least = digit_rows(column, body, wrong) + (wrong + 1 if wrong else 3)
+    digits = digit_rows(column, body, wrong)
+    least = digits + (wrong + 1 if wrong else 3)
     reading = min(least, body)
     rest = body - reading
     sky = beside
     if not beside and rest >= SKY_HEIGHT + (4 if heard else 0):
         sky, rest = True, min(rest - SKY_HEIGHT, 5) if heard else 0
     if heard and rest >= 2:
-        return Layout(reading, rest, 0, keys, stop, sky, beside, column)
+        return Layout(digits, reading, rest, 0, keys, stop, sky, beside, column)
     if rest >= (2 if wrong else 1):
-        return Layout(reading, 0, rest, keys, stop, sky, beside, column)
-    return Layout(reading + rest, 0, 0, keys, stop, sky, beside, column)
+        return Layout(digits, reading, 0, rest, keys, stop, sky, beside, column)
+    return Layout(digits, reading + rest, 0, 0, keys, stop, sky, beside, column)

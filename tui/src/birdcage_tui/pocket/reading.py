@@ -45,11 +45,13 @@ class PocketReading(Pane):
 
     cramped = False
     """Whether the terminal is too small for buttons."""
+    digits = 3
+    """Rows of the angles: 5, 3, 1 or 0."""
 
     def draw(self, cells: Cells, view: View) -> None:
         """Fill from the top. What is wrong is never cut short while there are rows for it."""
         ink, wrong = wrong_rows(view, cells.width)
-        y = self._angles(cells, view, digit_rows(cells.width, cells.height, len(wrong)))
+        y = self._angles(cells, view, self.digits)
         if wrong:
             y = self._wrong(cells, view, y, ink, wrong)
         else:
