@@ -335,7 +335,7 @@ class Shell(Surface):
 
     def typing_changed(self) -> None:
         """The console's line has the focus, or no longer (also because the app ends, page by page)."""
-        if self.screen_stack and self.screen_stack[0].query("#pages"):
+        if self.screen_stack and self.screen_stack[0].query("#pages") and self._seen() is not None:
             self._watch()
             self.paint()
 
