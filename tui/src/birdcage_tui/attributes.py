@@ -50,7 +50,7 @@ class AttributeFilter(LineFilter):
         super().__init__()
         self._look = look
 
-    def apply(self, segments: list[Segment], background: Color) -> list[Segment]:  # noqa: ARG002 - the look's counts
+    def apply(self, segments: list[Segment], _background: Color) -> list[Segment]:
         """Return the same row without colours."""
         look = self._look()
         return [

@@ -33,6 +33,7 @@ _SIGNS = {
     **dict(zip("←→↑↓↔↕°·…×±µ–—‘’“”≤≥−✗", "<>^v-|d.~x~u--''\"\"<>-x", strict=True)),
     **dict.fromkeys("▎▍▋▊▉", "|"),
     "🔎": "/ ",
+    "◆": "o",
 }
 """A state's signs stay different from each other; arrows and triangles that point the same way are the same."""
 
@@ -99,7 +100,7 @@ class GlyphFilter(LineFilter):
         super().__init__(enabled=glyphs != "braille")
         self._glyphs = glyphs
 
-    def apply(self, segments: list[Segment], background: Color) -> list[Segment]:  # noqa: ARG002 - not about colour
+    def apply(self, segments: list[Segment], _background: Color) -> list[Segment]:
         """Return the same row in the set's characters."""
         return [Segment(translate(text, self._glyphs), style, control) for text, style, control in segments]
 
