@@ -68,7 +68,7 @@ def test_no_text_field_has_the_focus_on_arrival_and_the_page_above_goes_on():
     assert "WATCH" in text
 
 
-@pytest.mark.parametrize("key", ["f5", "escape"])
+@pytest.mark.parametrize("key", ["f5", "5", "escape"])
 def test_at_rest_it_closes_and_gives_the_focus_back(key):
     async def close(at):
         await at.press(key)

@@ -7,7 +7,6 @@ from enum import Enum
 from typing import cast
 
 from textual.binding import Binding
-from textual.message import Message
 from textual.widgets import Input
 
 from birdcage_tui.host import Host
@@ -54,13 +53,6 @@ class FindInput(Input):
     """Searches the log, or the lines typed before, while one types."""
 
     HELP = "Searches while you type. Enter keeps it, Esc leaves. Space types a space: Ctrl+C stops the dish."
-
-    class Ended(Message):
-        """Enter (`kept`) or Esc."""
-
-        def __init__(self, *, kept: bool) -> None:
-            super().__init__()
-            self.kept = kept
 
     def __init__(self, do: Callable[[str], bool]) -> None:
         super().__init__(select_on_focus=False, disabled=True)

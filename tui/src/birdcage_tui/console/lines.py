@@ -34,8 +34,6 @@ class Line:
     utc: datetime
     direction: str
     data: bytes
-    own: bool = False
-    """A remark of this console's own, which is in no transcript file."""
 
     @property
     def text(self) -> str:

@@ -26,7 +26,7 @@ class WireLog:
 
     def remark(self, text: str, utc: datetime) -> None:
         """Put a sentence of this console's own among the lines."""
-        self._own.append(Line(utc, "#", text.encode(), own=True))
+        self._own.append(Line(utc, "#", text.encode()))
 
     def take(self, now: datetime) -> list[Line]:
         """Return the lines that are new, in order."""
@@ -37,7 +37,7 @@ class WireLog:
         lines = []
         if missed:
             words = f"{missed} events are not shown: nobody looked. The transcript file has them."
-            lines.append(Line(found[0].utc if found else now, "#", words.encode(), own=True))
+            lines.append(Line(found[0].utc if found else now, "#", words.encode()))
         lines += [Line(event.utc, event.direction, event.data) for event in joined]
         self._note_prompt(lines)
         lines += self._own
