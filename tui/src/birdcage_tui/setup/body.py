@@ -26,9 +26,13 @@ from birdcage_tui.view import View
 
 TITLE = "Setup: from wires to the first satellite"
 HERE = Choice("here", "enter", "Make this the present step")
+HAND_STEPS = ("north", "first")
+"""Steps at which a person may want to move the dish by hand."""
+LEAST_BELOW = 14
+"""Rows from which a compass is worth drawing under the readings."""
 LEAST_LIST = 3
 """Rows that the list keeps, whatever the present step needs."""
-POINTING_ROWS = 9
+POINTING_ROWS = 13
 FINISHED = (
     "Setup is finished: every step is done, skipped or for later. 1 shows the sky, 2 moves the dish by hand.",
     "Any step can be done again: look at it with the arrows, then Enter. After each power-up the dish has to be homed.",
@@ -57,6 +61,7 @@ class SetupBody(Page):
         self._steps: tuple[StepView, ...] = ()
         self._present = ""
         self._busy: tuple[str, float] | None = None
+        self._shape: object = None
 
     def compose(self) -> ComposeResult:
         """The list above, the step, the list below; wider, list and step side by side."""
@@ -70,6 +75,7 @@ class SetupBody(Page):
             yield AnswerForm(id="setup-form")
             yield ExtraPane(id="setup-extra")
             yield PointingPane(id="setup-pointing")
+            yield ExtraPane(id="setup-below")
         yield StepsPane(id="setup-rest")
 
     def on_mount(self) -> None:
@@ -113,8 +119,8 @@ class SetupBody(Page):
 
     @property
     def wiring_fills(self) -> bool:
-        """Whether the wiring has the whole page."""
-        return self.wiring and not self.wide
+        """Whether the wiring stands instead of words and answers."""
+        return self.wiring
 
     def answers(self) -> tuple[Choice, ...]:
         """Return what can be answered now: only the present step is answered."""
@@ -167,8 +173,16 @@ class SetupBody(Page):
         self._tell_place()
         self._find_causes(view)
         self._fill(view)
-        self._lay_out()
+        shape = self._lay_out()
         super().show(view)
+        if shape != self._shape:
+            # Widths and heights follow only after this frame: look once more when they have.
+            self._shape = shape
+            self.call_after_refresh(self.host.paint)
+
+    def on_resize(self) -> None:
+        """Lay out at the new size."""
+        self.call_after_refresh(self.host.paint)
 
     def follow_soon(self) -> None:
         """Go along with the engine to its next step."""
@@ -204,7 +218,7 @@ class SetupBody(Page):
         elif self._busy is None or self._busy[0] != step.name:
             self._busy = (step.name, view.now)
         kind = kind_for(step.name, mute=bool(self.causes), wiring_asked=self.wiring, wide=self.wide)
-        extra = self.query_one(ExtraPane)
+        extra = self.query_one("#setup-extra", ExtraPane)
         told, extra.seen = step, ""
         if kind is Kind.CAUSES:
             words, extra.seen = told_apart(step, self.causes, view.state.link.detail)
@@ -214,22 +228,22 @@ class SetupBody(Page):
             present,
             None if self._busy is None else view.now - self._busy[1],
             wrong=self.wrong,
-            whole=self.wide and kind is not Kind.CAUSES,
-            extra=FINISHED if present and self.engine.finished else (),
+            whole=kind is not Kind.CAUSES and not step.busy and self.query_one("#setup-steps", StepsPane).cuts(step),
+            news=FINISHED if present and self.engine.finished else (),
+            extra=_asides(step, view) if present else (),
             note=self.note,
         )
         extra.kind, extra.causes, extra.chosen, extra.place = kind, self.causes, self.chosen, view.settings.place
         dish = view.state.dish
         extra.firmware = None if dish is None else dish.firmware
 
-    def _lay_out(self) -> None:
-        """Give every part its rows."""
-        words, form, extra = self.query_one(StepWords), self.form, self.query_one(ExtraPane)
+    def _lay_out(self) -> object:
+        """Give every part its rows. Return what the layout was made from."""
+        words, form, extra = self.query_one(StepWords), self.form, self.query_one("#setup-extra", ExtraPane)
         scroll = self.query_one("#setup-step", VerticalScroll)
         fills, wide = self.wiring_fills, self.wide
         width = scroll.size.width or self.size.width - 8
         words.display = form.display = not fills
-        self.query_one("#setup-list").display = not fills
         form.fill(self.step.name, self.answers(), width)
         told = 0 if fills else words.rows(width)
         asked = 0 if fills else form.rows
@@ -244,12 +258,19 @@ class SetupBody(Page):
         extra.display = extra.kind is not Kind.NOTHING
         pointing = self.query_one(PointingPane)
         pointing.display = extra.kind is Kind.POINTING
+        extra.alone = fills
+        below = self.query_one("#setup-below", ExtraPane)
+        below.kind, below.place = Kind.COMPASS, extra.place
+        left = room - told - asked - 2 - POINTING_ROWS
+        below.display = extra.kind is Kind.POINTING and left >= LEAST_BELOW
         if extra.kind is Kind.POINTING:
             _rows(extra, 2)
-            _rows(pointing, max(min(room - told - asked - 2, POINTING_ROWS + 3), 7))
+            _rows(pointing, POINTING_ROWS if left >= 0 else max(left + POINTING_ROWS, 7))
+            _rows(below, max(left, 0))
         elif extra.display:
             needs = extra.needs(width) if extra.kind is Kind.WIRING else 0
             _rows(extra, max(room - told - asked, needs))
+        return self.size, width, wide, told, asked, room, self.looked, extra.kind, self._present
 
     def _lay_out_narrow(self, needs: int, has_extra: bool) -> int:
         """List and step in one column. Return the rows that the step has."""
@@ -265,6 +286,7 @@ class SetupBody(Page):
         rest = self.query_one("#setup-rest", StepsPane)
         rest.tell(self._steps, lower, self.looked, self._present)
         rest.display = bool(lower) and listed > 0
+        self.query_one("#setup-list").display = listed > 0
         _rows(self.query_one("#setup-list"), len(upper))
         _rows(rest, len(lower))
         step_rows = height - listed
@@ -275,6 +297,7 @@ class SetupBody(Page):
         """List at the left. Return the rows that the step has."""
         steps, frame = self.query_one("#setup-steps", StepsPane), self.query_one("#setup-list")
         column = self.query_one("#setup-step")
+        frame.display = True
         for part in (frame, column):
             part.styles.height = "1fr"
         column.border_title = f"{self.step.number} {self.step.title}"
@@ -283,6 +306,18 @@ class SetupBody(Page):
         steps.tell(self._steps, fold(len(self._steps), self.looked, max(frame.size.height, 1)), self.looked,
                    self._present)  # fmt: skip
         return column.size.height
+
+
+def _asides(step: StepView, view: View) -> tuple[str, ...]:
+    """Return what the page itself has to add to a step."""
+    state = view.state
+    if state.fault is not None:
+        return ("Enter acknowledges the fault first; after that it does the step.",)
+    if state.held is not None:
+        return ("Enter lets go of HELD first; after that it does the step.",)
+    if step.name in HAND_STEPS and step.choices:
+        return ("Arrows do not jog here: o opens Control, where they do; 8 comes back.",)
+    return ()
 
 
 def _rows(widget: Widget, rows: int) -> None:

@@ -10,7 +10,7 @@ from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.settings import Place
 from birdcage_tui.view import View
 
-LEAST_HEIGHT = 9
+LEAST_HEIGHT, MOST_HEIGHT = 9, 25
 WORDS = 24
 
 
@@ -21,7 +21,8 @@ def draw_compass(cells: Cells, top: int, view: View, place: Place | None) -> Non
     if height < LEAST_HEIGHT or width < 2 * LEAST_HEIGHT:
         _readings(cells, 1, top, view, place)
         return
-    height = min(height, width // 2 + 1)
+    height = min(height, width // 2 + 1, MOST_HEIGHT)
+    width = min(width, height * 2)
     dots = Braille(width, height)
     x0, y0 = float(width - 1), float(height * 2)
     radius = min(x0 - 6, y0 - 5)

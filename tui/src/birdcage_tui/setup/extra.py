@@ -41,6 +41,8 @@ class ExtraPane(Pane):
         self.seen = ""
         self.firmware: str | None = None
         self.place: Place | None = None
+        self.alone = False
+        """Whether nothing stands above it, because a person asked for the wiring."""
 
     def needs(self, width: int) -> int:
         """Return how many rows it could fill; 0 for as many as there are."""
@@ -58,11 +60,15 @@ class ExtraPane(Pane):
             return
         width = cells.width - 2
         heading = self.kind.value
-        hint = "  ← → another cause" if self.kind is Kind.CAUSES and len(self.causes) > 1 else ""
+        hint = "← → another cause" if self.kind is Kind.CAUSES and len(self.causes) > 1 else ""
         cells.put(1, 0, "─" * width, "line")
         x = cells.put(3, 0, f" {heading} ", "dim")
+        if self.alone:
+            self.heat(x + 1, 0, 16, "setup-wiring")
+            cells.put(x, 0, " ↑ ↓ more   w back ", "text")
         if hint:
-            cells.put(x, 0, f"{hint} ", "dim")
+            x += 1
+            cells.put(x, 0, f" {hint} ", "text")
             middle = x + len(hint) // 2
             self.heat(x, 0, middle - x, "setup-previous-cause")
             self.heat(middle, 0, len(hint) - (middle - x), "setup-next-cause")
@@ -80,7 +86,13 @@ class ExtraPane(Pane):
         if self.kind is Kind.WIRING:
             return wiring.lines(wiring.connectors_for(self.firmware), width)
         seen = walk.seen_lines(self.seen, width)
-        return [*seen, *walk.cause_lines(self.causes, self.chosen, width, max(room - len(seen), 1))]
+        told = [*seen, *walk.cause_lines(self.causes, self.chosen, width, max(room - len(seen), 1))]
+        plugs = wiring.connectors_for(self.firmware)
+        plug = wiring.contacts(plugs[0]) if len(plugs) == 1 and plugs[0].pins else []
+        if plug and len(told) + len(plug) + 2 <= room:
+            heading = f" {plugs[0].plug}, {plugs[0].drawing.value.partition(',')[0]} "
+            told += [(), (("line", "──"), ("dim", heading), ("line", "─" * (width - 2 - len(heading)))), *plug]
+        return told
 
 
 def kind_for(step: str, *, mute: bool, wiring_asked: bool, wide: bool) -> Kind:

@@ -19,6 +19,8 @@ from birdcage_tui.view import View
 
 MOVES = "▲ moves the dish"
 GAP = 2
+INDENT = 4
+"""Of a row that goes on with the fields of the choice above."""
 LEAST_FIELD, MOST_FIELD = 12, 30
 
 
@@ -38,6 +40,8 @@ class ChoiceButton(Pane, can_focus=True):
     def __init__(self, choice: Choice) -> None:
         super().__init__()
         self.choice = choice
+        # What has fields is answered from them: Enter in the last one takes it.
+        self.can_focus = not choice.fields
         self.styles.width = button_width(choice)
 
     def tell(self, choice: Choice) -> None:
@@ -82,7 +86,7 @@ def button_width(choice: Choice) -> int:
 
 def field_width(field: Field) -> int:
     """Return how many columns there are to type in."""
-    return min(max(len(field.hint) + 2, len(field.value) + 2, LEAST_FIELD), MOST_FIELD)
+    return min(max(len(field.value or field.hint) + 3, LEAST_FIELD), MOST_FIELD)
 
 
 class AnswerForm(Vertical):
@@ -132,7 +136,12 @@ class AnswerForm(Vertical):
         self._made, self._step, self._rows = made, step, rows
         self._buttons, self._boxes = [], []
         self.remove_children()
-        self.mount_all([Horizontal(*self._widgets(row, typed), classes="answers") for row in rows])
+        self.mount_all(
+            [
+                Horizontal(*self._widgets(row, typed), classes="answers" if row[0][1] is None else "answers -more")
+                for row in rows
+            ]
+        )
         if focused is not None:
             self.call_after_refresh(self._focus_name, focused)
 
@@ -216,21 +225,21 @@ def _shape(rows: Sequence[Sequence[tuple[Choice, Field | None]]]) -> list[list[t
 
 
 def packed(choices: Sequence[Choice], width: int) -> list[list[tuple[Choice, Field | None]]]:
-    """Return rows of (choice, field) or (choice, None) for its button; fields stand before their button."""
+    """Return rows of (choice, field) or (choice, None) for its button; fields stand after their button."""
     rows: list[list[tuple[Choice, Field | None]]] = []
     free = 0
     typed = False
     for choice in choices:
         begins = bool(choice.fields) or typed
         typed = bool(choice.fields)
-        items: list[tuple[Field | None, int]] = [
+        items: list[tuple[Field | None, int]] = [(None, button_width(choice) + GAP)]
+        items += [
             (field, len(field.label) + 1 + field_width(field) + 1 + len(field.unit) + GAP) for field in choice.fields
         ]
-        items.append((None, button_width(choice) + GAP))
         for field, needs in items:
             if begins or needs > free:
                 rows.append([])
-                free, begins = width, False
+                free, begins = width - (INDENT if field is not None else 0), False
             rows[-1].append((choice, field))
             free -= needs
     return rows

@@ -77,13 +77,23 @@ class StepsPane(Pane):
 
     @staticmethod
     def _words(step: StepView) -> str:
-        return f"{step.busy} …" if step.busy else step.evidence
+        if step.busy:
+            return f"{step.busy} …"
+        return step.evidence or (step.mark.value if step.mark in (Mark.SKIPPED, Mark.LATER) else "")
 
     @staticmethod
     def _ink(step: StepView) -> str:
         if step.mark is Mark.FAILED or step.busy:
             return "warn"
         return "text" if step.mark is Mark.DONE else "dim"
+
+    def cuts(self, step: StepView) -> bool:
+        """Return whether the evidence of a step is too long for its row."""
+        words = self._words(step)
+        if not self.tall:
+            return len(words) > self.size.width - LABEL_WIDTH - 1
+        blocks = self._blocks(self.size.width, self.size.height)
+        return blocks is None or any(block[-1].endswith("…") for block in blocks if block)
 
     def _row(self, cells: Cells, y: int, row: Row) -> None:
         step = self._steps[row.first]

@@ -45,10 +45,13 @@ def drawing(connector: Connector, width: int) -> list[Line]:
     if not connector.pins:
         return head
     caption = _wrap(f"{connector.drawing.value.capitalize()}:", width)
+    return [*head, *[(("dim", line),) for line in caption], *contacts(connector)]
+
+
+def contacts(connector: Connector) -> list[Line]:
+    """Return the contacts alone: where each goes, and which way its signal runs."""
     colours = any(pin.wire for pin in connector.pins)
     return [
-        *head,
-        *[(("dim", line),) for line in caption],
         (("line", "  ┌───┐"), ("dim", f"{'   wire  ' if colours else '  '} signal         adapter")),
         *[_contact(pin, colours=colours) for pin in connector.pins],
         (("line", "  └───┘"),),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from birdcage.setup.step import Mark, StepView
 
@@ -27,8 +27,10 @@ class Telling:
     wrong: str = ""
     """Why the last answer was not taken."""
     whole: bool = False
-    """Whether title and evidence are to be told as well: no list row shows them in full."""
-    extra: tuple[str, ...] = field(default_factory=tuple)
+    """Whether the evidence is to be told as well: its row in the list shows it cut."""
+    news: tuple[str, ...] = ()
+    """What is to be read first."""
+    extra: tuple[str, ...] = ()
     """Sentences of the page itself."""
 
     def lines(self, width: int) -> list[tuple[str, str]]:
@@ -46,6 +48,8 @@ class Telling:
         if step.busy:
             time = "" if self.busy_s is None else f"  {span_text(self.busy_s)}"
             say("accent-strong", f"◌ {step.busy}{time}")
+        for sentence in self.news:
+            say("good-strong", sentence)
         for sentence in step.words:
             say("text" if self.present else "dim", sentence)
         for sentence in self.extra:

@@ -1,0 +1,145 @@
+"""F8: what is seen of the setup lies inside the screen at every size, and says what it should."""
+
+import pytest
+import setup_stand_in
+import stand_in
+from birdcage_tui.footer import KeyBar
+from birdcage_tui.pages.setup import SetupPage
+from birdcage_tui.setup.fold import fold
+from birdcage_tui.setup.form import AnswerForm, ChoiceButton
+from birdcage_tui.setup.words import StepWords
+from birdcage_tui.status import BadDayRow, StatusLine, StopButton
+from setup_stage import press, read, run, settle
+from textual.widgets import Input
+
+SIZES = [(80, 24), (120, 36), (160, 48), (200, 60)]
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_the_eleven_steps_are_told_with_mark_title_and_evidence(size):
+    text = run(read, size=size)
+    for step in setup_stand_in.STEPS:
+        assert f"{step.number:<2} {step.title}" in text
+    for words in ("✓ 1  Link", "▶ 4  Home", "– 8  Level", "… 11 First", "ttyUSB0, FTDI, 115200 8N1"):
+        assert words in text
+    assert "Homing cannot be stopped from here" in text
+    assert "Area is clear: home" in text
+    assert "▲ moves the dish" in text
+
+
+def inside(app, engine, *, causes):
+    """Assert that what is needed lies in the screen, whole, and over nothing else."""
+    page = app.query_one(SetupPage)
+    frame = [app.query_one(kind) for kind in (StatusLine, StopButton, BadDayRow, KeyBar, SetupPage)]
+    parts = [page.query_one("#setup-steps"), *page.query(ChoiceButton), *page.query(Input)]
+    parts += [each for each in (page.query_one(StepWords), page.query_one("#setup-rest")) if each.display]
+    if causes:
+        parts.append(page.query_one("#setup-extra"))
+    step = page.query_one("#setup-step")
+    for part in (*frame, *parts):
+        assert part.region.area > 0, part
+        assert app.screen.region.contains_region(part.region), f"{part} {part.region}"
+        if step in part.ancestors:
+            assert step.region.contains_region(part.region), f"{part} {part.region} is outside {step.region}"
+    for number, part in enumerate(parts):
+        for other in parts[number + 1 :]:
+            assert not part.region.overlaps(other.region), f"{part} lies over {other}"
+    shown = next(view for view in engine.steps() if view.name == engine.current)
+    assert len(page.query(ChoiceButton)) == len(shown.choices)
+    assert len(page.query(Input)) == sum(len(choice.fields) for choice in shown.choices)
+    for button in page.query(ChoiceButton):
+        assert button.region.width == button.styles.width.value, "no choice is cut off"
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_what_each_step_needs_is_inside_the_screen(size):
+    async def regions(app, pilot, engine):
+        for step in setup_stand_in.STEPS:
+            engine.current = step.name
+            await settle(app, pilot)
+            inside(app, engine, causes=False)
+
+    run(regions, size=size)
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+@pytest.mark.parametrize(
+    ("engine", "state"), [("mute", "silent"), ("busy", "idle"), ("finished", "idle"), ("home", "fault")]
+)
+def test_what_is_needed_on_a_bad_day_is_inside_the_screen(engine, state, size):
+    async def regions(app, pilot, made):
+        inside(app, made, causes=engine == "mute")
+
+    run(regions, engine, state, size)
+
+
+def test_the_list_folds_around_the_step_that_is_looked_at():
+    assert [(row.first, row.last) for row in fold(11, 0, 3)] == [(0, 0), (1, 1), (2, 10)]
+    assert [(row.first, row.last) for row in fold(11, 10, 3)] == [(0, 8), (9, 9), (10, 10)]
+    assert [(row.first, row.last) for row in fold(11, 5, 3)] == [(0, 4), (5, 5), (6, 10)]
+    assert [(row.first, row.last) for row in fold(11, 3, 11)] == [(index, index) for index in range(11)]
+    for looked in range(11):
+        for room in range(3, 12):
+            rows = fold(11, looked, room)
+            assert len(rows) <= room
+            assert [index for row in rows for index in range(row.first, row.last + 1)] == list(range(11))
+            assert any(row.single and row.first == looked for row in rows)
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_a_mute_port_walks_through_the_causes(size):
+    async def walk(app, pilot, engine):
+        text = stand_in.text_of(app)
+        flat = " ".join(text.replace("│", " ").split())
+        for words in (
+            "57600: 34 bytes, garbage", "115200: silence", "9600: own echo", "1/7 You may not open it",
+            "sudo usermod -aG dialout $USER", "2/7 Wrong baud rate", "ModemManager", "brltty", "Look at other speeds",
+        ):  # fmt: skip
+            assert words in flat, words
+        assert flat.count("57600: 34 bytes, garbage") == 1
+        await press(app, pilot, "right", "right")
+        flat = " ".join(stand_in.text_of(app).replace("│", " ").split())
+        assert "Swap the two wires of the receiving pair" in flat
+        await press(app, pilot, "left")
+        assert app.page.chosen == 1
+        await press(app, pilot, "p")
+        assert engine.asked == [("link", "probe", {})]
+
+    run(walk, "mute", "silent", size)
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_w_draws_the_plug_and_w_puts_it_away(size):
+    async def wiring(app, pilot, engine):
+        await press(app, pilot, "w")
+        text = stand_in.text_of(app)
+        for words in ("Carryout G2", "RJ-12", "1 ╪══ white  GND", "3 ╪══ red    TX+", "clip pointed away", "TA"):
+            assert words.lower() in text.lower(), words
+        for _ in range(12):
+            await press(app, pilot, "down")
+        if size == (80, 24):
+            seen = stand_in.text_of(app)
+            assert "Source" in seen or "Sources" in seen or "winegard-sky-scan" in seen, "it scrolls to its end"
+        await press(app, pilot, "escape")
+        return stand_in.text_of(app)
+
+    assert "Area is clear: home" in run(wiring, size=size)[:] or size != (80, 24)
+
+
+def test_a_finished_setup_says_so_and_what_comes_next():
+    async def done(app, pilot, engine):
+        text = " ".join(stand_in.text_of(app).replace("│", " ").split())
+        assert "Setup is finished" in text
+        assert "after each power-up" in text.lower()
+        assert text.count("as answered") >= 4
+
+    for size in SIZES:
+        run(done, "finished", size=size)
+
+
+def test_the_form_has_a_row_for_all_it_asks():
+    async def rows(app, pilot, engine):
+        return app.query_one(AnswerForm).rows, len(app.query(".answers"))
+
+    wanted, made = run(rows, "feed")
+    assert wanted == made >= 4
