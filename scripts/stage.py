@@ -77,7 +77,9 @@ async def demo(size: tuple[int, int], theme: str = "dusk", *, tour: bool = False
         clock = VirtualClock(START)
         session = open_session(port=DEMO_PORT, firmware="g2", baud=None, settings=Settings(), paths=paths, clock=clock)
         session.start = lambda: None  # stepped here instead of running on its thread
-        app = BirdcageApp(session, AppSettings(theme=theme, place=DEMO_PLACE, tour=tour))
+        app = BirdcageApp(
+            session, AppSettings(theme=theme, place=DEMO_PLACE, tour=tour, presets_file=paths.presets_file)
+        )
         async with app.run_test(size=size) as pilot:
             yield Stage(app, pilot)
         session.close()

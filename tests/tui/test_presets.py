@@ -63,7 +63,7 @@ def test_the_list_is_shown_with_its_cursor_and_enter_goes_there(path, size):
         return text, app.station.asked_for(Goto), app.focused.id
 
     text, asked, focused = run(go, path, size=size)
-    assert "▸ Astra 28.2E" in text
+    assert "▶ Astra 28.2E" in text
     assert "Wall" in text
     assert asked == [Goto(151.3, 27.2, "you")]
     assert focused == "presets"

@@ -99,6 +99,7 @@ class GotoLine(Vertical):
         """Hide the line and give the focus back."""
         self.remove_class("-open")
         self.query_one(Input).disabled = True
+        cast(Host, self.app).aim = None
         before, self._before = self._before, None
         back = before is not None and before.is_attached and before.focusable
         self.screen.set_focus(before if back else None)
@@ -109,9 +110,14 @@ class GotoLine(Vertical):
             self.query_one(GotoPreview).show(view)
 
     def _foretell(self, text: str) -> None:
-        preview = self.query_one(GotoPreview)
-        preview.text = text
-        preview.show(cast(Host, self.app).view())
+        host = cast(Host, self.app)
+        self.query_one(GotoPreview).text = text
+        try:
+            aim = aim_of(text, host.view())
+            host.aim = aim.az_deg, aim.el_deg
+        except ValueError:
+            host.aim = None
+        host.paint()
 
     def on_input_changed(self, event: Input.Changed) -> None:
         """Say what it means so far."""

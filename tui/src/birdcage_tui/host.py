@@ -18,6 +18,8 @@ class Host(Protocol):
 
     presets: PresetBook
     """Directions with names."""
+    aim: tuple[float, float] | None
+    """Where the go-to line would lead, while one types into it."""
 
     def view(self) -> View:
         """Return what one frame shows, now."""

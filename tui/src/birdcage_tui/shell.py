@@ -78,6 +78,8 @@ class Shell(Surface):
         """The console, once it was opened."""
         self.presets = PresetBook(self.settings.presets_file)
         """Directions with names; read after the first frame."""
+        self.aim: tuple[float, float] | None = None
+        """Where the go-to line would lead, while one types into it."""
         self._signal: deque[Sample] = deque(maxlen=KEPT_SAMPLES)
         self._note = ""
         self._tour = Tour(self.station.submit)
@@ -157,6 +159,7 @@ class Shell(Surface):
             self.step_deg,
             typing=isinstance(self.screen_stack[0].focused, Input) if self.screen_stack else False,
             presets=self.presets.entries,
+            aim=self.aim,
         )
 
     def paint(self) -> None:

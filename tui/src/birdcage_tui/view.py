@@ -51,6 +51,8 @@ class View:
     """What one press of a jog key is."""
     presets: Sequence[Preset] = ()
     """Directions with names."""
+    aim: tuple[float, float] | None = None
+    """Where the go-to line would lead, while one types into it; true degrees."""
 
     typing: bool = False
     """Whether a text field has the focus: keys that print do nothing else, and Space is a space."""

@@ -34,9 +34,15 @@ class ActionsPane(Pane):
     def draw(self, cells: Cells, view: View) -> None:
         """Write them."""
         across = 4 if cells.width >= 42 else 2
-        column = (cells.width - 2) // across
-        for index, (command, word) in enumerate(BUTTONS):
-            self.button(cells, 1 + index % across * column, index // across, command, view, word)
+        if across == 4:
+            taken = sum(len(word) + 3 for _, word in BUTTONS)
+            gap, x = min((cells.width - 2 - taken) // 3, 4), 1
+            for command, word in BUTTONS:
+                self.button(cells, x, 0, command, view, word)
+                x += len(word) + 3 + gap
+        else:
+            for index, (command, word) in enumerate(BUTTONS):
+                self.button(cells, 1 + index % 2 * (cells.width - 2) // 2, index // 2, command, view, word)
         y = 4 // across
         words = speeds_text(view)
         dish = view.state.dish

@@ -48,7 +48,8 @@ class Compass:
         canvas.circle(*self.middle, self.radius, "dim")
         fine = 5 if self.radius >= 50 else 10
         for az_deg in range(0, 360, fine):
-            length = 6.0 if az_deg % 30 == 0 else 3.5 if az_deg % 10 == 0 else 2.0
+            part = 0.1 if az_deg % 30 == 0 else 0.055 if az_deg % 10 == 0 else 0.03
+            length = max(2.0, min(self.radius * part, 10.0))
             canvas.line(*self.dot(az_deg, 1 - 1.5 / self.radius), *self.dot(az_deg, 1 - length / self.radius), "dim")
 
     def arc(self, canvas: Braille, az_deg: float, way_deg: float, part: float, ink: str, spacing: float) -> None:
@@ -61,9 +62,12 @@ class Compass:
     ) -> None:
         """Fill a sector clockwise from an azimuth, between two parts of the radius, with thin diagonals."""
         x0, y0 = self.middle
-        reach = math.ceil(self.radius * outer)
-        for dy in range(-reach, reach + 1):
-            for dx in range(-reach, reach + 1):
+        count = max(2, math.ceil(span_deg / 5))
+        edge = [self.dot(az_deg + span_deg * k / count, part) for k in range(count + 1) for part in (inner, outer)]
+        left, right = (round(pick(x for x, _ in edge) - x0) for pick in (min, max))
+        top, bottom = (round(pick(y for _, y in edge) - y0) for pick in (min, max))
+        for dy in range(top - 1, bottom + 2):
+            for dx in range(left - 1, right + 2):
                 if (dx + dy) % every or not inner <= math.hypot(dx, dy) / self.radius <= outer:
                     continue
                 if (math.degrees(math.atan2(dx, -dy)) - az_deg) % 360 <= span_deg:

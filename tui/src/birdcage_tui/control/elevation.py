@@ -73,13 +73,15 @@ class ElevationPane(Pane):
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
         self.border_title = "Elevation"
+        self._static: tuple[object, Braille] | None = None
 
     def draw(self, cells: Cells, view: View) -> None:
         """Draw the quarter, what limits it, the needle and the target."""
         quarter, state = Quarter(cells.width, max(cells.height - ROWS, 1)), view.state
         position, target = state.position, state.target_el_deg
-        canvas = Braille(quarter.width, quarter.height)
-        self._quarter(canvas, quarter, view)
+        canvas = self._ground(quarter, view).copy()
+        if view.aim is not None:
+            canvas.line(*quarter.dot(view.aim[1], 0.3), *quarter.dot(view.aim[1], 0.93), "text", 5)
         if target is not None:
             canvas.line(*quarter.dot(target, 0.3), *quarter.dot(target, 0.93), "target", 3)
         if position is not None:
@@ -94,6 +96,8 @@ class ElevationPane(Pane):
             cells.put(*quarter.cell(state.motion.to_el_deg, 0.9), "+", "accent-strong")
         if target is not None:
             cells.put(*quarter.cell(target), "✕", "target-strong")
+        if view.aim is not None and -5.0 <= view.aim[1] <= 95.0:
+            cells.put(*quarter.cell(view.aim[1]), "×", "strong")
         if position is not None:
             cells.put(*quarter.cell(0.0, 0.0), "◉", "dim" if view.stale else "accent-strong")
         draw_tape(
@@ -101,9 +105,13 @@ class ElevationPane(Pane):
             ink="dim" if view.stale else "accent-strong", target_deg=target,
         )  # fmt: skip
 
-    @staticmethod
-    def _quarter(canvas: Braille, quarter: Quarter, view: View) -> None:
+    def _ground(self, quarter: Quarter, view: View) -> Braille:
+        """Return the layer that changes only with size and limits."""
         low, high = view.state.el_min_deg, view.state.el_max_deg
+        key = (quarter, low, high)
+        if self._static is not None and self._static[0] == key:
+            return self._static[1]
+        canvas = Braille(quarter.width, quarter.height)
         if low is not None and low > 0:
             quarter.hatch(canvas, 0.0, low)
         if high is not None and high < 90:
@@ -117,6 +125,8 @@ class ElevationPane(Pane):
         for limit in (low, high):
             if limit is not None:
                 canvas.line(*quarter.dot(limit, 0.25), *quarter.dot(limit, 1.0), "warn", 2)
+        self._static = (key, canvas)
+        return canvas
 
     @staticmethod
     def _labels(cells: Cells, quarter: Quarter, view: View) -> None:

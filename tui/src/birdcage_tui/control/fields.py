@@ -29,7 +29,7 @@ class FieldsScreen(Dialog[Values | None]):
 
     DEFAULT_CSS = """
     FieldsScreen Horizontal { height: 1; }
-    FieldsScreen Label { width: 12; color: $dim; }
+    FieldsScreen Label { color: $dim; }
     FieldsScreen Input, FieldsScreen Input:focus { width: 1fr; height: 1; border: none; padding: 0 1;
         background: $panel; }
     FieldsScreen #wrong { color: $warning; margin-top: 1; }
@@ -50,7 +50,9 @@ class FieldsScreen(Dialog[Values | None]):
             yield Static(self._words, id="words", markup=False)
             for field in self._fields:
                 with Horizontal():
-                    yield Label(field.label)
+                    label = Label(field.label)
+                    label.styles.width = 12  # the sheet of the app gives every text in a dialog the whole width
+                    yield label
                     yield Input(field.value, placeholder=field.hint, select_on_focus=False)
             yield Static("", id="wrong", markup=False)
 

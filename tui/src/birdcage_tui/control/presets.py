@@ -98,7 +98,7 @@ class PresetsPane(Pane, can_focus=True):
         note_width = cells.width - name_width - len(angles) - 6
         note = preset.note if note_width >= 6 else ""
         note = note if len(note) <= note_width else note[: max(note_width - 1, 0)] + "…"
-        line = f"{'▸' if here else ' '} {name:<{name_width}} {angles}  {note}"
+        line = f"{'▶' if here else ' '} {name:<{name_width}} {angles}  {note}"
         cells.put(0, y, line.ljust(cells.width)[: cells.width], ink)
         if ink == "text":
             cells.put(0, y, line[:1], "accent-strong")

@@ -84,6 +84,8 @@ class RosePane(Pane, can_focus=True):
     def _travel(canvas: Braille, compass: Compass, view: View) -> None:
         """Draw the target's ray, the way there (past dotted, future solid), and the wedges beyond the stops."""
         state = view.state
+        if view.aim is not None:
+            canvas.line(*compass.dot(view.aim[0], 0.3), *compass.dot(view.aim[0], 0.93), "text", 5)
         if state.target_az_deg is not None:
             canvas.line(*compass.dot(state.target_az_deg, 0.3), *compass.dot(state.target_az_deg, 0.93), "target", 3)
         motion = state.motion
@@ -130,6 +132,8 @@ class RosePane(Pane, can_focus=True):
             cells.put(*compass.cell(state.motion.to_az_deg, 0.9), "+", "accent-strong")
         if state.target_az_deg is not None:
             cells.put(*compass.cell(state.target_az_deg), "✕", "target-strong")
+        if view.aim is not None:
+            cells.put(*compass.cell(view.aim[0]), "×", "strong")
         if state.position is not None:
             cells.put(*compass.cell(0.0, 0.0), "◉", "dim" if view.stale else "accent-strong")
 

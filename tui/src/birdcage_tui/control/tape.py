@@ -47,6 +47,8 @@ def draw_tape(
     centre = middle * 2 + 0.5
     for tenth in range(math.ceil((angle_deg - span) * 10), math.floor((angle_deg + span) * 10) + 1):
         x = centre + (tenth / 10 - angle_deg) * a_degree
+        if cells.glyphs != "braille" and tenth % 5 == 0:  # coarse cells would blur tenths into each other
+            cells.put(math.floor(x / 2), y + 1, "|" if tenth % 10 == 0 else ".", "text")
         tall = 4 if tenth % 10 == 0 else 3 if tenth % 5 == 0 else 1
         for row in range(tall):
             canvas.dot(x, row, "text")
@@ -55,7 +57,8 @@ def draw_tape(
             at = math.floor(x / 2) - (len(number) - 1) // 2
             if at >= 0 and at + len(number) <= width:
                 cells.put(at, y, number, "strong" if abs(tenth / 10 - angle_deg) < 0.5 else "dim")
-    canvas.onto(cells, 0, y + 1)
+    if cells.glyphs == "braille":
+        canvas.onto(cells, 0, y + 1)
     _marks(cells, y + 2, centre, a_degree, _off(angle_deg, target_deg, fold))
     cells.put(middle, y + 2, "▲", ink)
 

@@ -36,7 +36,7 @@ class ControlPage(Page):
     ControlPage #control-top { height: 1fr; }
     ControlPage RosePane, ControlPage ElevationPane, ControlPage #control-right { border: round $line; height: 1fr;
         border-title-color: $dim; border-title-style: none; border-subtitle-color: $dim; }
-    ControlPage RosePane:focus { border: round $focus; border-title-color: $text; }
+    ControlPage RosePane:focus { border: round $focus; border-title-color: $foreground; }
     ControlPage #control-right { width: 1fr; }
     ControlPage #control-hands { height: auto; }
     ControlPage PresetsBox { height: 1fr; display: none; }
@@ -51,7 +51,7 @@ class ControlPage(Page):
     ControlPage.-roomy PresetsBox { border: round $line; border-title-color: $dim; border-title-style: none;
         border-subtitle-color: $dim; display: block; }
     ControlPage.-roomy #control-hands:focus-within, ControlPage.-roomy PresetsBox:focus-within {
-        border: round $focus; border-title-color: $text; }
+        border: round $focus; border-title-color: $foreground; }
     """
     RATE_HZ = 2.0
     FIRST_FOCUS = "#rose"
