@@ -121,6 +121,9 @@ def test_in_16_colours_nothing_that_is_read_vanishes(look):
         if name != "faint":
             assert in_16(style.color) != in_16(style.bgcolor), name
     assert in_16(look.inks["dim"].color) != in_16(look.inks["text"].color)
+    if look.name != "night":
+        for one, other in (("accent", "dim"), ("accent", "text"), ("target", "warn"), ("warn", "text")):
+            assert in_16(look.inks[one].color) != in_16(look.inks[other].color), (one, other)
     for name in ("warn-row", "fault-row"):
         if look.name != "night":
             assert in_16(look.inks[name].bgcolor) != in_16(look.inks["text"].bgcolor), name
