@@ -23,6 +23,8 @@ SCREENS = {
     "help, moved on": ("question_mark", "down"),
     "control": ("2",),
     "the console": ("5",),
+    "the console, a hazard typed": ("5", "i", *"stow"),
+    "the console, searched": ("5", "slash", "x"),
     "setup": ("8",),
     "a page to come": ("6",),
     "jump": ("semicolon",),
