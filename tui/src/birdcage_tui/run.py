@@ -95,7 +95,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSetti
 
 
 def _only_port() -> str:
-    """Return the one USB adapter that is plugged in, when nobody named a port."""
+    """Return the one USB adapter that is plugged in, when nobody named a port; empty where that is not obvious."""
     adapters = [port.device for port in list_ports() if port.identity is not None]
     return adapters[0] if len(adapters) == 1 else ""
 
