@@ -49,13 +49,12 @@ class View:
     """Whose commands hold, innermost first: the widget that has the focus, what it lies in, the page."""
     step_deg: float = 1.0
     """What one press of a jog key is."""
+    typing: bool = False
+    """Whether a text field has the focus: keys that print do nothing else, and Space is a space."""
     presets: Sequence[Preset] = ()
     """Directions with names."""
     aim: tuple[float, float] | None = None
     """Where the go-to line would lead, while one types into it; true degrees."""
-
-    typing: bool = False
-    """Whether a text field has the focus: keys that print do nothing else, and Space is a space."""
 
     @property
     def position_age_s(self) -> float | None:
@@ -125,4 +124,6 @@ class View:
         return 1.0 if span <= 0 else min(1.0, max(0.0, (self.now - motion.started) / span))
 
 
-MOVING = frozenset({Activity.SLEWING, Activity.STOPPING, Activity.HOMING, Activity.MOVING_UNASKED})
+MOVING = frozenset(
+    {Activity.SLEWING, Activity.STOPPING, Activity.HOMING, Activity.STOWING, Activity.MOVING_UNASKED}
+)

@@ -87,7 +87,7 @@ def motion_text(view: View) -> str:
     if state.activity is Activity.IDLE:
         return "IDLE, at rest"
     if state.activity is Activity.UNKNOWN:
-        return "UNKNOWN: nothing read yet"
+        return "UNKNOWN since a raw line" if state.raw_motion else "UNKNOWN: nothing read yet"
     return f"{word} {state.activity_text}".rstrip()
 
 
@@ -240,6 +240,8 @@ def _doing(view: View) -> tuple[str, str]:
         return "warn-strong", f"Homing. {state.activity_text}".rstrip()
     if state.activity is Activity.STOWING:
         return "warn-strong", "Stowing. No STOP is documented for it: a new target is tried."
+    if state.raw_motion:
+        return "warn-strong", "A raw line may move it. Where it goes is read when nobody types any more."
     if state.homed is False:
         return "warn-strong", "The dish is not homed."
     who = state.holder or "nobody"
