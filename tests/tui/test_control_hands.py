@@ -205,6 +205,19 @@ def test_no_speed_setting_is_said_on_the_page():
     assert "this dish has no speed setting" in run(read, size=(120, 36), state=without(has_speeds=False))
 
 
+@pytest.mark.parametrize(("name", "says"), [("held", "STOP is latched"), ("lost", "does not answer")])
+@pytest.mark.parametrize("key", ["E", "W"])
+def test_what_moves_the_dish_is_not_even_asked_for_while_held_or_lost(key, name, says):
+    async def press(app, pilot):
+        await pilot.press(key)
+        await pilot.pause()
+        return len(app.screen_stack), app.view().note
+
+    screens, note = run(press, name, state={"stow_allowed": True})
+    assert screens == 1
+    assert says in note
+
+
 def test_motors_may_be_released_while_held():
     async def ask(app, pilot):
         await pilot.press("R")

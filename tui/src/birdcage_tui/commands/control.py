@@ -19,6 +19,13 @@ def can_power(view: View) -> str | None:
     return None
 
 
+def can_engage(view: View) -> str | None:
+    """Return why the current cannot be put on now: the dish may jerk, so that is a motion."""
+    if view.link_up and view.state.held is not None:
+        return "STOP is latched: Enter releases it."
+    return can_power(view)
+
+
 def can_stow(view: View) -> str | None:
     """Return why the dish cannot be folded flat now."""
     state = view.state
@@ -32,6 +39,8 @@ def can_stow(view: View) -> str | None:
         return "A fault waits: Enter acknowledges it."
     if state.held is not None:
         return "STOP is latched: Enter releases it."
+    if state.position is None:
+        return "The dish does not know where it points: home it first."
     return state.motion_refused_because
 
 
@@ -58,7 +67,7 @@ CONTROL = (
         footer="presets",
     ),
     Command(
-        "engage", ("E",), "E", "Engage the motors …", "Put the current back on. Asks first.", "Control", can_power,
+        "engage", ("E",), "E", "Engage the motors …", "Put the current back on. Asks first.", "Control", can_engage,
         where=HERE,
     ),
     Command(

@@ -36,12 +36,12 @@ def release() -> tuple[str, str, str]:
     return "Release the motors", words, "let go of it"
 
 
-def stow(view: View) -> tuple[str, str, str]:
+def stow() -> tuple[str, str, str]:
     """Return title, words and consent of stowing."""
-    stops = "" if view.state.dish is None else " What STOP can do to it is not known: keep a hand on the 12 V switch."
     words = (
         "The firmware folds the dish flat, its own way and beyond the limits that hold here. Whatever is mounted in "
-        f"place of the stock feed would be crushed.{stops} Afterwards it must be homed before it points again."
+        "place of the stock feed would be crushed. Nothing is known to stop it on its way: keep a hand on the 12 V "
+        "switch."
     )
     return "Stow the dish", words, "it is clear: fold it flat"
 

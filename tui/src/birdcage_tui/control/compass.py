@@ -48,8 +48,8 @@ class Compass:
         canvas.circle(*self.middle, self.radius, "dim")
         fine = 5 if self.radius >= 50 else 10
         for az_deg in range(0, 360, fine):
-            part = 0.1 if az_deg % 30 == 0 else 0.055 if az_deg % 10 == 0 else 0.03
-            length = max(2.0, min(self.radius * part, 10.0))
+            part, least = (0.1, 5.0) if az_deg % 30 == 0 else (0.055, 3.0) if az_deg % 10 == 0 else (0.03, 2.0)
+            length = max(least, min(self.radius * part, 10.0))
             canvas.line(*self.dot(az_deg, 1 - 1.5 / self.radius), *self.dot(az_deg, 1 - length / self.radius), "dim")
 
     def arc(self, canvas: Braille, az_deg: float, way_deg: float, part: float, ink: str, spacing: float) -> None:

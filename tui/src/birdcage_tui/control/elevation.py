@@ -15,6 +15,8 @@ from birdcage_tui.host import Host
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
 
+UNDER_DEG = 3.0
+"""A target nearer than this lies under the needle: its ray would only break it."""
 QUIET = ("faint", "line", "dim")
 
 
@@ -82,7 +84,7 @@ class ElevationPane(Pane):
         canvas = self._ground(quarter, view).copy()
         if view.aim is not None:
             canvas.line(*quarter.dot(view.aim[1], 0.3), *quarter.dot(view.aim[1], 0.93), "text", 5)
-        if target is not None:
+        if target is not None and (position is None or abs(target - position.el_deg) > UNDER_DEG):
             canvas.line(*quarter.dot(target, 0.3), *quarter.dot(target, 0.93), "target", 3)
         if position is not None:
             ink = "dim" if view.stale else "accent"

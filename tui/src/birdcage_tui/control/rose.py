@@ -21,6 +21,8 @@ from birdcage_tui.view import View
 
 STOP_WEDGE_DEG = 7.0
 """How much of the rose beyond a stop of the cable is hatched."""
+UNDER_DEG = 3.0
+"""A target nearer than this lies under the needle: its ray would only break it."""
 QUIET = ("faint", "line", "dim")
 
 
@@ -86,7 +88,10 @@ class RosePane(Pane, can_focus=True):
         state = view.state
         if view.aim is not None:
             canvas.line(*compass.dot(view.aim[0], 0.3), *compass.dot(view.aim[0], 0.93), "text", 5)
-        if state.target_az_deg is not None:
+        here = state.position
+        if state.target_az_deg is not None and (
+            here is None or abs(shortest_turn(here.az_deg, state.target_az_deg)) > UNDER_DEG
+        ):
             canvas.line(*compass.dot(state.target_az_deg, 0.3), *compass.dot(state.target_az_deg, 0.93), "target", 3)
         motion = state.motion
         if motion is not None and view.link_up:
@@ -153,7 +158,7 @@ class RosePane(Pane, can_focus=True):
         if state.az_offset_deg:
             cells.put(0, compass.height - 1, f"dish {position.dish_az_deg:.1f}°", "dim")
         named = next((p.name for p in view.presets if abs(shortest_turn(p.az_deg, position.az_deg)) < 0.5), "")
-        if named and cells.free(cells.width - len(named), 0, len(named), *QUIET):
+        if named and cells.free(cells.width - len(named) - 1, 0, len(named) + 1, *QUIET):
             cells.right(cells.width, 0, named, "target")
 
     def on_click(self, event: events.Click) -> None:

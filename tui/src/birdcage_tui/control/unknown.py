@@ -9,6 +9,7 @@ from birdcage_tui.view import View
 _LOST = {
     "released": "MOTORS RELEASED",
     "unhomed": "NOT HOMED",
+    "stowing": "STOWING",
     "raw": "AFTER A RAW LINE",
     "raw command": "AFTER A RAW LINE",
 }
