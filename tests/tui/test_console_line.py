@@ -103,9 +103,14 @@ def test_tab_on_an_empty_line_asks_the_dish_while_talking():
     async def ask(at):
         at.state(holder=CONSOLE, menu="mot")
         await at.press("i", "tab")
-        return at.app.station.asked_for(ListCommands)
+        asked, first = at.app.station.asked_for(ListCommands), at.line.value
+        await at.press("tab")
+        return asked, first, at.line.value
 
-    assert desk(ask) == [ListCommands(CONSOLE)]
+    asked, first, second = desk(ask)
+    assert asked == [ListCommands(CONSOLE)]
+    assert first == "", "the list comes first"
+    assert second != "", "then Tab goes round"
 
 
 def test_usage_and_help_of_a_command_show_while_it_is_typed():
@@ -129,3 +134,19 @@ def test_the_footer_says_ctrl_c_while_space_is_a_space():
     row = desk(typing)
     assert "Ctrl+C STOP" in row
     assert "go to" not in row
+
+
+def test_a_command_that_is_only_begun_offers_what_it_may_become_and_does_not_warn():
+    async def begin(at):
+        at.state(menu="dvb", holder=CONSOLE)
+        await at.type("rs")
+        begun = await at.look()
+        await at.press("enter")
+        armed = await at.look()
+        return begun, armed, at.raw()
+
+    begun, armed, raw = desk(begin)
+    assert "rssi" in begun
+    assert "SETTING" not in begun
+    assert "SETTING (not in the table)" in armed
+    assert raw == []

@@ -101,20 +101,27 @@ class Asking:
         menu = view.state.menu
         return () if menu is None else self._station.commands(menu)
 
+    def warns(self, view: View) -> bool:
+        """Return whether a hazard is named: not while the text may still become a command that is known."""
+        verdict = self.verdict
+        begun = not verdict.listed and not self.armed and bool(matching(self.text, self.commands(view)))
+        return verdict.grade > Grade.HARMLESS and not begun
+
     def hint(self, view: View) -> tuple[tuple[str, str], ...]:
         """Return sentences for under the log and their inks: a hazard first, then what helps to type."""
         verdict, commands = self.verdict, self.commands(view)
-        if verdict.grade > Grade.HARMLESS:
+        command, offered = named(self.text, commands), matching(self.text, commands)
+        usage = () if command is None else ((saying.usage_words(command), "dim"),)
+        if self.warns(view):
             again = "  Enter again sends it, Esc takes it back." if self.armed else ""
             hazard = (saying.verdict_words(verdict) + again, saying.GRADES[verdict.grade][0])
-            return (hazard, (f"✖ LIMIT: {verdict.limit}", "fault-row")) if verdict.limit else (hazard,)
+            return (hazard, (f"✖ LIMIT: {verdict.limit}", "fault-row")) if verdict.limit else (hazard, *usage)
         if self._sent.under_way:
             sent = self._sent.under_way[-1]
             what = f"`{sent.line}` " if sent.line else ""
             return ((f"{what}running {view.now - sent.at:.0f} s, Enter ends it.", "accent-strong"),)
-        if (command := named(self.text, commands)) is not None:
-            return ((saying.usage_words(command), "text"),)
-        offered = matching(self.text, commands)
+        if usage:
+            return usage
         if self.text.strip() and offered:
             return ((saying.usage_words(offered[0]) if len(offered) == 1 else saying.offer_words(offered), "dim"),)
         return ((self.history.problem, "warn"),) if self.history.problem else ()

@@ -13,6 +13,8 @@ from birdcage_tui.themes import DEFAULT, LOOKS
 from birdcage_tui.view import View
 
 LONGEST_HINT = 5
+Keys = tuple[tuple[str, str], ...]
+"""Names of commands, each with its word."""
 
 
 class Edge(Pane):
@@ -103,24 +105,25 @@ class PromptCell(Pane):
 
 
 class KeysLine(Edge):
-    """The lower edge: keys as mouse targets, those of the line while one types, else those of the log."""
+    """The lower edge: keys as mouse targets, those of the line or the search while one types, else those of the log."""
 
-    LOG = (
+    LOG: Keys = (
         ("console-type", "type"), ("console-find", "find"), ("console-stamps", "times"), ("console-hex", "hex"),
         ("console-save", "save"), ("page-console", "close"), ("console-clear", "clear"), ("console-end", "follow"),
     )  # fmt: skip
-    LINE = (
+    LINE: Keys = (
         ("console-complete", "complete"), ("console-older", "older"), ("console-recall", "recall"),
         ("console-page-up", "log"), ("console-end-line", "end it"), ("page-console", "close"),
     )  # fmt: skip
-    typing = False
+    FIND: Keys = (("console-recall", "older line"), ("console-page-up", "log"), ("page-console", "close"))
+    shown = LOG
     SHOWN = {"page-console": "F5"}  # noqa: RUF012
 
     def draw(self, cells: Cells, view: View) -> None:  # noqa: ARG002 - the keys hold always
         """Write the keys into the line."""
         cells.put(0, 0, f"╰{'─' * (cells.width - 2)}╯", "edge")
         x = 2
-        for name, word in self.LINE if self.typing else self.LOG:
+        for name, word in self.shown:
             shown = self.SHOWN.get(name, BY_NAME[name].shown)
             width = len(shown) + len(word) + 3
             if x + width > cells.width - 2:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from concurrent.futures import Future
 from dataclasses import dataclass
+from typing import cast
 
-from birdcage.station.raw import CONSOLE, Grade, Verdict
+from birdcage.station.raw import CONSOLE, Grade, MenuCommand, Verdict
 from birdcage.station.requests import AcquireLease, ListCommands, Raw, ReleaseLease, Request
 
 Submit = Callable[[Request], "Future[object]"]
@@ -56,12 +57,11 @@ class LinesSent:
         self.last = now
         self._request(AcquireLease(CONSOLE, take_over), line, lambda _result: then())
 
-    def ask_list(self, told: Callable[[tuple[object, ...]], None]) -> None:
+    def ask_list(self, told: Callable[[tuple[MenuCommand, ...]], None]) -> None:
         """Ask the dish for the commands of its menu."""
 
         def done(found: object) -> None:
-            assert isinstance(found, tuple), "ListCommands resolves with a tuple"
-            told(found)
+            told(cast("tuple[MenuCommand, ...]", found))
 
         self._request(ListCommands(CONSOLE), "", done)
 

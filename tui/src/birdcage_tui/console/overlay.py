@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from birdcage.base.errors import LeaseDenied
 from textual import events, on
@@ -23,6 +23,7 @@ from birdcage_tui.console.log import LogView
 from birdcage_tui.console.save import save
 from birdcage_tui.console.wire_log import WireLog
 from birdcage_tui.dialogs import QuestionScreen
+from birdcage_tui.host import Host
 from birdcage_tui.view import View
 
 if TYPE_CHECKING:
@@ -32,6 +33,11 @@ FLUSH_S = 0.1
 """Between two looks at the wire: so many lines a second as there may be, ten pictures of them."""
 HOW = "i or Enter: type a line for the dish. Sending it takes control."
 TYPE = "Enter sends, Tab completes, Esc back to the log. Ctrl+C stops the dish."
+
+
+TAKE = "Enter takes it into the line and sends nothing. ^R an older one, Esc leaves."
+NONE = "Type a part of a line that you have sent. None holds this."
+KEEP = "Enter keeps it: n and N then step through the matches. Esc leaves."
 
 
 class ConsoleOverlay(Container):
@@ -45,6 +51,8 @@ class ConsoleOverlay(Container):
         self._sent = LinesSent(shell.station.submit, shell.soon, self._failed)
         self._asking = Asking(shell.station, self._sent, History(shell.settings.history_file), self._ask)
         self._recalled = 0
+        self._listed: str | None = None
+        """The menu whose commands the dish was asked for last."""
         self._flushes: Timer | None = None
 
     @property
@@ -132,23 +140,25 @@ class ConsoleOverlay(Container):
 
     def _dress(self, view: View) -> None:
         """Set what the rows say."""
-        verdict = self._asking.verdict
         self._head.mode = saying.mode_words(view, view.now - self._sent.last)
         self._head.right, self._head.right_command = self._figures()
         searching, prompt = self._finder.display, saying.prompt_words(view, self._wire.prompt)
         self._prompt.words = f"{self._finder.purpose.value}:" if searching else prompt
-        ink = saying.ink_of(verdict)
+        ink = saying.ink_of(self._asking.verdict) if self._asking.warns(view) else ""
         self._prompt.ink = "bar-warn" if ink and not searching else "bar"
         self._entry.set_class(ink == "warn-row", "-warn")
         self._entry.set_class(ink == "fault-row", "-fault")
         self._hinted.says = self._hint(view)
-        self._keys.typing = self._entry.has_focus
+        keys = self._keys
+        keys.shown = keys.FIND if searching else keys.LINE if self._entry.has_focus else keys.LOG
         self._head.lit = self._keys.lit = self.has_focus_within
 
     def _hint(self, view: View) -> tuple[tuple[str, str], ...]:
         if self._finder.display and self._finder.purpose is Purpose.HISTORY:
             found = self._asking.history.find(self._finder.value, self._recalled)
-            return ((found, "strong"),) if found else (("No line that you typed holds that.", "dim"),)
+            return ((found, "strong"), (TAKE, "dim")) if found else ((NONE, "dim"),)
+        if self._finder.display:
+            return ((KEEP, "dim"),)
         return self._asking.hint(view) or ((TYPE if self._entry.has_focus else HOW, "dim"),)
 
     def _figures(self) -> tuple[tuple[str, str], str]:
@@ -208,9 +218,11 @@ class ConsoleOverlay(Container):
 
     def _complete(self) -> None:
         view = self._shell.view()
-        if not self._entry.value.strip() and saying.talking(view):
-            self._sent.ask_list(lambda found: self._remark(f"The dish lists {len(found)} commands of this menu."))
-        self._put(self._asking.complete(view))
+        if not self._entry.value.strip() and saying.talking(view) and view.state.menu != self._listed:
+            self._listed = view.state.menu
+            self._sent.ask_list(lambda found: self._remark(saying.list_words(found)))
+        else:
+            self._put(self._asking.complete(view))
 
     def _save(self) -> None:
         folder, view = self._shell.settings.logs_folder, self._shell.view()
@@ -223,7 +235,9 @@ class ConsoleOverlay(Container):
         except OSError as error:
             self._remark(f"Not saved in {folder}: {error.strerror or error}.")
             return
-        self._remark(f"{len(self._pane.back.lines)} lines saved: {path}")
+        words = f"{len(self._pane.back.lines)} lines saved: {path}"
+        self._remark(words)
+        cast(Host, self.app).say(words)  # in the log it would soon scroll away
 
     def _remark(self, words: str) -> None:
         self._wire.remark(words, self._shell.session.clock.utc())

@@ -86,3 +86,9 @@ def question_words(verdict: Verdict) -> str:
     """Return what is asked before a line that moves the dish, or that can ruin it."""
     limit = f"\n\n✖ LIMIT: {verdict.limit}" if verdict.limit else ""
     return f"{verdict_words(verdict)}{limit}\n\nNothing of birdcage holds it back once it is sent."
+
+
+def list_words(commands: tuple[MenuCommand, ...]) -> str:
+    """Return how many commands the dish itself has listed; Tab goes through all."""
+    told = sum(command.told_by_dish for command in commands)
+    return f"The dish lists {told} commands here; {len(commands) - told} more are in the reference. Tab shows them."
