@@ -16,7 +16,9 @@ import stand_in
 from birdcage.base.clock import VirtualClock
 from birdcage.base.config import Settings
 from birdcage.base.paths import throw_away_paths
+from birdcage.setup.engine import Setup
 from birdcage.station.build import open_session
+from birdcage.station.known import SystemFacts
 from birdcage_tui.app import BirdcageApp
 from birdcage_tui.run import DEMO_PLACE, DEMO_PORT
 from birdcage_tui.settings import AppSettings
@@ -77,9 +79,14 @@ async def demo(size: tuple[int, int], theme: str = "dusk", *, tour: bool = False
         clock = VirtualClock(START)
         session = open_session(port=DEMO_PORT, firmware="g2", baud=None, settings=Settings(), paths=paths, clock=clock)
         session.start = lambda: None  # stepped here instead of running on its thread
-        app = BirdcageApp(
-            session, AppSettings(theme=theme, place=DEMO_PLACE, tour=tour, presets_file=paths.presets_file)
+        settings = AppSettings(
+            theme=theme,
+            place=DEMO_PLACE,
+            tour=tour,
+            presets_file=paths.presets_file,
+            setup=lambda: Setup(session, Settings(), paths, environ={}, ports=list, system=SystemFacts),
         )
+        app = BirdcageApp(session, settings)
         async with app.run_test(size=size) as pilot:
             yield Stage(app, pilot)
         session.close()

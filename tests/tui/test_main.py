@@ -118,6 +118,7 @@ def test_the_setup_opens_by_itself_on_a_first_run_or_without_a_port(
     try:
         assert settings.first_page == page
         assert session.station.state.port == port
+        assert (settings.place is not None) == settings.tour == options.demo
         assert settings.setup is not None
         assert len(settings.setup().steps()) == 11
     finally:

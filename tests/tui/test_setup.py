@@ -5,8 +5,10 @@ from dataclasses import replace
 import pytest
 import setup_stand_in
 import stand_in
+from birdcage.setup.case import Cause
 from birdcage.setup.engine import CLEAR_QUESTION
 from birdcage.station.requests import AcknowledgeFault, Goto, Home, Jog, Release
+from birdcage.station.state import Link, LinkState
 from birdcage_tui.dialogs import QuestionScreen
 from birdcage_tui.setup.form import ChoiceButton
 from birdcage_tui.setup.steps import StepsPane
@@ -258,3 +260,28 @@ def test_other_pages_learn_the_place_from_the_setup():
 
     where = run(place)
     assert (where.latitude_deg, where.longitude_deg, where.name) == (52.1, 5.2, "JO22")
+
+
+def test_a_cause_that_another_speed_mends_offers_that_speed():
+    async def use(app, pilot, engine):
+        cause = Cause("Wrong baud rate", "At 9600 baud came text.", "Use 9600 baud.", likely=True, use_baud=9600)
+        engine._causes = (cause,)
+        await settle(app, pilot)
+        assert "Use 9600 baud" in stand_in.text_of(app)
+        await press(app, pilot, "u")
+        return engine.asked
+
+    assert run(use, "mute", "silent") == [("link", "other", {"port": "/dev/ttyUSB0", "baud": "9600"})]
+
+
+def test_without_a_port_it_says_so_and_blames_nothing():
+    async def none(app, pilot, engine):
+        state = app.station.state
+        app.station.state = replace(state, port="", link=LinkState(Link.LOST, detail="No port is chosen yet."))
+        await settle(app, pilot)
+        return stand_in.text_of(app)
+
+    text = run(none, "mute", "silent")
+    assert "○ NO PORT  No port is chosen yet." in text
+    assert "What may be wrong" not in text
+    assert "Type a port" in text

@@ -70,6 +70,9 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSetti
         "dish.port": DEMO_PORT if options.demo else options.port,
         "dish.firmware": "g2" if options.demo else options.firmware,
         "dish.baud": None if options.demo else options.baud,
+        "place.name": DEMO_PLACE.name if options.demo else None,
+        "place.latitude_deg": DEMO_PLACE.latitude_deg if options.demo else None,
+        "place.longitude_deg": DEMO_PLACE.longitude_deg if options.demo else None,
         "app.theme": options.theme,
         "app.glyphs": options.glyphs,
     }
@@ -113,7 +116,7 @@ def _firmware(named: str | None) -> str:
 
 def _app_settings(settings: Settings, paths: Paths, *, demo: bool) -> AppSettings:
     place = settings.place
-    here = DEMO_PLACE if demo else None
+    here = None
     if place.latitude_deg is not None and place.longitude_deg is not None:
         here = Place(place.latitude_deg, place.longitude_deg, place.name or "")
     notice = settings.problems[0].text if settings.problems else ""

@@ -268,7 +268,7 @@ class SetupBody(Page):
             _rows(pointing, POINTING_ROWS if left >= 0 else max(left + POINTING_ROWS, 7))
             _rows(below, max(left, 0))
         elif extra.display:
-            needs = extra.needs(width) if extra.kind is Kind.WIRING else 0
+            needs = extra.wiring_rows(width) if fills else 0
             _rows(extra, max(room - told - asked, needs))
         return self.size, width, wide, told, asked, room, self.looked, extra.kind, self._present
 

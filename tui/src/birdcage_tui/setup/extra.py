@@ -44,15 +44,9 @@ class ExtraPane(Pane):
         self.alone = False
         """Whether nothing stands above it, because a person asked for the wiring."""
 
-    def needs(self, width: int) -> int:
-        """Return how many rows it could fill; 0 for as many as there are."""
-        if self.kind is Kind.WIRING:
-            return 1 + len(wiring.lines(wiring.connectors_for(self.firmware), width - 2))
-        if self.kind is Kind.CAUSES:
-            return 1 + len(walk.seen_lines(self.seen, width - 2)) + len(
-                walk.cause_lines(self.causes, self.chosen, width - 2, 10_000)
-            )  # fmt: skip
-        return 0
+    def wiring_rows(self, width: int) -> int:
+        """Return how many rows all of the wiring takes, with its heading."""
+        return 1 + len(wiring.lines(wiring.connectors_for(self.firmware), width - 2))
 
     def draw(self, cells: Cells, view: View) -> None:
         """Draw the heading and what belongs under it."""
