@@ -137,6 +137,7 @@ def test_talk_says_that_polling_pauses_and_how_old_the_position_is():
     text = desk(talk)
     assert "TALK" in text
     assert "polling paused, position 12s old" in text
+    assert "NO REPLY" not in text, "nobody asked it anything"
 
 
 def test_closing_gives_control_back():

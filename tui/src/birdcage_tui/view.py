@@ -78,9 +78,11 @@ class View:
     def late(self) -> bool:
         """Whether the dish owes an answer: the link is up and watched, yet nothing has come for too long.
 
-        A dish that homes or starts is silent by nature.
+        A dish that homes or starts is silent by nature; one that a person talks to is asked nothing else.
         """
         if not (self.watched and self.link_up) or self.state.activity in (Activity.HOMING, Activity.INITIALIZING):
+            return False
+        if self.state.holder == CONSOLE:
             return False
         return self.reply_age_s is not None and self.reply_age_s > LATE_S
 
