@@ -143,3 +143,35 @@ def test_space_stops_in_the_question_before_a_hazard():
         return at.app.station.stops, at.raw()
 
     assert desk(ask) == (["you"], [])
+
+
+def test_after_a_go_to_from_the_log_escape_still_closes_the_console():
+    async def go(at):
+        await at.press("g", "escape")
+        await at.look()
+        open_still, focused = at.app.sheet.is_open, at.app.focused
+        await at.press("escape")
+        return open_still, focused, at.app.sheet.is_open
+
+    open_still, focused, is_open = desk(go)
+    assert open_still
+    assert isinstance(focused, LogView)
+    assert not is_open
+
+
+def test_a_terminal_that_becomes_small_folds_it_away_and_space_stops():
+    async def small(at):
+        await at.press("i")
+        await at.pilot.resize_terminal(60, 20)
+        await at.pilot.pause()
+        await at.press("space")
+        await at.press("f5")
+        text = await at.look()
+        await at.pilot.resize_terminal(80, 24)
+        await at.pilot.pause()
+        return at.app.station.stops, text, await at.look()
+
+    stops, small, large = desk(small)
+    assert stops == ["you"]
+    assert "Console" not in small
+    assert "╭─ Console  WATCH" in large

@@ -122,7 +122,9 @@ class ConsoleOverlay(Container):
         return self._shell.session.clock.monotonic()
 
     def show(self, view: View) -> None:
-        """Draw everything."""
+        """Draw everything. Where nothing has the focus (a dialog gave it to nobody), the log takes it."""
+        if self.size.area and self.screen.focused is None:
+            self._pane.focus()
         if not view.link_up:
             self._wire.forget_prompt()
         lines = self._wire.take(view.utc)
