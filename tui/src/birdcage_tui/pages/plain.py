@@ -13,11 +13,6 @@ from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
 
 WILL = {
-    "control": (
-        "A compass rose and an elevation arc, moved with the arrow keys.",
-        "Jog steps, nudge of single digits, named presets.",
-        "Tracking: one pass, its reach, the error while following.",
-    ),
     "signal": (
         "A strip chart over the full width, lock and SNR, the peak marked.",
         "Sweeps with true axes and a fitted peak.",
@@ -50,7 +45,6 @@ WILL = {
     ),
 }
 MEANWHILE = {
-    "control": "Until then: g goes to a direction, and the arrow keys step 1°, on every page.",
     "signal": "Until then: the dashboard (1) shows the signal as a strip.",
     "system": "Until then: the dashboard (1) shows health, limits and firmware.",
     "setup": "Until then: H homes the dish, and the dashboard (1) says what comes next.",
