@@ -250,6 +250,25 @@ def test_the_page_follows_the_engine_to_its_next_step():
     run(follow)
 
 
+def test_what_is_under_way_goes_on_behind_another_page():
+    async def hide(app, pilot, engine):
+        page = app.page
+        await press(app, pilot, "f1")
+        await settle(app, pilot)
+        assert app.page is not page
+        ticks = engine.ticks
+        app.paint()
+        assert engine.ticks == ticks, "a hidden page draws nothing"
+        page.go_on()
+        assert engine.ticks == ticks + 1
+        engine.change("home", busy="")
+        page.go_on()
+        page.go_on()
+        assert engine.ticks == ticks + 2, "nothing is under way any more"
+
+    run(hide, "busy")
+
+
 def test_other_pages_learn_the_place_from_the_setup():
     async def place(app, pilot, engine):
         engine.settings = replace(

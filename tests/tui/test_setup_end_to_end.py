@@ -15,6 +15,7 @@ from birdcage.base.geometry import shortest_turn
 from birdcage.base.paths import Paths
 from birdcage.link.link import Link
 from birdcage.setup.engine import Setup, is_first_run
+from birdcage.setup.step import NAMES
 from birdcage.sim.almanac import sun
 from birdcage.sim.port import SimPort, open_device
 from birdcage.station.known import PortInfo, SystemFacts
@@ -24,6 +25,7 @@ from birdcage.station.station import Station
 from birdcage_tui.app import BirdcageApp
 from birdcage_tui.dialogs import QuestionScreen
 from birdcage_tui.settings import AppSettings
+from setup_stage import inside
 
 NOON = datetime(2026, 3, 20, 18, 20, 0, tzinfo=UTC)
 FRESH = "g2?boot=1&nvs20=0&home_fails=1&heading=30&seed=4"
@@ -41,9 +43,9 @@ class Stepped(Session):
 class Garden:
     """A dish, a laptop, and a person at its keys."""
 
-    def __init__(self, folder, port):
-        self.clock = VirtualClock(NOON)
-        self.device = open_device(FRESH, clock=self.clock)
+    def __init__(self, folder, port, dish=FRESH, size=(120, 36)):
+        self.clock, self.size = VirtualClock(NOON), size
+        self.device = open_device(dish, clock=self.clock)
         self.paths = Paths.in_folder(folder)
         self.port = port
 
@@ -65,7 +67,7 @@ class Garden:
 
         page = "setup" if is_first_run(settings, self.paths) or not wanted.port else "dashboard"
         self.app = BirdcageApp(self.session, AppSettings(setup=make, first_page=page))
-        return self.app.run_test(size=(120, 36))
+        return self.app.run_test(size=self.size)
 
     def _open(self, port, baud):
         return Link(SimPort(self.device, port, baud=baud), self.clock)
@@ -248,4 +250,23 @@ async def test_a_wrong_speed_is_found_and_mended_with_two_keys(tmp_path):
         await garden.until(lambda: garden.setup.current != "link")
         assert "115200 8N1" in garden.text()
         assert garden.moves() == []
+    garden.session.close()
+
+
+@pytest.mark.parametrize("size", [(80, 24), (120, 36), (160, 48), (200, 60)], ids=str)
+@played
+async def test_every_step_with_its_own_words_is_whole_on_the_screen(tmp_path, size):
+    garden = Garden(tmp_path, "/dev/ttyUSB0", "g2?seed=1", size)
+    place = {"place.latitude_deg": 39.1, "place.longitude_deg": -95.7, "setup.clock": "trusted 2026-03-20T12:00Z"}
+    edit(garden.paths.config_file, place)
+    async with garden.start() as pilot:
+        await garden.arrive(pilot)
+        await garden.press("f8")
+        await garden.step(6)
+        for name in NAMES:
+            garden.setup.go(name)
+            await garden.step(0.4)
+            await garden.settle()
+            assert garden.setup.current == name
+            inside(garden.app, garden.setup, causes=False)
     garden.session.close()

@@ -21,7 +21,7 @@ SETUP = (
     Command("setup-back", ("b",), "b", "Back a step", "Make the step before this one the present one.", "Setup",
             where=WHERE, footer="back"),
     Command("setup-open", ("o",), "o", "Open the page of this step",
-            "The page that shows more of it; F8 or 8 comes back here.", "Setup", where=WHERE, footer="its page"),
+            "The page that shows more of it; F8 or 8 comes back here.", "Setup", where=WHERE, footer="page"),
     Command("setup-wiring", ("w",), "w", "Wiring", "The connector's wires and what to beware of; w goes back.", "Setup",
             where=WHERE, footer="wiring"),
     Command("setup-next-cause", ("right",), "→", "Next cause", "The next likely cause of the silence.", "Setup",

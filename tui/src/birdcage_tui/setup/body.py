@@ -1,4 +1,4 @@
-"""What the setup page shows, and where: the list with the step unfolded in it, or both side by side."""
+"""What the setup page shows: the list of steps, and the one that is looked at. Where it stands is in `layout`."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ from birdcage.setup.case import Cause
 from birdcage.setup.step import Choice, StepView
 from textual.app import ComposeResult
 from textual.containers import Vertical, VerticalScroll
-from textual.widget import Widget
 from textual.widgets import Input
 
 from birdcage_tui.pages.page import Page
@@ -18,8 +17,8 @@ from birdcage_tui.settings import Place
 from birdcage_tui.setup.causes import told_apart
 from birdcage_tui.setup.engine import SetupEngine, SetupHost
 from birdcage_tui.setup.extra import ExtraPane, Kind, kind_for
-from birdcage_tui.setup.fold import fold
 from birdcage_tui.setup.form import AnswerForm
+from birdcage_tui.setup.layout import lay_out
 from birdcage_tui.setup.steps import StepsPane
 from birdcage_tui.setup.words import StepWords, Telling
 from birdcage_tui.view import View
@@ -28,11 +27,8 @@ TITLE = "Setup: from wires to the first satellite"
 HERE = Choice("here", "enter", "Make this the present step")
 HAND_STEPS = ("north", "first")
 """Steps at which a person may want to move the dish by hand."""
-LEAST_BELOW = 14
-"""Rows from which a compass is worth drawing under the readings."""
-LEAST_LIST = 3
-"""Rows that the list keeps, whatever the present step needs."""
-POINTING_ROWS = 13
+HIDDEN_S = 1.0
+"""Between two looks at what is under way, whatever page is seen."""
 FINISHED = (
     "Setup is finished: every step is done, skipped or for later. 1 shows the sky, 2 moves the dish by hand.",
     "Any step can be done again: look at it with the arrows, then Enter. After each power-up the dish has to be homed.",
@@ -58,8 +54,8 @@ class SetupBody(Page):
         self.chosen = 0
         """Which of the causes is unfolded."""
         self.causes: tuple[Cause, ...] = ()
-        self._steps: tuple[StepView, ...] = ()
-        self._present = ""
+        self.views: tuple[StepView, ...] = ()
+        self.present = ""
         self._busy: tuple[str, float] | None = None
         self._shape: object = None
 
@@ -83,8 +79,15 @@ class SetupBody(Page):
         make = self.host.settings.setup
         assert make is not None, "the page is only made with an engine behind it"
         self.engine: SetupEngine = make()
-        self._steps = self.engine.steps()
+        self.views = self.engine.steps()
         self.follow()
+        self.set_interval(HIDDEN_S, self.go_on)
+
+    def go_on(self) -> None:
+        """Let what is under way go on while another page is looked at: it ends, and gives control back."""
+        if any(step.busy for step in self.views):
+            self.engine.tick()
+            self.views = self.engine.steps()
 
     @property
     def host(self) -> SetupHost:
@@ -99,7 +102,7 @@ class SetupBody(Page):
     @property
     def step(self) -> StepView:
         """The step that is looked at."""
-        return self._steps[self.looked]
+        return self.views[self.looked]
 
     @property
     def baud_that_mends(self) -> int | None:
@@ -125,7 +128,7 @@ class SetupBody(Page):
     def answers(self) -> tuple[Choice, ...]:
         """Return what can be answered now: only the present step is answered."""
         step = self.step
-        if step.name != self._present:
+        if step.name != self.present:
             return (HERE,)
         choices = step.choices
         baud = self.baud_that_mends
@@ -135,15 +138,15 @@ class SetupBody(Page):
 
     def look_at(self, index: int) -> None:
         """Look at another step."""
-        index = min(max(index, 0), len(self._steps) - 1)
+        index = min(max(index, 0), len(self.views) - 1)
         if index != self.looked:
             self.looked, self.wrong, self.note = index, "", ""
         self.host.paint()
 
     def follow(self) -> None:
         """Look at the present step."""
-        self._present = self.engine.current
-        self.look_at(next(index for index, step in enumerate(self._steps) if step.name == self._present))
+        self.present = self.engine.current
+        self.look_at(next(index for index, step in enumerate(self.views) if step.name == self.present))
 
     def remark(self, words: str) -> None:
         """Say something under the words of the step."""
@@ -158,22 +161,20 @@ class SetupBody(Page):
         """Move the wiring up or down by some rows."""
         self.query_one("#setup-step", VerticalScroll).scroll_relative(y=by * 4, animate=False)
 
-    # One frame.
-
     def show(self, view: View) -> None:
         """Let the engine go on, and draw what it says."""
-        if not self.is_attached or not self._steps or not self.size:
+        if not self.is_attached or not self.views or not self.size:
             return
         self.engine.tick()
-        self._steps = self.engine.steps()
-        if self.engine.current != self._present:
+        self.views = self.engine.steps()
+        if self.engine.current != self.present:
             self.follow_soon()
         if self.screen.focused is None and self.app.screen is self.screen:
             self.focus_steps()
         self._tell_place()
         self._find_causes(view)
         self._fill(view)
-        shape = self._lay_out()
+        shape = lay_out(self)
         super().show(view)
         if shape != self._shape:
             # Widths and heights follow only after this frame: look once more when they have.
@@ -186,8 +187,8 @@ class SetupBody(Page):
 
     def follow_soon(self) -> None:
         """Go along with the engine to its next step."""
-        self._present = self.engine.current
-        self.looked = next(index for index, step in enumerate(self._steps) if step.name == self._present)
+        self.present = self.engine.current
+        self.looked = next(index for index, step in enumerate(self.views) if step.name == self.present)
         self.wrong, self.note, self.wiring = "", "", False
 
     def _find_causes(self, view: View) -> None:
@@ -212,7 +213,7 @@ class SetupBody(Page):
             host.settings = replace(host.settings, place=here)
 
     def _fill(self, view: View) -> None:
-        step, present = self.step, self.step.name == self._present
+        step, present = self.step, self.step.name == self.present
         if not step.busy:
             self._busy = None
         elif self._busy is None or self._busy[0] != step.name:
@@ -237,76 +238,6 @@ class SetupBody(Page):
         dish = view.state.dish
         extra.firmware = None if dish is None else dish.firmware
 
-    def _lay_out(self) -> object:
-        """Give every part its rows. Return what the layout was made from."""
-        words, form, extra = self.query_one(StepWords), self.form, self.query_one("#setup-extra", ExtraPane)
-        scroll = self.query_one("#setup-step", VerticalScroll)
-        fills, wide = self.wiring_fills, self.wide
-        width = scroll.size.width or self.size.width - 8
-        words.display = form.display = not fills
-        form.fill(self.step.name, self.answers(), width)
-        told = 0 if fills else words.rows(width)
-        asked = 0 if fills else form.rows
-        # A row of air above and below the answers, where the list does not need it.
-        spare = extra.kind is Kind.NOTHING and self.size.height - told - asked - len(self._steps) >= 2
-        airy = asked > 0 and (wide or spare)
-        form.set_class(airy, "-airy")
-        asked += 2 if airy else 0
-        _rows(words, told)
-        _rows(form, form.rows)
-        room = self._lay_out_wide() if wide else self._lay_out_narrow(told + asked, extra.kind is not Kind.NOTHING)
-        extra.display = extra.kind is not Kind.NOTHING
-        pointing = self.query_one(PointingPane)
-        pointing.display = extra.kind is Kind.POINTING
-        extra.alone = fills
-        below = self.query_one("#setup-below", ExtraPane)
-        below.kind, below.place = Kind.COMPASS, extra.place
-        left = room - told - asked - 2 - POINTING_ROWS
-        below.display = extra.kind is Kind.POINTING and left >= LEAST_BELOW
-        if extra.kind is Kind.POINTING:
-            _rows(extra, 2)
-            _rows(pointing, POINTING_ROWS if left >= 0 else max(left + POINTING_ROWS, 7))
-            _rows(below, max(left, 0))
-        elif extra.display:
-            needs = extra.wiring_rows(width) if fills else 0
-            _rows(extra, max(room - told - asked, needs))
-        return self.size, width, wide, told, asked, room, self.looked, extra.kind, self._present
-
-    def _lay_out_narrow(self, needs: int, has_extra: bool) -> int:
-        """List and step in one column. Return the rows that the step has."""
-        height, count = self.size.height, len(self._steps)
-        least = LEAST_LIST if has_extra else min(max(height - needs, LEAST_LIST), count)
-        listed = 0 if self.wiring_fills else least
-        rows = fold(count, self.looked, listed)
-        upper = [row for row in rows if row.first <= self.looked]
-        lower = [row for row in rows if row.first > self.looked]
-        steps = self.query_one("#setup-steps", StepsPane)
-        steps.tall = False
-        steps.tell(self._steps, upper, self.looked, self._present)
-        rest = self.query_one("#setup-rest", StepsPane)
-        rest.tell(self._steps, lower, self.looked, self._present)
-        rest.display = bool(lower) and listed > 0
-        self.query_one("#setup-list").display = listed > 0
-        _rows(self.query_one("#setup-list"), len(upper))
-        _rows(rest, len(lower))
-        step_rows = height - listed
-        _rows(self.query_one("#setup-step"), step_rows if has_extra else min(needs, step_rows))
-        return step_rows
-
-    def _lay_out_wide(self) -> int:
-        """List at the left. Return the rows that the step has."""
-        steps, frame = self.query_one("#setup-steps", StepsPane), self.query_one("#setup-list")
-        column = self.query_one("#setup-step")
-        frame.display = True
-        for part in (frame, column):
-            part.styles.height = "1fr"
-        column.border_title = f"{self.step.number} {self.step.title}"
-        self.query_one("#setup-rest").display = False
-        steps.tall = True
-        steps.tell(self._steps, fold(len(self._steps), self.looked, max(frame.size.height, 1)), self.looked,
-                   self._present)  # fmt: skip
-        return column.size.height
-
 
 def _asides(step: StepView, view: View) -> tuple[str, ...]:
     """Return what the page itself has to add to a step."""
@@ -318,10 +249,3 @@ def _asides(step: StepView, view: View) -> tuple[str, ...]:
     if step.name in HAND_STEPS and step.choices:
         return ("Arrows do not jog here: o opens Control, where they do; 8 comes back.",)
     return ()
-
-
-def _rows(widget: Widget, rows: int) -> None:
-    """Make a widget so many rows tall, if it is not."""
-    height = widget.styles.height
-    if height is None or height.value != rows or not height.is_cells:
-        widget.styles.height = rows
