@@ -128,7 +128,9 @@ _DVB = (
     *_harmless("dvb", "config|dis|freqs|ls|man|qls|stats", "di2conf|di2id|di2rcs|di2stat"),
     *_harmless("dvb", "ovraddr|pretx|rrto|tdthresh"),
     *_harmless("dvb", "diag", takes_s=10.0),
-    *_harmless("dvb", r"rssi (?P<reads>\d{1,4})"),
+    *_harmless("dvb", r"rssi (?P<reads>\d{1,2})"),
+    *_setting("dvb", "Until it has read so often the dish listens to nothing: no STOP reaches it.",
+              r"rssi (?P<reads>\d{3,4})"),
     *_streams("dvb", "agc|lnbv|nid|snr"),
     *_setting("dvb", "Puts all settings of the tuner back to the factory's: yours are lost.", "def( .*)?"),
     *_setting(
@@ -164,7 +166,8 @@ _NVS = (
     *_harmless("nvs", r"e( \S+)?"),
     *_setting(
         "nvs",
-        "Switches the dish's own TV search, and with it homing at power-on; `s` makes it permanent.",
+        "Switches the dish's own TV search, and with it homing: whether it moves by itself at the next start. `s` makes "
+        "it permanent.",
         "e 20 .+",
         forgets=_NVS_FORGETS,
     ),
@@ -204,13 +207,12 @@ _OTHERS = (
     *_moves("peak", "Measures at the peak; whether it moves the dish is not known.", "psnr( .*)?", takes_s=60.0),
 )
 _CURRENT = (
-    *_rows(
-        "mot step", Grade.SETTING,
+    *_moves(
+        "mot step",
         "Puts the current on the motors: they may jerk, and after a release the dish is not where it says.", "e( .*)?",
-        forgets=_WHERE,
     ),
-    *_rows(
-        "mot step", Grade.MOVES,
+    *_moves(
+        "mot step",
         "Takes the current off the motors: the dish may fall under its own weight, and its position is then unknown.",
         "r( .*)?", forgets=_REFERENCE,
     ),
@@ -241,7 +243,7 @@ _MOT = (
     *_ruins("mot", "Tells the dish that its cable is turned otherwise: it may then wind the cable until it tears.",
             "sw( .*)?", forgets=_REFERENCE),
     *_ruins("mot", "Switches the protection of the cable off: the dish may then wind it until it tears.",
-            "w( .*)? off"),
+            "w( .*)? off( .*)?"),
     *_setting("mot", "Switches the protection of the cable.", "w( .*)?"),
     *_setting("mot step", "Changes how hard the motors are driven: too much loses steps, and angles are then wrong.",
               "(ma|mv|pid) .+", forgets=frozenset({"settings"})),

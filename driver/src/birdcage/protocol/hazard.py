@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from enum import IntEnum
 
 
@@ -80,6 +80,14 @@ class Hazard:
 
 READ_S = 0.1
 """A generous guess of what one of the `reads` of a line takes; only a deadline depends on it."""
+SEPARATORS = re.compile("[;&|]")
+"""What parts commands on other consoles; no source says whether one of these dishes takes them."""
+SHORTEST_ABBREVIATION = 2
+UNLISTED_FORGETS = frozenset({"position", "turn", "limits", "search", "settings"})
+"""What a line that nobody has written down may have changed, unless the dish refuses it."""
+_WORD = re.compile("[a-z0-9]+")
+
+Found = tuple[Hazard, re.Match[str]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,21 +101,67 @@ class HazardTable:
     def judge(self, line: str, menu: str | None, *, homed: bool | None) -> tuple[Verdict, re.Match[str] | None]:
         """Return the gravest of what the rows say of `line`, and how that row matched it.
 
-        `menu` None is not known: then the row of any menu counts. What no row knows counts as changing a setting.
+        `menu` None is not known: then the row of any menu counts. What no row knows counts as changing a setting, or
+        as worse if it would do worse in another menu, written out in full, or taken as several commands.
         """
         text = " ".join(line.lower().split())
-        found: list[tuple[Grade, int, Hazard, re.Match[str]]] = []
+        found = self._gravest(text, menu, homed)
+        if found is None:
+            return self._unlisted(text, menu, homed), None
+        row, match = found
+        verdict, reads = row.verdict(), match.groupdict().get("reads")
+        if reads is not None:
+            verdict = replace(verdict, takes_s=int(reads) * READ_S)
+        parts = self._worse_part(text, menu, homed)
+        if parts is not None and parts.grade > verdict.grade:
+            return parts, None
+        return verdict, match
+
+    def _gravest(self, text: str, menu: str | None, homed: bool | None) -> Found | None:
+        found: list[tuple[Grade, int, Found]] = []
         for order, row in enumerate(self.rows):
             if (menu is not None and menu not in row.menus) or (row.unhomed and homed is True):
                 continue
             if match := row.pattern.fullmatch(text):
-                found.append((row.grade, -order, row, match))
-        if not found:
-            said = self.unlisted.get(menu or "", self.unlisted.get("", ""))
-            return Verdict(Grade.SETTING, said, listed=False), None
-        _grade, _order, row, match = max(found, key=lambda each: each[:2])
-        reads = match.groupdict().get("reads")
-        verdict = row.verdict()
-        if reads is not None:
-            verdict = Verdict(row.grade, row.consequence, row.forgets, takes_s=int(reads) * READ_S)
-        return verdict, match
+                found.append((row.grade, -order, (row, match)))
+        return max(found, key=lambda each: each[:2])[2] if found else None
+
+    def _unlisted(self, text: str, menu: str | None, homed: bool | None) -> Verdict:
+        said = self.unlisted.get(menu or "", self.unlisted.get("", ""))
+        worst = Verdict(Grade.SETTING, said, UNLISTED_FORGETS, listed=False)
+        suspects = (
+            ("The menu may have changed meanwhile. Elsewhere:", self._row_verdict(text, None, homed)),
+            ("It may be taken as an abbreviation.", self._abbreviated(text, menu, homed)),
+            ("It may be taken as several commands.", self._worse_part(text, menu, homed)),
+        )
+        for why, verdict in suspects:
+            if verdict is not None and verdict.grade > max(worst.grade, Grade.SETTING):
+                worst = replace(
+                    verdict, consequence=f"{why} {verdict.consequence}", forgets=verdict.forgets | UNLISTED_FORGETS,
+                    streams=False, homes=(), listed=False,
+                )  # fmt: skip
+        return worst
+
+    def _row_verdict(self, text: str, menu: str | None, homed: bool | None) -> Verdict | None:
+        found = self._gravest(text, menu, homed)
+        return None if found is None else found[0].verdict()
+
+    def _abbreviated(self, text: str, menu: str | None, homed: bool | None) -> Verdict | None:
+        """Judge the gravest command that `text` may abbreviate: no source says whether the dishes take that."""
+        word, _, rest = text.partition(" ")
+        if len(word) < SHORTEST_ABBREVIATION:
+            return None
+        names = {found[0] for row in self.rows if (found := _WORD.match(row.pattern.pattern))}
+        lines = [f"{name} {rest}".strip() for name in sorted(names) if name.startswith(word) and name != word]
+        return _worst(self._row_verdict(line, menu, homed) for line in lines)
+
+    def _worse_part(self, text: str, menu: str | None, homed: bool | None) -> Verdict | None:
+        """Judge a line as several commands. After the first, the menu may be any."""
+        first, *others = (part.strip() for part in SEPARATORS.split(text))
+        if not others:
+            return None
+        return _worst([self._row_verdict(first, menu, homed), *(self._row_verdict(o, None, homed) for o in others)])
+
+
+def _worst(verdicts: Iterable[Verdict | None]) -> Verdict | None:
+    return max((each for each in verdicts if each is not None), key=lambda each: each.grade, default=None)

@@ -19,6 +19,12 @@ def refuse_while_moving(board: Board, antenna: BirdcageAntenna, so: str) -> None
     """Raise BirdcageError (`moving`) while the dish moves; `so` is what is not done meanwhile."""
     if antenna.motion is not None or board.state.activity in MOVING:
         raise BirdcageError(f"{so} while the dish moves. Wait until it rests, or stop it.", reason="moving")
+    if board.state.raw_motion:
+        raise BirdcageError(
+            f"{so}: a raw line may have set the dish in motion, and it was not seen at rest since. Give the console "
+            "back, or STOP.",
+            reason="moving",
+        )
 
 
 class Applying:

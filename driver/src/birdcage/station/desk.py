@@ -51,7 +51,7 @@ class Desk:
             case ask.Home():
                 self._home(request)
             case ask.ReleaseMotors(holder):
-                self._talk.make_way()
+                self._make_way(holder)
                 self._motors.release(holder, stops_seen)
             case ask.Engage(holder):
                 self._motors.engage(holder)
@@ -59,7 +59,7 @@ class Desk:
                 self._motors.stow(holder, future)
                 return
             case ask.SetSpeed(axis, speed_deg_s, holder):
-                self._talk.make_way()
+                self._make_way(holder)
                 future.set_result(self._motors.set_speed(axis, speed_deg_s, holder))
                 return
             case ask.ApplySettings(settings):
@@ -71,11 +71,11 @@ class Desk:
                 future.set_result(self._talk.list_commands(holder))
                 return
             case ask.ProbePort(bauds):
-                self._talk.make_way()
+                self._talk.line.make_way()
                 future.set_result(self._rewire.probe(bauds))
                 return
             case ask.Connect(port, baud):
-                self._talk.make_way()
+                self._talk.line.make_way()
                 self._rewire.connect(port, baud)
             case ask.SetSearch(holder, disabled):
                 self._ready(holder)
@@ -109,6 +109,11 @@ class Desk:
     def _ready(self, holder: str, az_deg: float | None = None, el_deg: float | None = None) -> None:
         self._control.admit(holder, az_deg, el_deg)
         self._free_wire()
+
+    def _make_way(self, holder: str) -> None:
+        """End what prints on, unless `holder` will be refused anyway."""
+        if self._control.latched or self._board.state.holder in (None, holder):
+            self._talk.line.make_way()
 
     def _free_wire(self) -> None:
         link = self._board.state.link

@@ -13,7 +13,7 @@ from collections.abc import Callable
 from typing import Protocol
 
 from birdcage.station.events import ActivityChanged, Event
-from birdcage.station.state import MOVING
+from birdcage.station.state import MOVING, RAW_COMMAND, Activity, Link
 from birdcage.station.station import Station
 
 AFTER_S = 10.0
@@ -86,6 +86,8 @@ class SleepInhibitor:
         self._told: queue.SimpleQueue[bool | None] = queue.SimpleQueue()
         self._thread: threading.Thread | None = None
         self._hopeless = False
+        self._raw = False
+        """Whether a raw line may have begun the motion: nothing need tell when that one ends."""
         self._unsubscribe = station.subscribe(self._hear)
 
     def close(self) -> None:
@@ -98,20 +100,30 @@ class SleepInhibitor:
     def _hear(self, event: Event) -> None:
         if not isinstance(event, ActivityChanged) or self._station.state.demo:
             return
+        self._raw = event.activity is Activity.UNKNOWN and event.text == RAW_COMMAND
+        moves = self._raw or event.activity in MOVING
         if self._thread is None:
-            if event.activity not in MOVING:
+            if not moves:
                 return
             self._thread = threading.Thread(target=self._run, name="sleep inhibitor", daemon=True)
             self._thread.start()
-        self._told.put(event.activity in MOVING)
+        self._told.put(moves)
+
+    def _still_raw(self) -> bool:
+        """Return whether the dish may still move from a raw line, and STOP can reach it."""
+        state = self._station.state
+        return state.raw_motion and state.link.state is Link.UP
 
     def _run(self) -> None:
         hold: Hold | None = None
         moving: bool | None = False
         while moving is not None:
             try:
-                moving = self._told.get(timeout=self._after_s if hold is not None and not moving else None)
+                looks = hold is not None and (self._raw or not moving)
+                moving = self._told.get(timeout=self._after_s if looks else None)
             except queue.Empty:
+                if self._still_raw():
+                    continue
                 self._end(hold)
                 hold = None
                 continue

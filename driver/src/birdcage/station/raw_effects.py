@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import DishMotion, start_motion
@@ -17,8 +17,14 @@ from birdcage.station.state import RAW_COMMAND, Activity, Search
 class RawEffects:
     """Keeps board, gate and model true while somebody types past them."""
 
-    def __init__(self, board: Board, antenna: BirdcageAntenna, mover: Mover, remark: Callable[[str], None]) -> None:
+    def __init__(
+        self, board: Board, antenna: BirdcageAntenna, mover: Mover, remark: Callable[[str], None],
+        on_line: Callable[[str], None],
+    ) -> None:  # fmt: skip
         self._board, self._antenna, self._mover, self._remark = board, antenna, mover, remark
+        self._on_line = on_line
+        self._homed: set[int] = set()
+        self._homed_before: bool | None = None
         self.moved = False
         """Whether a line since the last `clear` may have moved the dish."""
         self.resurvey = False
@@ -27,6 +33,7 @@ class RawEffects:
     def clear(self) -> None:
         """A new talk begins."""
         self.moved = self.resurvey = False
+        self._homed.clear()
 
     def say(self, text: str) -> None:
         """Put a remark into the transcript, in plain ASCII, and tell it to listeners."""
@@ -49,8 +56,8 @@ class RawEffects:
 
         Another axis that is still on its way goes on in it.
         """
-        if verdict.motion is None or verdict.limit or verdict.grade is not Grade.MOVES:
-            return None
+        if verdict.motion is None or verdict.limit or verdict.grade is not Grade.MOVES or self.resurvey:
+            return None  # `resurvey`: at which speed it goes is not known any more
         antenna, gate, clock = self._antenna, self._antenna.protocol.gate, self._board.clock
         (axis, angle), under_way = verdict.motion, antenna.motion
         start, velocity, now = gate.position, (0.0, 0.0), clock.monotonic()
@@ -68,13 +75,47 @@ class RawEffects:
         begun = start_motion(antenna.model, start, turns[0] - cable, start.elevation, now, velocity)
         return begun if under_way is None else DishMotion(begun.azimuth, under_way.elevation)
 
-    def take_in(self, verdict: Verdict) -> None:
-        """Forget what a line that has gone out may have changed."""
+    def sent(self, verdict: Verdict) -> None:
+        """A line has gone out: forget what it may change.
+
+        One that nobody has written down is mostly a mistype, which the dish refuses: that has its time until `taken`.
+        """
+        self._homed_before = self._board.state.homed
+        if verdict.listed:
+            self._forget(verdict)
+        elif verdict.grade >= Grade.MOVES:
+            self._may_move()
+
+    def taken(self, verdict: Verdict) -> None:
+        """The dish has answered, and not with a refusal."""
+        if not verdict.listed:
+            self._forget(verdict)
+        gate = self._antenna.protocol.gate
+        for axis in verdict.homes:
+            gate.found_reference(axis)
+            self._homed.add(axis)
+        axes = {gate.model.azimuth.index, gate.model.elevation.index}
+        if verdict.homes and (self._homed_before or axes <= self._homed):
+            self._board.change(homed=True)
+
+    def hear(self, lines: Iterable[str], verdict: Verdict) -> None:
+        """Look for boot text in an answer: a dish that restarts in the middle of it has forgotten everything."""
+        if verdict.restarts:
+            return  # as asked for
+        marks = self._antenna.protocol.boot_marks
+        for line in lines:
+            if any(mark in line for mark in marks):
+                self._on_line(line)
+
+    def _may_move(self) -> None:
+        self.moved = True
+        self._mover.forget_target()
+        self._mover.activity(Activity.UNKNOWN, RAW_COMMAND)
+
+    def _forget(self, verdict: Verdict) -> None:
         forgets, gate = verdict.forgets, self._antenna.protocol.gate
         if verdict.grade >= Grade.MOVES:
-            self.moved = True
-            self._mover.forget_target()
-            self._mover.activity(Activity.UNKNOWN, RAW_COMMAND)
+            self._may_move()
         if "position" in forgets:
             cable_deg = gate.cable_deg
             gate.forget("raw")
@@ -83,6 +124,8 @@ class RawEffects:
             turn = gate.model.turn if gate.cable_deg is None else self._board.state.turn
             self._board.change(position_lost=RAW_COMMAND, turn=turn)
         if "homed" in forgets:
+            if not verdict.homes:
+                self._homed.clear()
             self._board.change(homed=None)
             if verdict.restarts:
                 gate.released.clear()  # a dish that starts finds its references, or says that it has none

@@ -85,9 +85,13 @@ class Rewire:
         the dish moves.
         """
         self._refuse_while_moving("The port is not changed")
+        gate = self._antenna.protocol.gate
+        # The same port has most likely the same dish: that its motors were released must not be forgotten then.
+        released = set(gate.released) if port in (self._board.state.port, self._connection.asked_port) else set()
         self._connection.let_go()
         self._connection.use(port, baud)
         self._vigil.expect_another_dish()
+        gate.released = released
         self._stopper.retarget_works = None
         self._look.limit(Survey())
         self._board.forget_readings()
@@ -102,7 +106,7 @@ class Rewire:
         state, motion = self._board.state, self._antenna.motion
         match state.link.state:
             case Link.UP:
-                return motion is not None or state.activity in MOVING
+                return motion is not None or state.activity in MOVING or state.raw_motion
             case Link.SILENT:
                 # STOP may still reach it. Nobody will see it arrive: its motion counts until it must have ended.
                 clock = self._board.clock

@@ -12,9 +12,14 @@ from birdcage.link.transcript import Transcript
 from birdcage.link.transcript_line import Entry
 from birdcage.station.state import Pointing
 from birdcage.station.station import Station
+from birdcage.station.stopper import Reach
 
 QUIT_S = 0.15
 """How long closing may wait for the thread: STOP's bytes leave in 3 ms, their answers take a few more."""
+
+LOOK_S = 0.1
+"""How long closing may wait until STOP has seen where to aim: two readings, a twentieth of a second apart."""
+SLICE_S = 0.005
 
 
 class Session:
@@ -76,8 +81,9 @@ class Session:
         `leave_moving` sends no STOP: for a person who asked for a motion that outlives the program.
         """
         moving = not leave_moving and self.station.bar()
-        if moving:
+        if moving and self.crash is None:  # else STOP was called when it happened
             self.station.stop("quit")
+            self._await_stop()
         self.station.end()
         if self._thread is None:
             self.station.shut()
@@ -85,15 +91,29 @@ class Session:
             self._thread.join(QUIT_S)
         self._on_close()
         state = self.station.state
-        return farewell(state.position, state.position_lost, moving=moving)
+        return farewell(state.position, state.position_lost, self.station.stop_reach if moving else None)
+
+    def _await_stop(self) -> None:
+        """Give STOP the time to look where a motion leads that could not be foreseen."""
+        for _ in range(round(LOOK_S / SLICE_S)):
+            if self.station.stop_reach is not Reach.LOOKING:
+                return
+            if self._thread is None:
+                self.step(SLICE_S)
+            else:
+                self._thread.join(SLICE_S)
 
 
-def farewell(position: Pointing | None, lost: str | None, *, moving: bool) -> str:
-    """Say where the dish is left."""
+def farewell(position: Pointing | None, lost: str | None, reach: Reach | None) -> str:
+    """Say where the dish is left; `reach` tells what became of STOP, None when there was nothing to stop."""
     if position is None or lost is not None:
         where = "Where the dish is, is not known."
     else:
         where = (
             f"The dish was last seen at AZ {position.az_deg:.2f}° EL {position.el_deg:.2f}°, {position.utc:%H:%M:%S}Z."
         )
-    return f"STOP was sent. {where}" if moving else where
+    if reach is Reach.SENT:
+        return f"STOP was sent. {where}"
+    if reach in (None, Reach.AT_REST):
+        return where
+    return f"The dish may still be moving, and no STOP has reached it: look at it, or cut its power. {where}"

@@ -27,7 +27,7 @@ from birdcage.station.requests import Request
 from birdcage.station.rewire import Rewire
 from birdcage.station.settings import StationSettings
 from birdcage.station.state import MOVING, StationState
-from birdcage.station.stopper import Stopper
+from birdcage.station.stopper import Reach, Stopper
 from birdcage.station.talk import Talk
 from birdcage.station.vigil import Vigil
 from birdcage.station.watches import Watches
@@ -69,7 +69,7 @@ class Station:
         )
         self._talk = Talk(
             board, antenna, self._control, self._mover, self._stopper, look, self._watches, self._vigil,
-            RawEffects(board, antenna, self._mover, settings.remark),
+            RawEffects(board, antenna, self._mover, settings.remark, self._vigil.on_line),
         )  # fmt: skip
         self._desk = Desk(
             board, antenna, self._control, self._mover, self._stopper, look, self._watches, self._vigil, rewire,
@@ -112,13 +112,17 @@ class Station:
         self._stopper.call(by)
         self._wake.set()
 
+    @property
+    def stop_reach(self) -> Reach:
+        """Whether the last STOP got through to the dish. Any thread."""
+        return self._stopper.reach
+
     def bar(self) -> bool:
         """Let no line out that moves the dish from now on; return whether it may be moving. Any thread."""
         self._control.latched = True
         # In this order: what was let through before has its model, so that STOP can aim.
-        activity = self.state.activity
-        # From another menu no line would reach the motors before the port is closed: nothing is claimed then.
-        return (self._antenna.motion is not None and not self._look.elsewhere) or activity in MOVING
+        state = self.state
+        return state.raw_motion or state.activity in MOVING or self._antenna.motion is not None
 
     def begin(self) -> None:
         """Open the link as soon as the loop turns."""
@@ -164,7 +168,7 @@ class Station:
         self._drop_inbox()
         try:
             self._mover.fail(*self._desk.ending())
-            self._talk.shut()
+            self._talk.line.shut()
         finally:
             try:
                 self._connection.close()

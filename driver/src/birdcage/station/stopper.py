@@ -6,6 +6,7 @@ import math
 import threading
 from collections import deque
 from dataclasses import dataclass, replace
+from enum import Enum
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import stop_power_s
@@ -26,6 +27,19 @@ ANSWER_S = 0.3
 POLL_S = 0.05
 UNKNOWN = "The dish does not know where it is: whether it stands still is not known."
 RELEASED = "The motors are released: nothing drives the dish, and where it is, is not known. Home it."
+
+
+class Reach(Enum):
+    """Whether the last STOP got through."""
+
+    LOOKING = "looking"
+    """Nothing was sent yet: two readings must tell first where to aim, or that nothing moves."""
+    SENT = "sent"
+    AT_REST = "at rest"
+    """Nothing was sent, as nothing moved."""
+    NOT = "not"
+
+
 LOOKING = ("nothing moved", "look")
 """Means of a STOP that has sent nothing yet, and does so as soon as the dish is seen moving."""
 
@@ -63,6 +77,12 @@ class Stopper:
         self.retarget_works: bool | None = None
         """Learnt from the first STOP in motion; None until then."""
         self.due: float | None = None
+        self.reach = Reach.NOT
+
+    @property
+    def is_pending(self) -> bool:
+        """Whether the dish is still being followed to its rest."""
+        return self._pending is not None
 
     def call(self, by: str, reason: str = "stop") -> None:
         """Latch, and write the first bytes. Any thread; never waits for the dish."""
@@ -95,6 +115,9 @@ class Stopper:
                     means, sentence = "no link", str(error)
             elif self._antenna.motion is not None:
                 means, sentence = "none", "This dish takes new targets at the end of a move only: cut its power."
+            self.reach = {"retarget": Reach.SENT, "look": Reach.LOOKING, "nothing moved": Reach.LOOKING}.get(
+                means, Reach.NOT
+            )
             self._calls.append((StopReport(by, now, means, None, sentence), lines, reason))
 
     def release(self, stops_seen: int) -> None:
@@ -203,6 +226,7 @@ class Stopper:
             seen = [(Position(p.dish_az_deg, p.dish_el_deg), p.at) for p in (pending.last, pointing)]
             lines = self._antenna.stop_lines_seen(*seen[0], *seen[1])
             self._antenna.protocol.interject(lines)
+            self.reach = Reach.SENT
             pending.lines = lines
             pending.report = replace(
                 pending.report, means="retarget", sentence="The dish was seen moving: retargeted ahead of it."
@@ -245,6 +269,8 @@ class Stopper:
 
     def _finish(self, pending: Pending, confirmed: bool | None, sentence: str) -> None:
         earlier = pending.report.confirmed
+        if self.reach is Reach.LOOKING:
+            self.reach = Reach.AT_REST if confirmed or sentence == RELEASED else Reach.NOT
         self._pending, self.due, self._antenna.motion = None, None, None
         self._board.change(motion=None)
         self._mover.activity(Activity.IDLE, "")

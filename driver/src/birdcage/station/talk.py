@@ -3,26 +3,16 @@
 from __future__ import annotations
 
 from concurrent.futures import Future
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from birdcage.antenna.antenna import BirdcageAntenna
-from birdcage.antenna.motion import DishMotion
-from birdcage.base.errors import (
-    BirdcageError,
-    CommandRefused,
-    ConfirmationNeeded,
-    Held,
-    LinkError,
-    NoReply,
-    Stopped,
-)
-from birdcage.console.events import Reply
-from birdcage.console.raw import Typed
+from birdcage.base.errors import CommandRefused, ConfirmationNeeded, Held, LinkError, Stopped
 from birdcage.protocol.hazard import Grade, Verdict
 from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.station import requests as ask
 from birdcage.station.board import Board
 from birdcage.station.control import Control
+from birdcage.station.line_under_way import Line, LineUnderWay
 from birdcage.station.look import Look
 from birdcage.station.menu_commands import MenuCommands
 from birdcage.station.mover import Mover
@@ -35,26 +25,8 @@ from birdcage.station.watches import Watches
 
 IDLE_S = 30.0
 """After so long without a line the console is given back."""
-LONGEST_S = 60.0
-"""How long a line may print on before Enter ends it, unless it is known to take longer."""
-STREAM_QUIET_S = 5.0
-"""How long a stream may pause."""
-PROMPT_S = 0.3
-"""How long a prompt that is due at once is waited for when somebody else wants the console."""
-
-
-@dataclass(slots=True)
-class Line:
-    """A line that was typed and has no prompt yet."""
-
-    typed: Typed
-    text: str
-    verdict: Verdict
-    future: Future[object]
-    ends_at: float
-    model: DishMotion | None
-    model_before: DishMotion | None
-    homed_before: bool | None
+LONGEST_LINE = 120
+"""Characters. No command that is known needs a third of it, and what a firmware does with more nobody knows."""
 
 
 class Talk:
@@ -67,11 +39,10 @@ class Talk:
         self._board, self._antenna, self._control, self._mover = board, antenna, control, mover
         self._stopper, self._look, self._watches, self._vigil = stopper, look, watches, vigil
         self._effects = effects
+        self.line = LineUnderWay(board, antenna, stopper, look, effects)
         self.menus = MenuCommands(antenna.protocol)
         self._holder: str | None = None
-        self._line: Line | None = None
         self._last = 0.0
-        self._homed: set[int] = set()
 
     @property
     def _protocol(self) -> FirmwareProtocol:
@@ -88,79 +59,47 @@ class Talk:
     def begin(self, holder: str) -> None:
         """The lease is taken: nothing is sent from now on that `holder` did not type."""
         self._last = self._board.clock.monotonic()
-        if self._holder is None:
-            self._effects.clear()
-            self._homed.clear()
-            self._end_excursion()
-        self._holder = holder
+        begins, self._holder = self._holder is None, holder
         self._vigil.paused = True
+        if begins:
+            self._effects.clear()
+            self._end_excursion()
 
     def due(self) -> float | None:
         """Return when to look at the line under way, or to give the console back; None while nobody talks."""
         if self._is_over:
             return self._last
-        if self._line is not None:
-            return self._line.typed.sent if self._line.typed.reply is not None else self._patience(self._line)
-        return None if self._holder is None else self._last + IDLE_S
+        line_due = self.line.due()
+        if line_due is not None:
+            return line_due
+        return None if self._holder is None else max(self._last, self.line.answered_at) + IDLE_S
 
     @property
     def _is_over(self) -> bool:
         return self._holder is not None and self._board.state.holder != self._holder
 
-    def _patience(self, line: Line) -> float:
-        """Return when to stop waiting: what talks may go on to its end, what is silent had its time."""
-        pause_s = STREAM_QUIET_S if line.verdict.streams else self._protocol.console.delay_s
-        return min(line.ends_at, max(line.typed.due, line.typed.heard_at + pause_s))
-
     def tick(self) -> None:
-        """Take the reply, or end what has no end, or give the console back."""
-        line, now = self._line, self._board.clock.monotonic()
+        """Look at the line under way, or give the console back."""
         if self._is_over:
             self.end()
-        elif line is not None:
-            if (reply := line.typed.reply) is not None:
-                self._answered(line, reply)
-            elif now >= line.ends_at:
-                self._end_by_key(line)
-            else:
-                raise self._unanswered(line)
+        elif self.line.due() is not None:
+            self.line.tick()
         elif self._holder is not None:
             self._control.give_back(self._holder)
             self.end()
 
     def raw(self, request: ask.Raw, future: Future[object]) -> None:
         """Send one line. Its future is resolved when the prompt came, or when something else ended it."""
-        if not (request.line.isascii() and request.line.isprintable()):
-            raise CommandRefused("A console line holds printable ASCII only. Nothing was sent.", reason="bad_parameter")
+        self._refuse_unsendable(request.line)
         self._refuse_held(request.line, self.judge(request.line))
         menu = self._take_console(request.holder)
         verdict = self._admitted(request)
-        console = self._protocol.console
         self._effects.announce(request.line, verdict, request.holder, confirmed=request.confirmed)
-        if request.line.strip().lower() == console.dialect.leave and menu != console.dialect.root:
+        dialect = self._protocol.console.dialect
+        if request.line.strip().lower() == dialect.leave and menu != dialect.root:
             self._leave(request.line, future)
-            return
-        model = self._effects.modelled(verdict) if menu == self._protocol.motor_menu else None
-        before, homed = self._antenna.motion, self._board.state.homed
-        if verdict.grade >= Grade.MOVES:
-            # Before the first byte: a STOP that comes after that byte must know what to stop.
-            self._antenna.motion = model
-        self._stopper.homing = bool(verdict.homes)
-        self._look.elsewhere = menu != self._protocol.motor_menu or verdict.takes_s > 0 or verdict.streams
-        try:
-            typed = console.type_line(
-                request.line, takes_s=verdict.takes_s, permit=lambda: self._permit(verdict),
-                at_root=request.confirmed and menu == console.dialect.root,
-            )  # fmt: skip
-        except BaseException as error:
-            if self._antenna.motion is model:
-                self._antenna.motion = before
-            self._homing_ends()
-            self._effects.say(f"not sent: {error}")
-            raise
-        self._effects.take_in(verdict)
-        ends_at = typed.sent + max(LONGEST_S, verdict.takes_s)
-        self._line = Line(typed, request.line, verdict, future, ends_at, model, before, homed)
+        else:
+            self._type(request, verdict, menu, future)
 
     def list_commands(self, holder: str) -> tuple[MenuCommand, ...]:
         """Ask the dish for the commands of its present menu, once a session, and return them."""
@@ -179,44 +118,19 @@ class Talk:
             self._last = self._board.clock.monotonic()
         return self.menus.of(menu)
 
-    def make_way(self) -> None:
-        """End a line that prints on, for something else that needs the wire. CommandRefused while it is at work."""
-        line = self._line
-        if line is None:
-            return
-        now = self._board.clock.monotonic()
-        if line.verdict.takes_s > 0 and not line.verdict.streams and now < line.typed.due:
-            raise CommandRefused(f"The dish is still at `{line.text}`. Wait, or STOP.", reason="busy")
-        self._come_to_an_end(line)
-
     def end(self) -> None:
         """The console is the station's again: see where the dish is, and read again what may have changed."""
         holder, self._holder = self._holder, None
-        line, effects = self._line, self._effects
         try:
-            if line is not None:
-                self._come_to_an_end(line)
+            self.line.finish()
         finally:
             if holder is not None:
                 self._vigil.paused = False
                 if self._board.state.position_lost is not None:
                     self._board.change(position=None)
-                if effects.resurvey:
+                if self._effects.resurvey:
                     self._look.forget_survey()
-                self._vigil.look_afresh(unsettled=effects.moved)
-
-    def shut(self) -> None:
-        """The station ends: nothing that a person started may print on without end."""
-        line, self._line = self._line, None
-        if line is None:
-            return
-        if line.typed.reply is None and self._protocol.is_connected and self._board.state.link.state is Link.UP:
-            try:
-                line.typed.press_enter()
-            except LinkError as error:
-                line.future.set_exception(error)
-                return
-        line.future.set_exception(Stopped("The station has ended.", reason="closing"))
+                self._vigil.look_afresh(unsettled=self._effects.moved)
 
     # How it is done: nothing below is called from outside.
 
@@ -231,7 +145,8 @@ class Talk:
         link, state = self._board.state.link, self._board.state
         if link.state is not Link.UP:
             raise LinkError(f"Nothing can be said to the dish without a link ({link.detail}).", reason=link.state.value)
-        if self._mover.is_moving or state.activity in (Activity.SLEWING, Activity.STOPPING, Activity.STOWING):
+        busy = state.activity in (Activity.SLEWING, Activity.STOPPING, Activity.STOWING)
+        if busy or self._mover.is_moving or self._stopper.is_pending:
             raise CommandRefused(
                 "The dish is on its way for birdcage, which must hear it. Wait until it rests, or STOP. "
                 "Nothing was sent.",
@@ -239,10 +154,19 @@ class Talk:
             )
         self._control.take(holder)
         self.begin(holder)
-        self.make_way()
+        self.line.make_way()
         menu = self._protocol.console.find_menu()
         self._board.change(menu=menu)
         return menu
+
+    def _refuse_unsendable(self, line: str) -> None:
+        if not (line.isascii() and line.isprintable()):
+            raise CommandRefused("A console line holds printable ASCII only. Nothing was sent.", reason="bad_parameter")
+        if len(line) > LONGEST_LINE:
+            raise CommandRefused(
+                f"A console line holds {LONGEST_LINE} characters at most, not {len(line)}. Nothing was sent.",
+                reason="bad_parameter",
+            )
 
     def _admitted(self, request: ask.Raw) -> Verdict:
         verdict = self.judge(request.line)
@@ -271,65 +195,26 @@ class Talk:
         menu = console.dialect.root
         future.set_result(RawReply(text, (), menu, console.dialect.prompts[menu], self._last - began))
 
-    def _come_to_an_end(self, line: Line) -> None:
-        """Have the prompt of a line: by itself where it is due, else by Enter."""
-        if not line.verdict.streams:
-            left_s = line.typed.due - self._board.clock.monotonic()
-            try:
-                reply = line.typed.wait(left_s if line.verdict.homes else min(left_s, PROMPT_S))
-            except BaseException as error:
-                self._failed(line, error)
-                raise
-            if reply is not None:
-                self._answered(line, reply)
-                return
-        self._end_by_key(line)
-
-    def _end_by_key(self, line: Line) -> None:
+    def _type(self, request: ask.Raw, verdict: Verdict, menu: str, future: Future[object]) -> None:
+        console, motors = self._protocol.console, menu == self._protocol.motor_menu
+        model = self._effects.modelled(verdict) if motors else None
+        before = self._antenna.motion
+        if verdict.grade >= Grade.MOVES:
+            # Before the first byte: a STOP that comes after that byte must know what to stop.
+            self._antenna.motion = model
+        self._stopper.homing = bool(verdict.homes)
+        # What nobody has written down may lead to another menu.
+        self._look.elsewhere = not motors or verdict.takes_s > 0 or verdict.streams or not verdict.listed
         try:
-            line.typed.press_enter()
-            reply = line.typed.wait(self._protocol.console.delay_s)
+            typed = console.type_line(
+                request.line, takes_s=verdict.takes_s, permit=lambda: self._permit(verdict),
+                at_root=request.confirmed and menu == console.dialect.root,
+            )  # fmt: skip
         except BaseException as error:
-            self._failed(line, error)
+            if self._antenna.motion is model:
+                self._antenna.motion = before
+            self.line.homing_ends()
+            self._effects.say(f"not sent: {error}")
             raise
-        if reply is None:
-            raise self._unanswered(line)
-        self._answered(line, reply, by_key=True)
-
-    def _unanswered(self, line: Line) -> NoReply:
-        silence = line.typed.give_up()
-        self._failed(line, silence)
-        return silence
-
-    def _failed(self, line: Line, error: BaseException) -> None:
-        self._line = None
-        self._homing_ends()
-        line.future.set_exception(
-            error if isinstance(error, BirdcageError) else Stopped("The station has failed.", reason="closing")
-        )
-
-    def _answered(self, line: Line, reply: Reply, *, by_key: bool = False) -> None:
-        self._line, self._last = None, self._board.clock.monotonic()
-        self._look.elsewhere = reply.menu != self._protocol.motor_menu
-        self._homing_ends()
-        refused = self._protocol.console.refusal(reply) is not None
-        if refused and line.model is not None and self._antenna.motion is line.model:
-            self._antenna.motion = line.model_before
-        if line.verdict.homes and not refused:
-            self._found_references(line)
-        took_s = self._last - line.typed.sent
-        line.future.set_result(RawReply(line.text, reply.lines, reply.menu, reply.token, took_s, ended_by_key=by_key))
-
-    def _found_references(self, line: Line) -> None:
-        gate = self._protocol.gate
-        for axis in line.verdict.homes:
-            gate.found_reference(axis)
-            self._homed.add(axis)
-        axes = {gate.model.azimuth.index, gate.model.elevation.index}
-        if line.homed_before or axes <= self._homed:
-            self._board.change(homed=True)
-
-    def _homing_ends(self) -> None:
-        if self._stopper.homing:
-            self._stopper.homing = False
-            self._stopper.resume()
+        self._effects.sent(verdict)
+        self.line.begin(Line(typed, request.line, verdict, future, model, before))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.antenna import STILL_DEG, BirdcageAntenna
 from birdcage.base.errors import Stopped
 from birdcage.station.board import Board
 from birdcage.station.control import Control
@@ -92,11 +92,12 @@ class Vigil:
         self._watches.rssi_was_read(now)
 
     def _read_position(self) -> None:
-        before = self._board.state.position
+        before, stops = self._board.state.position, self._stopper.count
         after = self._look.position()
         self._watches.position_was_read(self._board.clock.monotonic())
         self._look_again_at = None
-        self._judge(before, after)
+        if self._stopper.count == stops:
+            self._judge(before, after)  # else STOP came in the middle of it, and looks for itself
 
     def _judge(self, before: Pointing | None, after: Pointing | None) -> None:
         """At rest, two readings must agree; else the dish moves though nobody asked."""
@@ -107,7 +108,9 @@ class Vigil:
             self.look_again()  # one reading says nothing about motion
             return
         activity, doubted, self._doubted = self._board.state.activity, self._doubted, None
-        if self._look.apart_deg(doubted or before, after) <= UNASKED_DEG:
+        # After a raw motion a slow dish must not pass for one at rest.
+        least_deg = STILL_DEG if self._unsettled else UNASKED_DEG
+        if self._look.apart_deg(doubted or before, after) <= least_deg:
             self._antenna.motion = None
             self._unsettled = False
             self._mover.activity(Activity.IDLE, "")

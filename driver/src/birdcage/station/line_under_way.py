@@ -1,0 +1,172 @@
+"""The line that a person typed and that has no prompt yet: waited for, ended by Enter, or given up."""
+
+from __future__ import annotations
+
+import math
+from concurrent.futures import Future
+from dataclasses import dataclass
+
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.motion import DishMotion
+from birdcage.base.errors import BirdcageError, CommandRefused, LinkError, NoReply, Stopped
+from birdcage.console.events import Reply
+from birdcage.console.raw import Typed
+from birdcage.protocol.hazard import Verdict
+from birdcage.protocol.protocol import FirmwareProtocol
+from birdcage.station.board import Board
+from birdcage.station.look import Look
+from birdcage.station.raw import RawReply
+from birdcage.station.raw_effects import RawEffects
+from birdcage.station.state import Link
+from birdcage.station.stopper import Stopper
+
+LONGEST_S = 60.0
+"""How long a line may print on before Enter ends it, unless it is known to take longer."""
+STREAM_QUIET_S = 5.0
+"""How long a stream may pause."""
+PROMPT_S = 0.3
+"""How long a prompt that is due at once is waited for when somebody else wants the console."""
+
+
+@dataclass(slots=True)
+class Line:
+    """What went out, who waits for it, and what to put back should the dish refuse it."""
+
+    typed: Typed
+    text: str
+    verdict: Verdict
+    future: Future[object]
+    model: DishMotion | None
+    model_before: DishMotion | None
+
+    @property
+    def ends_at(self) -> float:
+        """When Enter ends it at the latest, in monotonic seconds."""
+        return self.typed.sent + max(LONGEST_S, self.verdict.takes_s)
+
+
+class LineUnderWay:
+    """At most one. Its future is resolved when the prompt came, or when something else ended it."""
+
+    def __init__(
+        self, board: Board, antenna: BirdcageAntenna, stopper: Stopper, look: Look, effects: RawEffects
+    ) -> None:
+        self._board, self._antenna = board, antenna
+        self._stopper, self._look, self._effects = stopper, look, effects
+        self._line: Line | None = None
+        self.answered_at = -math.inf
+        """When the last prompt came, in monotonic seconds."""
+
+    @property
+    def _protocol(self) -> FirmwareProtocol:
+        return self._antenna.protocol
+
+    def begin(self, line: Line) -> None:
+        """A line has gone out. There is no other."""
+        self._line = line
+
+    def due(self) -> float | None:
+        """Return when to look at it; None when there is none."""
+        line = self._line
+        if line is None:
+            return None
+        if line.typed.reply is not None:
+            return line.typed.sent
+        # What talks may go on to its end, what is silent had its time.
+        pause_s = STREAM_QUIET_S if line.verdict.streams else self._protocol.console.delay_s
+        return min(line.ends_at, max(line.typed.due, line.typed.heard_at + pause_s))
+
+    def tick(self) -> None:
+        """Take the reply, or end what has no end. NoReply when neither came in time."""
+        line = self._line
+        if line is None:
+            return
+        if (reply := line.typed.reply) is not None:
+            self._answered(line, reply)
+        elif self._board.clock.monotonic() >= line.ends_at:
+            self._end_by_key(line)
+        else:
+            raise self._unanswered(line)
+
+    def make_way(self) -> None:
+        """End it, for something else that needs the wire. CommandRefused while the dish is at work on it."""
+        line = self._line
+        if line is None:
+            return
+        if line.verdict.takes_s > 0 and not line.verdict.streams and self._board.clock.monotonic() < line.typed.due:
+            raise CommandRefused(f"The dish is still at `{line.text}`. Wait, or STOP.", reason="busy")
+        self.finish()
+
+    def finish(self) -> None:
+        """Have its prompt: by itself where that is due, else by Enter."""
+        line = self._line
+        if line is None:
+            return
+        if not line.verdict.streams:
+            left_s = line.typed.due - self._board.clock.monotonic()
+            try:
+                reply = line.typed.wait(left_s if line.verdict.homes else min(left_s, PROMPT_S))
+            except BaseException as error:
+                self._failed(line, error)
+                raise
+            if reply is not None:
+                self._answered(line, reply)
+                return
+        self._end_by_key(line)
+
+    def shut(self) -> None:
+        """The station ends: nothing that a person started may print on without end."""
+        line, self._line = self._line, None
+        if line is None:
+            return
+        if line.typed.reply is None and self._protocol.is_connected and self._board.state.link.state is Link.UP:
+            try:
+                line.typed.press_enter()
+            except LinkError as error:
+                line.future.set_exception(error)
+                return
+        line.future.set_exception(Stopped("The station has ended.", reason="closing"))
+
+    def homing_ends(self) -> None:
+        """Whatever keeps the shell busy with homing is over: STOP gets through again."""
+        if self._stopper.homing:
+            self._stopper.homing = False
+            self._stopper.resume()
+
+    # How it is done: nothing below is called from outside.
+
+    def _end_by_key(self, line: Line) -> None:
+        try:
+            line.typed.press_enter()
+            reply = line.typed.wait(self._protocol.console.delay_s)
+        except BaseException as error:
+            self._failed(line, error)
+            raise
+        if reply is None:
+            raise self._unanswered(line)
+        self._answered(line, reply, by_key=True)
+
+    def _unanswered(self, line: Line) -> NoReply:
+        silence = line.typed.give_up()
+        self._failed(line, silence)
+        return silence
+
+    def _failed(self, line: Line, error: BaseException) -> None:
+        self._line = None
+        self.homing_ends()
+        line.future.set_exception(
+            error if isinstance(error, BirdcageError) else Stopped("The station has failed.", reason="closing")
+        )
+
+    def _answered(self, line: Line, reply: Reply, *, by_key: bool = False) -> None:
+        self._line, self.answered_at = None, self._board.clock.monotonic()
+        self._look.elsewhere = reply.menu != self._protocol.motor_menu
+        self.homing_ends()
+        refused = self._protocol.console.refusal(reply) is not None
+        if refused and line.model is not None and self._antenna.motion is line.model:
+            self._antenna.motion = line.model_before
+        if not refused:
+            self._effects.taken(line.verdict)
+        self._effects.hear(reply.lines, line.verdict)
+        took_s = self.answered_at - line.typed.sent
+        line.future.set_result(RawReply(line.text, reply.lines, reply.menu, reply.token, took_s, ended_by_key=by_key))
