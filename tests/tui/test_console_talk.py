@@ -128,6 +128,27 @@ def test_the_first_enter_takes_control_and_another_holder_is_named_first():
     assert desk(take) == [AcquireLease(CONSOLE, take_over=True)]
 
 
+def test_a_line_that_waits_for_control_is_not_sent_once_the_console_is_closed():
+    async def close(at):
+        at.state(menu="mot")
+        waiting = []
+
+        def submit(request):
+            at.app.station.asked.append(request)
+            waiting.append(Future())
+            return waiting[-1]
+
+        at.app.sheet._sent._submit = submit
+        await at.type("a")
+        await at.press("enter", "f5")
+        for future in waiting:
+            future.set_result(None)
+        await at.look()
+        return at.raw(), at.line.value
+
+    assert desk(close) == ([], "a")
+
+
 def test_talk_says_that_polling_pauses_and_how_old_the_position_is():
     async def talk(at):
         at.state(holder=CONSOLE)

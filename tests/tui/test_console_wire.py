@@ -131,6 +131,7 @@ async def test_escape_stops_what_a_raw_line_set_in_motion(at):
     await at.press("y")
     await at.step(0.3)
     assert at.app.view_may_move()
+    assert "Esc or Ctrl+C stops the dish" in at.words()
     await at.press("escape")
     await at.step(3)
     assert at.station.state.held is not None

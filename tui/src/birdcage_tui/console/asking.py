@@ -92,6 +92,10 @@ class Asking:
         else:
             send()
 
+    def drop(self) -> None:
+        """Nobody is there any more: a line that waits for control is not sent."""
+        self.text, self.armed = "", False
+
     def complete(self, view: View) -> str:
         """Return the text after one more Tab."""
         return self.completion.press(self.text, self.commands(view))

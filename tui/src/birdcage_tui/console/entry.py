@@ -76,9 +76,9 @@ class FindInput(Input):
         self.display = True
         self.value = ""
         self.placeholder = "part of a line you typed" if purpose is Purpose.HISTORY else "text in the log"
-        self.focus()
+        self.screen.set_focus(self)
 
     def close(self) -> None:
-        """Hide it. The focus is whoever's closes it to give."""
+        """Hide it. Whoever closes it has given the focus to something else."""
         self.display = False
         self.disabled = True

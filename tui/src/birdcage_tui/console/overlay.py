@@ -10,6 +10,7 @@ from textual import events, on
 from textual.app import ComposeResult
 from textual.containers import Container, Horizontal, Vertical
 from textual.timer import Timer
+from textual.widget import Widget
 from textual.widgets import Input
 
 from birdcage_tui.commands.table import can_release
@@ -35,8 +36,10 @@ HOW = "i or Enter: type a line for the dish. Sending it takes control."
 TYPE = "Enter sends, Tab completes, Esc back to the log. Ctrl+C stops the dish."
 
 
+MOVING = "Enter sends, Tab completes. Esc or Ctrl+C stops the dish, which may move."
 TAKE = "Enter takes it into the line and sends nothing. ^R an older one, Esc leaves."
-NONE = "Type a part of a line that you have sent. None holds this."
+PART = "Type a part of a line that you have sent."
+NONE = "No line that you have sent holds this."
 KEEP = "Enter keeps it: n and N then step through the matches. Esc leaves."
 
 
@@ -90,14 +93,14 @@ class ConsoleOverlay(Container):
         self.display = True
         if self._flushes is not None:
             self._flushes.resume()
-        self._pane.focus()
+        self.screen.set_focus(self._pane)
 
     def close(self) -> None:
         """Hide it, and give control back."""
         if saying.talking(self._shell.view()) or self._sent.under_way:
             self._sent.leave(self._now)
-        self._end_find()
-        self._asking.armed = False
+        self._end_find(self._pane)
+        self._asking.drop()
         self.display = False
         if self._flushes is not None:
             self._flushes.pause()
@@ -124,7 +127,7 @@ class ConsoleOverlay(Container):
     def show(self, view: View) -> None:
         """Draw everything. Where nothing has the focus (a dialog gave it to nobody), the log takes it."""
         if self.size.area and self.screen.focused is None:
-            self._pane.focus()
+            self.screen.set_focus(self._pane)
         if not view.link_up:
             self._wire.forget_prompt()
         lines = self._wire.take(view.utc)
@@ -158,10 +161,11 @@ class ConsoleOverlay(Container):
     def _hint(self, view: View) -> tuple[tuple[str, str], ...]:
         if self._finder.display and self._finder.purpose is Purpose.HISTORY:
             found = self._asking.history.find(self._finder.value, self._recalled)
-            return ((found, "strong"), (TAKE, "dim")) if found else ((NONE, "dim"),)
+            return ((found, "strong"), (TAKE, "dim")) if found else ((NONE if self._finder.value else PART, "dim"),)
         if self._finder.display:
             return ((KEEP, "dim"),)
-        return self._asking.hint(view) or ((TYPE if self._entry.has_focus else HOW, "dim"),)
+        how = HOW if not self._entry.has_focus else MOVING if view.may_move else TYPE
+        return self._asking.hint(view) or ((how, "dim"),)
 
     def _figures(self) -> tuple[tuple[str, str], str]:
         """Return what stands at the right of the upper edge, and what a click there does."""
@@ -210,8 +214,7 @@ class ConsoleOverlay(Container):
         return True
 
     def _type(self) -> None:
-        self._end_find()
-        self._entry.focus()
+        self._end_find(self._entry)
 
     def _put(self, text: str) -> None:
         self._entry.value = text
@@ -287,12 +290,14 @@ class ConsoleOverlay(Container):
 
     def _open_find(self, purpose: Purpose) -> None:
         self._recalled = 0
-        self._entry.display = False
         self._finder.open(purpose)
+        self._entry.display = False
 
-    def _end_find(self) -> None:
-        self._finder.close()
+    def _end_find(self, then: Widget) -> None:
+        """Leave the search for something else, which has the focus at once."""
         self._entry.display = True
+        self.screen.set_focus(then)
+        self._finder.close()
 
     def _recall(self) -> None:
         if self._finder.display and self._finder.purpose is Purpose.HISTORY:
@@ -315,8 +320,7 @@ class ConsoleOverlay(Container):
             found = self._asking.history.find(event.value, self._recalled)
             self._put(found if found is not None else self._entry.value)
         else:
-            self._end_find()
-            self._pane.focus()
+            self._end_find(self._pane)
         self.show(self._shell.view())
 
     # Keys that belong to no command: Enter and Esc.
@@ -343,11 +347,10 @@ class ConsoleOverlay(Container):
             to_line = self._finder.purpose is Purpose.HISTORY
             if not to_line:
                 self._pane.search("")
-            self._end_find()
-            (self._entry if to_line else self._pane).focus()
+            self._end_find(self._entry if to_line else self._pane)
         elif self._pane.needle:
             self._pane.search("")
         elif self._entry.has_focus:
-            self._pane.focus()
+            self.screen.set_focus(self._pane)
         else:
             self._shell.show_page("console")
