@@ -15,7 +15,7 @@ import time
 import tty
 from pathlib import Path
 
-from terminal import Terminal
+from terminal import Terminal, settle
 
 BIN = Path(sys.executable).parent
 RUNS = 7
@@ -39,11 +39,12 @@ def measure(command: list[str], *, settle_s: float) -> tuple[float, float]:
 def main() -> None:
     master, slave = pty.openpty()
     tty.setraw(slave)
+    settle(os.ttyname(slave))
     app = str(BIN / "birdcage-tui")
     commands = {
         "minimal Textual app": ([sys.executable, str(Path(__file__).with_name("minimal_app.py"))], 0.5),
         "birdcage-tui --demo": ([app, "--demo"], 2.0),
-        "birdcage-tui, silent port": ([app, "--port", os.ttyname(slave), "--firmware", "g2"], 1.0),
+        "birdcage-tui, silent port": ([app], 1.0),
     }
     results: dict[str, list[tuple[float, float]]] = {name: [] for name in commands}
     for run in range(RUNS + 1):

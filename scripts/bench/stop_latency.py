@@ -18,7 +18,7 @@ import time
 import tty
 from pathlib import Path
 
-from terminal import Terminal, percentile
+from terminal import Terminal, percentile, settle
 
 BIN = Path(sys.executable).parent
 PRESSES = 20
@@ -69,7 +69,8 @@ def slew(app: Terminal, relay: Relay, direction: bytes) -> None:
 
 def app_rows(port: str, relay: Relay) -> dict[str, list[float]]:
     """Press each key in mid-slew, and time it."""
-    app = Terminal([str(BIN / "birdcage-tui"), "--port", port, "--firmware", "g2"])
+    settle(port)
+    app = Terminal([str(BIN / "birdcage-tui")])
     app.wait_for(lambda output: b"IDLE" in output)
     app.watch(1.0)
     reader = threading.Thread(target=app.watch, args=(3600.0,), daemon=True)

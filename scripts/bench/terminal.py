@@ -2,20 +2,32 @@
 
 from __future__ import annotations
 
+import atexit
 import fcntl
 import math
 import os
 import pty
 import select
+import shutil
 import signal
 import struct
 import sys
+import tempfile
 import termios
 import time
 from collections.abc import Callable, Sequence
+from pathlib import Path
 
 KEPT = 100_000
 """Bytes of output that are kept: more than two full frames."""
+
+
+def settle(port: str) -> None:
+    """Give the programs that follow a settings folder of their own that knows this port: else the setup would open."""
+    home = Path(tempfile.mkdtemp(prefix="birdcage-bench-"))
+    atexit.register(shutil.rmtree, home, ignore_errors=True)
+    home.joinpath("birdcage.toml").write_text(f'[dish]\nport = "{port}"\nfirmware = "g2"\n')
+    os.environ["BIRDCAGE_HOME"] = str(home)
 
 
 class Terminal:

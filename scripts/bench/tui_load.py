@@ -15,7 +15,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from terminal import Terminal, percentile
+from terminal import Terminal, percentile, settle
 
 BIN = Path(sys.executable).parent
 HERE = Path(__file__).parent
@@ -89,7 +89,8 @@ def composite() -> dict[str, list[float]]:
 
 
 def app(port: str) -> dict[str, list[float]]:
-    terminal = Terminal([str(BIN / "birdcage-tui"), "--port", port, "--firmware", "g2"])
+    settle(port)
+    terminal = Terminal([str(BIN / "birdcage-tui")])
     terminal.wait_for(lambda output: b"IDLE" in output)
     terminal.watch(8.0)  # the survey is over then
     idle_cpu, idle_rate = load(terminal, SECONDS)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from itertools import pairwise
+from itertools import groupby, pairwise
 
 from rich.segment import Segment
 from rich.style import Style
@@ -12,6 +12,7 @@ from textual.strip import Strip
 
 _RANK = {ink: rank for rank, ink in enumerate(("", "faint", "line", "dim"))}
 """Quiet inks, quietest first; every other is louder."""
+_BRAILLE = tuple(chr(0x2800 + dots) for dots in range(256))
 _DOT = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
 
 
@@ -34,6 +35,13 @@ class Cells:
                     chars[column], inks[column] = char, ink
         return x + len(text)
 
+    def put_dots(self, x: int, y: int, bits: Sequence[int], inks: Sequence[str]) -> None:
+        """Write a row of braille, clipped at the sides; where there is no dot, what stands there is left alone."""
+        chars, names = self._chars[y], self._inks[y]
+        for column, (dots, ink) in enumerate(zip(bits, inks, strict=True), x):
+            if dots and 0 <= column < self.width:
+                chars[column], names[column] = _BRAILLE[dots], ink
+
     def right(self, x: int, y: int, text: str, ink: str = "text") -> None:
         """Write `text` so that it ends before column `x`."""
         self.put(x - len(text), y, text, ink)
@@ -47,17 +55,23 @@ class Cells:
             for char, ink in zip(self._chars[y][x : x + length], self._inks[y][x : x + length], strict=True)
         )
 
-    def strips(self, inks: Mapping[str, Style]) -> list[Strip]:
-        """Return one strip a row; neighbours in the same ink become one segment."""
-        rows = []
-        for chars, names in zip(self._chars, self._inks, strict=True):
-            segments, start = [], 0
-            for end in range(1, self.width + 1):
-                if end == self.width or names[end] != names[start]:
-                    segments.append(Segment("".join(chars[start:end]), inks[names[start]]))
-                    start = end
-            rows.append(Strip(segments, self.width))
-        return rows
+    def rows_unlike(self, before: Cells) -> list[int]:
+        """Return the rows that hold something else than those of `before`, which is as wide."""
+        return [
+            y
+            for y, (chars, names) in enumerate(zip(self._chars, self._inks, strict=True))
+            if y >= before.height or chars != before._chars[y] or names != before._inks[y]
+        ]
+
+    def strip(self, y: int, inks: Mapping[str, Style]) -> Strip:
+        """Return one row; neighbours in the same ink become one segment."""
+        chars, names = self._chars[y], self._inks[y]
+        segments, start = [], 0
+        for name, group in groupby(names):
+            end = start + len(list(group))
+            segments.append(Segment("".join(chars[start:end]), inks[name]))
+            start = end
+        return Strip(segments, self.width)
 
 
 class Braille:
@@ -122,8 +136,8 @@ class Braille:
 
     def onto(self, cells: Cells, x: int, y: int) -> None:
         """Lay the dots over `cells`, with the top left corner at (x, y); cells without dots are left alone."""
-        for row in range(self.height):
-            for column in range(self.width):
-                index = row * self.width + column
-                if self._bits[index]:
-                    cells.put(x + column, y + row, chr(0x2800 + self._bits[index]), self._inks[index])
+        for row in range(max(0, -y), min(self.height, cells.height - y)):
+            start = row * self.width
+            bits = self._bits[start : start + self.width]
+            if any(bits):
+                cells.put_dots(x, y + row, bits, self._inks[start : start + self.width])

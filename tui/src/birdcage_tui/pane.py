@@ -23,6 +23,7 @@ class Pane(Widget):
 
     def __init__(self, *, id: str | None = None, classes: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id, classes=classes)
+        self._cells: Cells | None = None
         self._strips: list[Strip] = []
         self.view: View | None = None
         self.hot: list[tuple[Region, str]] = []
@@ -70,19 +71,21 @@ class Pane(Widget):
         cells = Cells(self.size.width, self.size.height, self.INK, view.settings.glyphs)
         self.hot = []
         self.draw(cells, view)
-        strips = cells.strips(self.inks)
-        changed = [
-            Region(0, y, self.size.width, 1)
-            for y, strip in enumerate(strips)
-            if y >= len(self._strips) or strip != self._strips[y]
-        ]
-        self._strips = strips
+        before, self._cells = self._cells, cells
+        if before is None or before.width != cells.width or before.height != cells.height:
+            changed = list(range(cells.height))
+            self._strips = [Strip([])] * cells.height
+        else:
+            changed = cells.rows_unlike(before)
+        inks = self.inks
+        for y in changed:
+            self._strips[y] = cells.strip(y, inks)
         if changed:
-            self.refresh(*changed)
+            self.refresh(*(Region(0, y, cells.width, 1) for y in changed))
 
     def redraw(self) -> None:
         """Draw the last view again: the size or the theme is another."""
-        self._strips = []
+        self._cells = None
         if self.view is not None:
             self.show(self.view)
         self.refresh()

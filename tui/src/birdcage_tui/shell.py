@@ -31,7 +31,7 @@ from birdcage_tui.pages.register import make_page
 from birdcage_tui.palette import CommandProvider
 from birdcage_tui.scope import Scope, scopes_of
 from birdcage_tui.settings import AppSettings
-from birdcage_tui.status import BadDayRow, StatusLine, StopButton, TopRow
+from birdcage_tui.status import BadDayRow, TopRow
 from birdcage_tui.stopping import focused_widget, is_stop_key, stop_first
 from birdcage_tui.surface import Surface
 from birdcage_tui.tour import Tour
@@ -166,21 +166,19 @@ class Shell(Surface):
         """Draw a frame; only rows that changed are sent."""
         if not self.is_running or not self.screen_stack:
             return
+        self._painted = self._loop_time()
         view = self.view()
         base = self.screen_stack[0]
         with self.batch_update():
-            for screen in self.screen_stack:
-                for row in (*screen.query(StatusLine), *screen.query(StopButton)):
-                    row.show(view)
-            for row in (*base.query(BadDayRow), *base.query(KeyBar)):  # none are left when the app ends
-                row.show(view)
-            if self.sheet is not None and self.sheet.is_open:
-                self.sheet.show(view)
-            base.query_one(GotoLine).show(view)
-            page = self._seen()
-            if page is not None:
-                page.show(view)
-        self._painted = self._loop_time()
+            shown = (
+                *(screen.query_one_optional(TopRow) for screen in self.screen_stack),
+                *(base.query_one_optional(kind) for kind in (BadDayRow, KeyBar, GotoLine)),
+                self.sheet if self.sheet is not None and self.sheet.is_open else None,
+                self._seen(),
+            )
+            for part in shown:
+                if part is not None:  # none is left when the app ends
+                    part.show(view)
         if self._frames is not None:
             if view.moving:
                 self._frames.resume()
@@ -197,8 +195,7 @@ class Shell(Surface):
     def _tick(self) -> None:
         """Move the tour on and draw: ages and the time have changed."""
         self._tour_says = self._tour.step(self.view())
-        if self._due():
-            self.paint()
+        self._changed()
 
     @on(StationEvent)
     def _hear(self, message: StationEvent) -> None:
@@ -240,8 +237,9 @@ class Shell(Surface):
         """Return the page that is seen; None before one is there, and when the app ends."""
         if self._folded:
             return self._pocket
-        pages = self.screen_stack[0].query("#pages > Page").results(Page)
-        return next((page for page in pages if page.display), None)
+        pages = self.screen_stack[0].query_one_optional("#pages")
+        found = () if pages is None else pages.children
+        return next((page for page in found if isinstance(page, Page) and page.display), None)
 
     # Pages.
 

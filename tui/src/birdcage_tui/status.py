@@ -106,6 +106,12 @@ class TopRow(Horizontal):
         yield StatusLine()
         yield StopButton()
 
+    def show(self, view: View) -> None:
+        """Hand the view to both."""
+        for pane in self.children:
+            if isinstance(pane, Pane):
+                pane.show(view)
+
 
 class BadDayRow(Pane):
     """Row 2: HELD, LINK LOST, SILENT, NOT HOMED, FAULT in words; else the calm line. Grows when words need room."""

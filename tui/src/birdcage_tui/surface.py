@@ -56,17 +56,15 @@ class Surface(App[None]):
     def _loop_time(self) -> float:
         return self._loop.time() if self._loop is not None else 0.0
 
-    def _due(self) -> bool:
-        """Return whether the next frame of a motion may be drawn."""
-        return self._loop_time() - self._painted >= self._frame_s / 2 and not self._terminal_lags()
-
     def _changed(self) -> None:
-        """Draw soon: at once when the last frame is a while ago, else at the next beat."""
-        wait_s = self._frame_s - (self._loop_time() - self._painted)
-        if wait_s <= 0 and not self._terminal_lags():
+        """Draw: at once when the last frame is a while ago, else as soon as the next may be drawn."""
+        wait_s = self._painted + self._frame_s - self._loop_time()
+        if self._terminal_lags():
+            wait_s = max(wait_s, self._frame_s / 2)
+        if wait_s <= 0:
             self.paint()
         elif self._soon is None:
-            self._soon = self.set_timer(max(wait_s, self._frame_s / 2), self._paint_soon)
+            self._soon = self.set_timer(wait_s, self._paint_soon)
 
     def _paint_soon(self) -> None:
         self._soon = None

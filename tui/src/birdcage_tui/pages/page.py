@@ -24,7 +24,7 @@ class Page(Container):
 
     def show(self, view: View) -> None:
         """Hand the view to every pane."""
-        for pane in self.query(Pane):
+        for pane in self.walk_children(Pane):
             pane.show(view)
 
     def do(self, command: str) -> bool:  # noqa: ARG002 - a page without commands of its own
