@@ -31,10 +31,6 @@ WILL = {
         "What will be in reach of this dish, with countdown and minutes.",
         "The path of the chosen pass over the sky, and what cuts it short.",
     ),
-    "setup": (
-        "Eleven steps from wires to the first satellite.",
-        "Each one says what it does before it does it, and how to go back.",
-    ),
     "motor": (
         "A one-axis positioner driven over the coaxial cable.",
         "Its stored positions, limits, and the arc it can reach.",
@@ -47,7 +43,6 @@ WILL = {
 MEANWHILE = {
     "signal": "Until then: the dashboard (1) shows the signal as a strip.",
     "system": "Until then: the dashboard (1) shows health, limits and firmware.",
-    "setup": "Until then: H homes the dish, and the dashboard (1) says what comes next.",
 }
 
 

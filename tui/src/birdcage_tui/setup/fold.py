@@ -33,14 +33,12 @@ class Row:
 def fold(count: int, looked: int, room: int) -> tuple[Row, ...]:
     """Return the rows for `count` steps when there is room for `room`; the one looked at is always its own."""
     first = last = looked
-    while True:
+    fits: tuple[int, int] | None = (looked, looked)
+    while fits is not None:
+        first, last = fits
         # Below comes first: what is to come matters more than what is done.
-        for low, high in ((first, last + 1), (first - 1, last)):
-            if low >= 0 and high < count and _rows(count, low, high) <= room:
-                first, last = low, high
-                break
-        else:
-            break
+        wider = ((first, last + 1), (first - 1, last))
+        fits = next((pair for pair in wider if pair[0] >= 0 and pair[1] < count and _rows(count, *pair) <= room), None)
     rows = [Row(index, index) for index in range(first, last + 1)]
     above = [Row(0, first - 1)] if first else []
     below = [Row(last + 1, count - 1)] if last < count - 1 else []
