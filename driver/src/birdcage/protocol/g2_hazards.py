@@ -87,10 +87,12 @@ _EVERYWHERE = (
 _ROOT = (
     *_harmless("root", "|".join(sorted(SUBMENUS))),
     *_ruins("root", "At the root menu, `q` may end the shell: the dish then answers nothing until a power cycle.", "q"),
-    *_ruins(
-        "root",
+    Hazard(
+        frozenset({"root"}),
+        re.compile(".*q.*"),
+        Grade.RUINS,
         "A byte lost on the way could leave a bare `q` of this line, which may end the shell until a power cycle.",
-        ".*q.*",
+        loose=True,
     ),
     *_ruins(
         "root",
@@ -166,8 +168,8 @@ _NVS = (
     *_harmless("nvs", r"e( \S+)?"),
     *_setting(
         "nvs",
-        "Switches the dish's own TV search, and with it homing: whether it moves by itself at the next start. `s` makes "
-        "it permanent.",
+        "Switches the dish's own TV search, and with it homing: whether it moves by itself at the next start. `s` "
+        "makes it permanent.",
         "e 20 .+",
         forgets=_NVS_FORGETS,
     ),

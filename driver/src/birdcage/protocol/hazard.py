@@ -64,6 +64,8 @@ class Hazard:
     restarts: bool = False
     unhomed: bool = False
     """Whether it holds only while an axis is not homed, or is not known to be."""
+    loose: bool = False
+    """Whether it speaks of what might be left of any line, not of a command: only in the menu that the dish is in."""
 
     def verdict(self) -> Verdict:
         """Return what this row says of a line that it speaks of."""
@@ -117,10 +119,12 @@ class HazardTable:
             return parts, None
         return verdict, match
 
-    def _gravest(self, text: str, menu: str | None, homed: bool | None) -> Found | None:
+    def _gravest(self, text: str, menu: str | None, homed: bool | None, *, elsewhere: bool = False) -> Found | None:
         found: list[tuple[Grade, int, Found]] = []
         for order, row in enumerate(self.rows):
             if (menu is not None and menu not in row.menus) or (row.unhomed and homed is True):
+                continue
+            if row.loose and elsewhere:
                 continue
             if match := row.pattern.fullmatch(text):
                 found.append((row.grade, -order, (row, match)))
@@ -143,7 +147,7 @@ class HazardTable:
         return worst
 
     def _row_verdict(self, text: str, menu: str | None, homed: bool | None) -> Verdict | None:
-        found = self._gravest(text, menu, homed)
+        found = self._gravest(text, menu, homed, elsewhere=menu is None)
         return None if found is None else found[0].verdict()
 
     def _abbreviated(self, text: str, menu: str | None, homed: bool | None) -> Verdict | None:
