@@ -246,7 +246,7 @@ class Story(Bench):
         if state.link.state is not LinkNow.UP:
             self.wrong.append(f"the link did not come back: {state.link}")
             return
-        if state.holder is not None or self.station._talk._holder is not None or self.station._vigil.paused:
+        if state.holder == CONSOLE or self.station._talk._holder is not None or self.station._vigil.paused:
             self.wrong.append(f"the talk has not ended: {state.holder}")
         if truth.moving:
             # A search of the dish's own after a restart, and what nobody may stop.
