@@ -44,12 +44,11 @@ async def console(on: Stage) -> None:
     """Talking to the firmware over the dashboard; the last line is not sent yet, and warned of."""
     await on.wait(12)
     await on.press("f5")
-    for line in ("dvb", "rssi 5", "q", "mot", "a", "elminmaxhome"):
-        await on.press("i")
+    await on.press("i")
+    for line in ("q", "dvb", "rssi 5", "q", "mot", "elminmaxhome", "a"):
         await on.type(line)
         await on.press("enter")
         await on.wait(0.4)
-    await on.press("i")
     await on.type("a 0 9999")
     await on.wait(0.2)
 
@@ -73,9 +72,9 @@ async def pocket(on: Stage) -> None:
 SCENES = (
     Scene("tui-dashboard", dashboard, ("Pointing", "Signal", "Health"), (160, 48), tour=True),
     Scene("tui-control", control, ("SLEWING", "Cable")),
-    Scene("tui-console", console, ("Reads:5", "9999")),
+    Scene("tui-console", console, ("Min: 18.00", "beyond the limit")),
     Scene("tui-setup", setup, ("TV search", "North")),
-    Scene("tui-pocket", pocket, ("S  T  O  P",), (40, 12), "daylight"),
+    Scene("tui-pocket", pocket, ("S T O P",), (40, 12), "daylight"),
 )
 NOT_BUILT = ("tui-craft-search", "tui-craft-tracking", "tui-signal", "tui-system", "tui-camera")
 """Pictures of the source document whose pages this version does not have."""

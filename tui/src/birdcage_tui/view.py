@@ -126,6 +126,4 @@ class View:
         return 1.0 if span <= 0 else min(1.0, max(0.0, (self.now - motion.started) / span))
 
 
-MOVING = frozenset(
-    {Activity.SLEWING, Activity.STOPPING, Activity.HOMING, Activity.STOWING, Activity.MOVING_UNASKED}
-)
+MOVING = frozenset({Activity.SLEWING, Activity.STOPPING, Activity.HOMING, Activity.STOWING, Activity.MOVING_UNASKED})
