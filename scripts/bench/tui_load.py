@@ -1,7 +1,7 @@
 """What the app costs while the dish moves, against a bare composite of such widgets, in turn, in one run.
 
 CPU of the process, bytes written to the terminal, key to paint, page switch. The simulator runs in another process and
-is slowed to 2 deg/s, so that everything moves all the time; 160x48. Also: the app at rest, which has no peer.
+is slowed to 2 deg/s, so that everything moves all the time; 160x48. At rest, without a peer: CPU and page switch.
 """
 
 from __future__ import annotations
@@ -94,6 +94,7 @@ def app(port: str) -> dict[str, list[float]]:
     terminal.wait_for(lambda output: b"IDLE" in output)
     terminal.watch(8.0)  # the survey is over then
     idle_cpu, idle_rate = load(terminal, SECONDS)
+    pages = switch_times(terminal, [(b"2", b"Cable"), (b"1", b"Signal")])
     for letter in (b"g", b"2", b"0", b"0", b" ", b"4", b"0", b"\r"):
         terminal.press(letter)
         terminal.watch(0.1)
@@ -101,7 +102,6 @@ def app(port: str) -> dict[str, list[float]]:
     terminal.watch(1.0)
     cpu, rate = load(terminal, SECONDS)
     keys = key_times(terminal, [(b"+", b"2\xc2\xb0."), (b"-", b"1\xc2\xb0.")])
-    pages = switch_times(terminal, [(b"2", b"Cable"), (b"1", b"Signal")])
     terminal.kill()
     return {"cpu": [cpu], "rate": [rate], "key": keys, "idle cpu": [idle_cpu], "idle rate": [idle_rate], "page": pages}
 

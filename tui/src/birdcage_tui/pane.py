@@ -91,8 +91,9 @@ class Pane(Widget):
         self.refresh()
 
     def on_resize(self) -> None:
-        """Draw at the new size."""
-        self.redraw()
+        """Draw at the new size; a pane that is only shown again has been drawn already."""
+        if self._cells is None or (self._cells.width, self._cells.height) != (self.size.width, self.size.height):
+            self.redraw()
 
     def render_line(self, y: int) -> Strip:
         """Return row `y` as drawn."""

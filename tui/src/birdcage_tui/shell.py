@@ -276,14 +276,18 @@ class Shell(Surface):
     async def _show_page(self, name: str, then: str | None) -> None:
         pages = self.screen_stack[0].query_one("#pages", ContentSwitcher)
         page_id = f"page-{name}"
-        if not pages.query(f"#{page_id}"):
+        page = next((page for page in pages.children if page.id == page_id), None)
+        if page is None:
             page = make_page(name)
             page.display = False
             await pages.mount(page)
         if pages.current != page_id:
-            pages.current = page_id
-            if not self._folded:
-                self._arrive(pages)
+            with self.batch_update():  # one repaint, not one of the old layout and another of the new
+                if isinstance(page, Page):
+                    page.show(self.view())  # as it will be seen: else what it showed last would be painted first
+                pages.current = page_id
+                if not self._folded:
+                    self._arrive(pages)
         if self._folded:
             self._note = "Pages need 80x24: make the terminal larger."
             then = None

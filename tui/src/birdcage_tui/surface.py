@@ -7,13 +7,22 @@ from collections.abc import Sequence
 
 from textual.app import App
 from textual.filter import LineFilter, Monochrome
+from textual.reactive import Reactive
+from textual.screen import Screen
 from textual.timer import Timer
+from textual.widget import Widget
 
 from birdcage_tui import attributes
 from birdcage_tui.glyphs import GlyphFilter
 from birdcage_tui.pane import Pane
 from birdcage_tui.settings import AppSettings
 from birdcage_tui.themes import DEFAULT, LOOKS, Look
+
+
+class Ground(Screen[None]):
+    """The one screen. A change of focus repaints the two widgets that it concerns, not everything."""
+
+    focused: Reactive[Widget | None] = Reactive(None, repaint=False)
 
 
 class Surface(App[None]):
@@ -35,6 +44,10 @@ class Surface(App[None]):
 
     def _look(self) -> Look:
         return LOOKS.get(self.theme, LOOKS[DEFAULT])
+
+    def get_default_screen(self) -> Screen[None]:
+        """Return the screen under everything."""
+        return Ground(id="_default")
 
     def get_line_filters(self) -> Sequence[LineFilter]:
         """Return what finished rows go through: another glyph set, and attributes in place of colours."""

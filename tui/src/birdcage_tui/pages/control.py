@@ -100,8 +100,12 @@ class ControlPage(Page):
         listing = focused is not None and box in focused.ancestors and not self.has_class("-roomy")
         self.set_class(listing, "-listing")
         right = self.query_one("#control-right")
-        right.border_title = "Presets" if listing else "Command"
-        right.border_subtitle = "" if self.has_class("-roomy") else "Esc back" if listing else "p presets"
+        faces = (
+            "Presets" if listing else "Command",
+            "" if self.has_class("-roomy") else "Esc back" if listing else "p presets",
+        )
+        if (right.border_title, right.border_subtitle or "") != faces:  # setting them repaints, equal or not
+            right.border_title, right.border_subtitle = faces
 
     @property
     def host(self) -> Host:
