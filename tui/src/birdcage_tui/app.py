@@ -17,6 +17,7 @@ from birdcage_tui.help import HelpScreen, help_words
 from birdcage_tui.host import YOU
 from birdcage_tui.jump import JumpScreen, Target, targets
 from birdcage_tui.messages import CommandChosen
+from birdcage_tui.palette import Palette
 from birdcage_tui.shell import Shell
 from birdcage_tui.themes import LOOKS
 
@@ -66,7 +67,7 @@ class BirdcageApp(Shell):
             "home": self.ask_home,
             "help": self.show_help,
             "jump": self.show_jump,
-            "palette": self.action_command_palette,
+            "palette": self.show_palette,
             "theme": self.next_theme,
             "quit": self.leave,
         }
@@ -156,6 +157,11 @@ class BirdcageApp(Shell):
                 self.action_command(name)
 
         self.push_screen(HelpScreen(self.view(), help_words(self.screen.focused, self.page)), chosen)
+
+    def show_palette(self) -> None:
+        """Show every command by its name."""
+        if not Palette.is_open(self):
+            self.push_screen(Palette(id=Palette.ID))
 
     def show_jump(self) -> None:
         """Put a letter on everything that can be reached; go to the one that is chosen."""

@@ -1,14 +1,33 @@
-"""The palette, made from the table of commands."""
+"""The palette, made from the table of commands. It leaves row 1 alive, as the dialogs do."""
 
 from __future__ import annotations
 
 from functools import partial
 from typing import cast
 
-from textual.command import DiscoveryHit, Hit, Hits, Provider
+from textual import events
+from textual.app import ComposeResult
+from textual.command import CommandPalette, DiscoveryHit, Hit, Hits, Provider
 
 from birdcage_tui.commands import COMMANDS, Command
 from birdcage_tui.host import Host
+from birdcage_tui.status import TopRow
+
+
+class Palette(CommandPalette):
+    """Textual's palette under row 1: status and the mouse's STOP are never covered."""
+
+    ID = "--command-palette"
+    """Textual looks for it, to open no second one."""
+
+    def compose(self) -> ComposeResult:
+        """Row 1, then what Textual has."""
+        yield TopRow()
+        yield from super().compose()
+
+    def on_mount(self, _: events.Mount) -> None:
+        """Fill row 1, and let the footer know that one types, once the field has the focus."""
+        self.call_after_refresh(cast(Host, self.app).paint)
 
 
 class CommandProvider(Provider):

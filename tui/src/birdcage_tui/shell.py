@@ -157,7 +157,7 @@ class Shell(Surface):
             self._watching is not None,
             tuple(scope.scope for scope in self.scopes()),
             self.step_deg,
-            typing=isinstance(self.screen_stack[0].focused, Input) if self.screen_stack else False,
+            typing=isinstance(focused_widget(lambda: self.focused), Input),
             presets=self.presets.entries,
             aim=self.aim,
         )

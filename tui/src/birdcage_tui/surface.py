@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from typing import cast
 
 from textual.app import App
 from textual.filter import LineFilter, Monochrome
@@ -14,6 +15,7 @@ from textual.widget import Widget
 
 from birdcage_tui import attributes
 from birdcage_tui.glyphs import GlyphFilter
+from birdcage_tui.host import Host
 from birdcage_tui.pane import Pane
 from birdcage_tui.settings import AppSettings
 from birdcage_tui.themes import DEFAULT, LOOKS, Look
@@ -23,6 +25,10 @@ class Ground(Screen[None]):
     """The one screen. A change of focus repaints the two widgets that it concerns, not everything."""
 
     focused: Reactive[Widget | None] = Reactive(None, repaint=False)
+
+    def on_screen_resume(self) -> None:
+        """Draw a frame when a dialog has gone: while one types there, Space is no STOP, and the footer said so."""
+        cast(Host, self.app).paint()
 
 
 class Surface(App[None]):

@@ -58,8 +58,8 @@ class FieldsScreen(Dialog[Values | None]):
 
     def on_mount(self) -> None:
         """Give the focus to the first line: a person has asked for it."""
+        self.screen.set_focus(self.query(Input).first())
         super().on_mount()
-        self.query(Input).first().focus()
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """Keep, or say what is wrong."""
