@@ -77,11 +77,29 @@ def test_text_at_the_present_rate_is_a_dish_that_starts():
 
 def test_silence_everywhere_begins_at_the_dish():
     result = causes(*all_rates(Saw.SILENCE))
-    assert likely(result) == ["The dish has no power", "The cable is out", "The sending pair is swapped"]
-    assert {"The dish is starting", "The dish's shell is deadlocked"} < {each.title for each in result}
+    assert likely(result) == [
+        "The dish has no power", "The cable is out", "The dish is starting", "The sending pair is swapped",
+    ]  # fmt: skip
+    assert by_title(result, "The dish's shell is deadlocked").likely is False
     # The firmware's own rate was tried: the rate is not it.
     assert by_title(result, "Wrong baud").likely is False
     assert "5 baud rates" in result[0].why
+
+
+def test_silence_after_the_boot_text_is_a_dish_that_starts():
+    link = LinkState(Link.SILENT, last_reply=1000.0, detail="The dish talks, but nothing answered. It is starting.")
+    result = find_causes(Case("/dev/ttyUSB0", link, firmware_baud=115200, restarted=True))
+    assert likely(result) == ["The dish is starting"]
+    assert result[0].title == "The dish is starting"
+
+
+def test_before_any_other_rate_was_tried_it_tells_what_was_seen_and_not_what_that_may_mean():
+    link = LinkState(Link.SILENT, detail="Enter brought nothing in 2.0 s. Its power is off, or the baud rate is wrong.")
+    for cause in find_causes(Case("/dev/ttyUSB0", link, firmware_baud=115200)):
+        assert "Its power is off" not in cause.why
+    assert by_title(find_causes(Case("/dev/ttyUSB0", link)), "The cable").why.startswith(
+        "Enter brought nothing in 2.0 s."
+    )
 
 
 def test_silence_of_a_dish_that_has_answered_is_not_a_swapped_wire():

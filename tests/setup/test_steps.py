@@ -39,7 +39,9 @@ class TestLink:
     def test_no_speed_answers(self, house):
         house.device.power_off()
         house.until(lambda: house.marks()["link"] == "failed")
+        assert next(choice.key for choice in house.view("link").choices if choice.name == "probe") == "enter"
         house.choose("link", "probe")
+        assert next(choice.key for choice in house.view("link").choices if choice.name == "probe") == "p"
         assert "Connect" not in [choice.label for choice in house.view("link").choices]
         assert any("silence" in words for words in house.view("link").words)
 
@@ -92,6 +94,26 @@ class TestSearch:
         assert house.marks()["search"] == "todo"
         house.choose("search", "release")
         house.until(lambda: house.marks()["search"] == "done")
+
+    def test_a_dish_that_is_switched_off_because_it_was_asked_for_is_no_trouble_of_the_link(self, build):
+        house = build("g2?nvs20=0&unhomed=1").up()
+        house.run(8)
+        house.choose("link", "keep")
+        house.choose("search", "off")
+        house.kill()
+        house.start().run(8)
+        assert house.setup.current == "search"
+        house.device.power_cycle(6.0)
+        seen = set()
+        while house.state.fault is None or not house.view("search").choices:
+            house.run(0.1)
+            seen.add(house.setup.current)
+        assert seen == {"search"}
+        assert "started anew" in house.view("search").words[0]
+        assert [choice.key for choice in house.view("search").choices] == ["enter"]
+        house.choose("search", "release")
+        house.until(lambda: house.setup.current == "home")
+        assert house.state.held is None
 
     def test_silence_alone_is_no_power_cycle(self, build):
         house = build("g2?nvs20=0&unhomed=1").up()
@@ -185,7 +207,7 @@ class TestDirection:
         assert "did it turn clockwise?" in house.view("direction").words[0]
         house.choose("direction", "yes")
         assert house.looks_at()[1] == pytest.approx(50.0, abs=0.1)
-        assert "did it look up?" in house.view("direction").words[0]
+        assert "look higher than before?" in house.view("direction").words[0]
         house.choose("direction", "yes")
         az_deg, el_deg = house.looks_at()
         assert (az_deg + 180.0) % 360.0 - 180.0 == pytest.approx(0.0, abs=0.1)
@@ -207,8 +229,22 @@ class TestDirection:
         house.setup.clear()
         house.choose("direction", "start")
         house.choose("direction", "yes")
-        assert "did it look down?" in house.view("direction").words[0]
+        assert "look lower than before?" in house.view("direction").words[0]
         assert house.looks_at()[1] == pytest.approx(60.0, abs=0.1)
+
+    def test_who_did_not_look_sees_it_once_more(self, house):
+        house.setup.clear()
+        house.choose("direction", "start")
+        before = len(house.moves())
+        house.choose("direction", "again")
+        assert house.looks_at()[0] == pytest.approx(5.0, abs=0.1)
+        assert len(house.moves()) > before
+        house.choose("direction", "yes")
+        house.choose("direction", "again")
+        assert house.looks_at()[1] == pytest.approx(50.0, abs=0.1)
+        house.choose("direction", "yes")
+        assert house.marks()["direction"] == "done"
+        assert house.looks_at()[1] == pytest.approx(45.0, abs=0.1)
 
     def test_an_unhomed_dish_is_not_asked_to(self, build):
         house = build("g2?unhomed=1").up()

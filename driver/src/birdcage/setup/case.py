@@ -37,6 +37,8 @@ class Case:
     system: SystemFacts | None = None
     ports: tuple[PortInfo, ...] = ()
     """The ports that there are now."""
+    restarted: bool = False
+    """Whether the boot text of the dish has come, and nobody has acknowledged that yet."""
     firmware_baud: int | None = None
     """The rate of the firmware that was chosen; None where none was."""
 
@@ -49,6 +51,12 @@ class Case:
     def sets_rate(self) -> bool:
         """Whether the baud rate is ours to set: on TCP it is the server's."""
         return has_speed(self.port)
+
+    @property
+    def seen(self) -> str:
+        """What was seen, in a sentence: its meaning is what the causes are for."""
+        first, stop, _ = self.link.detail.partition(". ")
+        return f"{first}." if stop else first
 
     def rates(self, saw: Saw) -> tuple[int, ...]:
         """Return the rates at which this was seen."""

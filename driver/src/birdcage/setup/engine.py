@@ -58,6 +58,8 @@ class Setup:
         self._steps = {step.name: step(self._bench) for step in STEPS}
         self._clear = False
         self._touched = False
+        self._seen_up = False
+        """Whether the dish has answered in this run."""
         self._bench.ask(Watch("setup", frozenset({"position"})))
         self.current = self._next_open(-1)
         """Name of the present step."""
@@ -169,11 +171,19 @@ class Setup:
         """Look at what was asked for and at the dish, and go on to the next step when the present one is done."""
         for step in self._steps.values():
             step.tick()
+        self._seen_up = self._seen_up or self._bench.is_up
         link = self._steps["link"]
-        if not self._touched and self.current != "link" and link.mark is Mark.FAILED:
+        if not self._touched and not self._awaits_power and self.current != "link" and link.mark is Mark.FAILED:
             # Resumed, and the wire is not as it was: nothing else can be done before that.
             self._move_to("link")
         self._advance()
+
+    @property
+    def _awaits_power(self) -> bool:
+        """Whether the dish is silent because it was asked for: somebody switches it off and on."""
+        search = self._steps["search"]
+        assert isinstance(search, SearchStep), "that is its name"
+        return self.current == "search" and bool(search.written) and self._seen_up
 
     def _advance(self) -> None:
         done, self._bench.completed = self._bench.completed, set()

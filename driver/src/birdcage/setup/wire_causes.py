@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from birdcage.setup.case import Case, Cause
 from birdcage.station.finding import BaudFinding, Saw
 
@@ -100,9 +102,15 @@ def echo(case: Case) -> list[Cause]:
 
 def silence(case: Case) -> list[Cause]:
     """Nothing came, or nobody has listened yet."""
-    seen = f"Silence at {_at(case.rates(Saw.SILENCE))}." if case.findings else case.link.detail
+    seen = f"Silence at {_at(case.rates(Saw.SILENCE))}." if case.findings else case.seen
     before = case.answered_before
-    return [
+    starting = Cause(
+        "The dish is starting",
+        "Its boot text came." if case.restarted else f"{seen} After power-up it is silent while it homes.",
+        "Wait up to three minutes." + ("" if case.restarted else " Then listen again."),
+        likely=case.restarted or not before,
+    )
+    causes = [
         _wrong_rate(case, seen),
         Cause(
             "The dish has no power", seen, "Is 12 V on at the dish, and does its lamp or its motor show it?",
@@ -112,15 +120,12 @@ def silence(case: Case) -> list[Cause]:
             "The cable is out", f"{seen} The adapter is there; what follows it cannot be seen from here.",
             "Check both ends: the plug at the dish, and the terminals of the adapter.", likely=True,
         ),
+        starting,
         Cause(
             "The sending pair is swapped",
             f"{seen} With TX+ and TX- in each other's place the dish understands nothing, and says nothing."
             + (" It has answered before, so its wires were right." if before else ""),
             f"Swap the two wires of the sending pair, those to the dish. {DRAWING}", likely=not before,
-        ),
-        Cause(
-            "The dish is starting", f"{seen} After power-up it is silent while it homes.", "Wait up to three minutes.",
-            likely=False,
         ),
         Cause(
             "The dish's shell is deadlocked",
@@ -129,6 +134,9 @@ def silence(case: Case) -> list[Cause]:
             f"Nothing sent can end that. {_POWER_CYCLE}", likely=before,
         ),
     ]  # fmt: skip
+    if not case.restarted:
+        return causes
+    return [starting, *(replace(each, likely=False) for each in causes if each is not starting)]
 
 
 def _wrong_rate(case: Case, seen: str) -> Cause:

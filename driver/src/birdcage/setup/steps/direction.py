@@ -36,9 +36,10 @@ class DirectionStep(Step):
         """Say what will move, or what to look at."""
         if self.asked == "az":
             way = "clockwise" if self._sign > 0 else "counterclockwise"
-            return (f"It turned {STEP_DEG:g}° in azimuth: seen from above, did it turn {way}?",)
+            return (f"It turned {STEP_DEG:g}° in azimuth. Seen from above, did it turn {way}?",)
         if self.asked == "el":
-            return (f"It moved {STEP_DEG:g}° in elevation: did it look {'up' if self._sign > 0 else 'down'}?",)
+            way = "higher" if self._sign > 0 else "lower"
+            return (f"It moved {STEP_DEG:g}° in elevation. Does it look {way} than before?",)
         return (
             f"Turns {STEP_DEG:g}° in azimuth, then {STEP_DEG:g}° in elevation, and asks each time which way it went.",
             "Then it goes back. Stand where you see it, out of its swing.",
@@ -51,8 +52,9 @@ class DirectionStep(Step):
         if self.asked:
             return (
                 *self.release_choice(),
-                Choice("yes", "y", "Yes", moves=True),
-                Choice("no", "n", "No", moves=True),
+                Choice("yes", "y", "Yes: now the elevation" if self.asked == "az" else "Yes: go back", moves=True),
+                Choice("no", "n", "No: go back", moves=True),
+                Choice("again", "a", "Not seen: once more", moves=True),
             )
         if self.bench.position is None:
             return self.release_choice()
@@ -62,6 +64,8 @@ class DirectionStep(Step):
         """Move, or judge."""
         if choice == "release":
             self.begin(self.release(), "releasing")
+        elif choice == "again":
+            self.begin(self._again(self.asked), "moving back, then once more")
         elif choice == "start":
             self._seen = ""
             self.begin(self._first(), "turning")
@@ -87,6 +91,10 @@ class DirectionStep(Step):
         if self._start[1] != position.el_deg:
             yield self.bench.ask(Goto(*self._start, self.bench.holder))
         yield from self._try("az")
+
+    def _again(self, axis: str) -> Plan:
+        yield self.bench.ask(Goto(*self._start, self.bench.holder))
+        yield from self._try(axis)
 
     def _try(self, axis: str) -> Plan:
         az_start, el_start = self._start

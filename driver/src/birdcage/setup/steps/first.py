@@ -37,11 +37,15 @@ class FirstStep(Step):
 
     def evidence(self) -> str:
         """Say where the likeliest one stands, and whether the dish was turned there."""
+        return self._pointed or self._expected()
+
+    def _expected(self) -> str:
+        """Name the slot and where it stands; empty where none does."""
         found = self._slot()
         if found is None:
-            return self._pointed
+            return ""
         slot, az_deg, el_deg = found
-        return self._pointed or f"{slot.name} ({slot.label}) expected at {az_deg:.1f} / {el_deg:.1f}"
+        return f"{slot.name} ({slot.label}) expected at {az_deg:.1f} / {el_deg:.1f}"
 
     def words(self) -> tuple[str, ...]:
         """Say what is there, and what is not yet."""
@@ -51,7 +55,7 @@ class FirstStep(Step):
         elif self._slot() is None:
             where = "No well-known slot of the geostationary arc stands within this dish's limits here."
         else:
-            where = "Highest of the well-known slots, so the likeliest to be heard with the stock feed."
+            where = f"{self._expected()}: the highest of the well-known slots, so the likeliest to be heard."
         missing = () if self._aligned else ("To point there, home it (step 4) and set north (step 10).",)
         return (
             where,
@@ -67,9 +71,10 @@ class FirstStep(Step):
 
     def choices(self) -> tuple[Choice, ...]:
         """Point there, when everything that this needs is known."""
-        if not self._aligned or self._slot() is None:
+        found = self._slot()
+        if not self._aligned or found is None:
             return self.release_choice()
-        return (*self.release_choice(), Choice("point", "enter", "Point there", moves=True))
+        return (*self.release_choice(), Choice("point", "enter", f"Point at {found[0].name}", moves=True))
 
     def take(self, choice: str, values: Mapping[str, str]) -> None:  # noqa: ARG002 - a step's signature
         """Point, or release."""

@@ -75,14 +75,14 @@ class LinkStep(Step):
         if state.link.state is Link.UP:
             return self._live()
         if state.link.state is Link.SILENT:
-            return f"{state.port} opens, and at {self._rate} baud no dish answers"
+            return f"{_short(state.port)} opens, and at {self._rate} baud no dish answers"
         if state.link.state in (Link.LOST, Link.OPENING):
             return state.link.detail
         return super().evidence()
 
     def _live(self) -> str:
         state, info = self.bench.state, self._info(self.bench.state.port)
-        parts = [state.port.removeprefix("/dev/")]
+        parts = [_short(state.port)]
         if info is not None and info.vid_pid is not None:
             parts.append(_MAKERS.get(info.vid_pid[:4], info.description or info.vid_pid))
         parts.append(f"{self._rate} 8N1")
@@ -94,8 +94,12 @@ class LinkStep(Step):
         """Say what to do, and what was seen."""
         state = self.bench.state
         if state.link.state is Link.UP:
-            return (f"A dish answers on {state.port}.",)
+            return (f"A dish answers on {_short(state.port)}.",)
         words = ["Choose the port that the RS-422 adapter has. Nothing is sent to the others."]
+        if state.link.state is Link.SILENT:
+            words = ["The port opens, but no dish answers. Listen at other speeds, or choose another port."]
+            if self._answering() is not None:
+                words = [f"A dish was heard at {self._answering()} baud: connect at that speed."]
         if not self._ports:
             words.append("This machine has no serial port now: plug the adapter in.")
         if self.findings:
@@ -110,8 +114,11 @@ class LinkStep(Step):
             return ()
         baud = state.dish.baud if state.dish else None
         return find_causes(
-            Case(state.port, state.link, self.findings, self._system, tuple(self._ports), firmware_baud=baud)
-        )
+            Case(
+                state.port, state.link, self.findings, self._system, tuple(self._ports), firmware_baud=baud,
+                restarted=state.fault is not None and state.fault.reason == "reboot",
+            )
+        )  # fmt: skip
 
     def choices(self) -> tuple[Choice, ...]:
         """Keep, connect, look at other speeds, or another port."""
@@ -122,7 +129,8 @@ class LinkStep(Step):
         elif answering is not None:
             choices.append(Choice("connect", "enter", f"Connect at {answering} baud"))
         if state.link.state is Link.SILENT:
-            choices.append(Choice("probe", "p", "Look at other speeds"))
+            key = "enter" if answering is None and not self.findings else "p"
+            choices.append(Choice("probe", key, "Listen at other speeds"))
         for key, info in enumerate(self._ports[:MOST_PORTS], 1):
             maker = "" if info.vid_pid is None else f", {_MAKERS.get(info.vid_pid[:4], info.description or '')}"
             choices.append(Choice(f"port-{key}", str(key), f"{info.device}{maker}"))
@@ -210,3 +218,8 @@ class LinkStep(Step):
     def _info(self, port: str) -> PortInfo | None:
         real = str(Path(port).resolve())
         return next((each for each in self._ports if port in (each.device, each.by_id) or each.device == real), None)
+
+
+def _short(port: str) -> str:
+    """Return a port as a line has room for it: without its folder, and an address without its options."""
+    return port.removeprefix("/dev/").partition("?")[0]

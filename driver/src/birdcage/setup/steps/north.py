@@ -31,11 +31,13 @@ class NorthStep(Step):
     def words(self) -> tuple[str, ...]:
         """Show the Sun now, and what a compass would read."""
         words = []
+        up = False
         try:
             az_deg, el_deg = north.sun_now(self.bench)
+            up = el_deg > 0.0
             words.append(f"Sun now at {az_deg:.2f}° true, elevation {el_deg:.2f}°.")
             turn = north.declination(self.bench)
-            if turn is not None:
+            if turn is not None and up:
                 east = f"{abs(turn):.1f}° {'E' if turn >= 0 else 'W'}"
                 words.append(f"A compass needle would read {(az_deg - turn) % 360.0:.1f}° there (declination {east}).")
         except north.NotYet as missing:
@@ -48,6 +50,8 @@ class NorthStep(Step):
                 words.append(f"The dish counts AZ {position.dish_az_deg:.2f} EL {position.dish_el_deg:.2f} now.")
         elif reason not in words:
             words.append(reason)
+        if not up and self.bench.position is not None:
+            words.append("By compass: stand behind the dish, and read the bearing it looks along.")
         return (*words, *self.trouble())
 
     def choices(self) -> tuple[Choice, ...]:
@@ -65,12 +69,13 @@ class NorthStep(Step):
                        fields=(Field("el", "keep the el offset too", "", "y or n", "n"),)),
                 Choice("sun", "u", "Turn to where the Sun should be", moves=True),
             ]  # fmt: skip
+        marks = any(way.name == "mark" for way in ways)
         if standing:
             turn = north.declination(self.bench)
             step = (Field("d_az_deg", "az", "deg", "clockwise is +", "0"), Field("d_el_deg", "el", "deg", "", "0"))
             ways += [
                 Choice("jog", "j", "Move it a little", moves=True, fields=step),
-                Choice("compass", "c", "By compass", fields=(
+                Choice("compass", "c" if marks else "enter", "By compass", fields=(
                     Field("reading_deg", "compass along the dish", "deg", "magnetic, where it looks now"),
                     Field("declination_deg", "declination", "deg", "east is +", "" if turn is None else f"{turn:.1f}"),
                 )),

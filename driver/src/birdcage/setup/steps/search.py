@@ -41,7 +41,7 @@ class SearchStep(Step):
         """Say what the dish says, and where the backup is."""
         state, kept = self.bench.state, self.bench.kept(self.name)
         if self.written:
-            return f"saved as off; backup {self.written}; waits for the dish to be switched off and on"
+            return "saved as off; waits for the dish to be switched off and on"
         if self.proven is False:
             told = state.readings["nvs.20"].value
             return f"on: NVS 20 is {told}; the dish moves by itself after power-up"
@@ -50,20 +50,38 @@ class SearchStep(Step):
     def words(self) -> tuple[str, ...]:
         """Name the consequences."""
         if self.written:
-            asked = "Now switch the dish off and on (12 V), and wait until it has started."
-            return (asked, *(self.trouble() if self.bench.is_up else ("It does not answer now.",)))
+            return (*self._awaited(), f"A copy of the dish's settings is kept here: {self.written}.")
         return (
             "The dish's own TV search moves it without being asked.",
-            "This saves NVS 20 as TRUE in the dish, after a copy of its whole table was kept here.",
-            "It takes effect after the next power cycle. From then on the dish no longer homes by itself:",
-            "home it after each power-up. `birdcage init --restore-search` walks it back.",
+            "This saves NVS 20 as TRUE in the dish, after a copy of its whole table was kept here. Nothing moves.",
+            "It takes effect when the dish is switched off and on: you are asked to do that next.",
+            "From then on home it after each power-up: it no longer does that by itself.",
+            "`birdcage init --restore-search` walks this back.",
             *self.trouble(),
         )
+
+    def _awaited(self) -> tuple[str, ...]:
+        """Say what is waited for: the power cycle, the end of the start, or that a person goes on."""
+        if self._restarted:
+            if self.bench.is_up:
+                return ("The dish has started anew, as it should. Go on.",)
+            return ("The dish was switched on and is starting. Wait until it answers: that may take minutes.",)
+        if not self.bench.is_up:
+            return ("It does not answer now: it is off, or starting. Switched on, it may take minutes to answer.",)
+        return ("Now switch the dish off and on (12 V), and wait until it has started.", *self.trouble())
+
+    @property
+    def _restarted(self) -> bool:
+        """Whether the station has met the restart that was asked for."""
+        fault = self.bench.state.fault
+        return fault is not None and fault.reason == "reboot"
 
     def choices(self) -> tuple[Choice, ...]:
         """Switch it off, or say that the power was cycled."""
         if not self.bench.is_up:
             return ()
+        if self.written and self._restarted:
+            return (Choice("release", "enter", "I did that: go on"),)
         if self.written:
             again = () if self.gone else (Choice("cycled", "c", "I switched it off and on"),)
             return (*self.release_choice(), *again)
@@ -95,8 +113,7 @@ class SearchStep(Step):
         """Notice the power cycle, and that the search is off."""
         state = self.bench.state
         if self.written:
-            restarted = state.fault is not None and state.fault.reason == "reboot"
-            self.gone = self.gone or restarted or state.activity is Activity.INITIALIZING
+            self.gone = self.gone or self._restarted or state.activity is Activity.INITIALIZING
             if not self.gone or not self._off_now() or state.fault is not None:
                 return
             self.bench.done(self.name, f"off: NVS 20 TRUE, saved (was FALSE; backup {self.written})")
