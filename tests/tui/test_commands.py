@@ -94,16 +94,6 @@ def test_jump_reaches_every_control_on_the_screen():
     assert "Help" in text
 
 
-def test_space_stops_while_letters_are_shown():
-    async def stop(app, pilot):
-        await pilot.press("semicolon")
-        await pilot.pause()
-        await pilot.press("space")
-        return app.station.stops
-
-    assert run(stop) == ["you"]
-
-
 def test_pages_have_a_key_each():
     keys = {for_key(key, ["dashboard"]).name for number in range(1, 11) for key in (f"f{number}", str(number % 10))}
     assert keys == {f"page-{name}" for name, _, _ in PAGES}

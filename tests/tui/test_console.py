@@ -3,10 +3,8 @@
 from dataclasses import replace
 
 import pytest
-from birdcage.station.raw import CONSOLE
 from birdcage_tui.console.entry import ConsoleInput, FindInput
 from birdcage_tui.console.log import LogView
-from birdcage_tui.dialogs import QuestionScreen
 from birdcage_tui.footer import KeyBar
 from birdcage_tui.panes.pointing import PointingPane
 from birdcage_tui.status import BadDayRow, TopRow
@@ -111,16 +109,6 @@ def test_letters_in_the_log_do_not_step_the_dish():
 # STOP.
 
 
-@pytest.mark.parametrize("opening", [(), ("i",), ("slash",), ("i", "ctrl+r"), ("question_mark",)])
-def test_ctrl_c_stops_from_everywhere(opening):
-    async def stop(at):
-        await at.press(*opening)
-        await at.press("ctrl+c")
-        return at.app.station.stops
-
-    assert desk(stop, "slewing") == ["you"]
-
-
 def test_space_stops_in_the_log_and_types_in_the_line_and_the_search():
     async def space(at):
         await at.press("space")
@@ -131,18 +119,6 @@ def test_space_stops_in_the_log_and_types_in_the_line_and_the_search():
         return in_log, at.line.value, at.app.query_one(FindInput).value, len(at.app.station.stops)
 
     assert desk(space) == (1, "a 1", "x y", 1)
-
-
-def test_space_stops_in_the_question_before_a_hazard():
-    async def ask(at):
-        at.state(holder=CONSOLE, menu="mot")
-        await at.type("a 0 200")
-        await at.press("enter")
-        assert isinstance(at.app.screen, QuestionScreen)
-        await at.press("space")
-        return at.app.station.stops, at.raw()
-
-    assert desk(ask) == (["you"], [])
 
 
 def test_after_a_go_to_from_the_log_escape_still_closes_the_console():

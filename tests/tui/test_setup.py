@@ -192,36 +192,6 @@ def test_work_under_way_is_told_with_its_time():
     run(wait, "busy")
 
 
-@pytest.mark.parametrize("engine", ["home", "feed", "place", "mute"])
-@pytest.mark.parametrize("key", ["space", "ctrl+c"])
-def test_stop_from_everything_that_takes_the_focus(engine, key):
-    async def stop(app, pilot, made):
-        widgets = [None, *(widget for widget in app.screen.query("*") if widget.focusable)]
-        assert any(isinstance(widget, ChoiceButton) for widget in widgets)
-        stops = 0
-        for widget in widgets:
-            app.set_focus(widget)
-            await pilot.press(key)
-            typed = key == "space" and isinstance(widget, Input)
-            stops += not typed
-            assert len(app.station.stops) == stops, widget
-        assert made.asked == []
-
-    run(stop, engine, "slewing")
-
-
-@pytest.mark.parametrize("key", ["space", "ctrl+c"])
-def test_stop_in_the_question(key):
-    async def stop(app, pilot, engine):
-        await press(app, pilot, "enter")
-        assert isinstance(app.screen, QuestionScreen)
-        await pilot.press(key)
-        assert app.station.stops == ["you"]
-        assert engine.asked == []
-
-    run(stop)
-
-
 def test_go_to_asks_whether_the_area_is_clear_first():
     async def goto(app, pilot, engine):
         await press(app, pilot, "g")

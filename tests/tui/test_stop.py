@@ -6,14 +6,11 @@ from types import SimpleNamespace
 import pytest
 import stand_in
 from birdcage.station.requests import AcknowledgeFault, Goto, Release
-from birdcage_tui.commands import PAGES
 from birdcage_tui.status import BadDayRow, StopButton
 from birdcage_tui.stopping import stop_first
 from textual.driver import Driver
 from textual.events import Key
 from textual.widgets import Input
-
-PAGE_NAMES = [name for name, _, _ in PAGES]
 
 
 def run(test, name="idle", **options):
@@ -24,25 +21,6 @@ def run(test, name="idle", **options):
             return await test(app, pilot)
 
     return asyncio.run(body())
-
-
-@pytest.mark.parametrize("page", PAGE_NAMES)
-@pytest.mark.parametrize("key", ["space", "ctrl+c"])
-def test_stop_from_every_focusable_widget_of_every_page(page, key):
-    async def everywhere(app, pilot):
-        app.show_page(page)
-        await pilot.pause()
-        await pilot.pause()
-        assert not isinstance(app.focused, Input), "no text field has the focus on arrival"
-        focusable = [None, *(widget for widget in app.screen.query("*") if widget.focusable)]
-        if key == "space":  # which a text field types
-            focusable = [widget for widget in focusable if not isinstance(widget, Input)]
-        for number, widget in enumerate(focusable, 1):
-            app.set_focus(widget)
-            await pilot.press(key)
-            assert len(app.station.stops) == number, widget
-
-    run(everywhere, "slewing")
 
 
 def test_space_types_in_a_text_field_and_ctrl_c_stops_there():
@@ -57,29 +35,6 @@ def test_space_types_in_a_text_field_and_ctrl_c_stops_there():
         assert app.station.stops == ["you"]
 
     run(typing)
-
-
-@pytest.mark.parametrize("key", ["question_mark", "H", "colon"])
-def test_ctrl_c_stops_in_dialogs(key):
-    async def dialog(app, pilot):
-        await pilot.press(key)
-        await pilot.pause()
-        assert len(app.screen_stack) == 2
-        await pilot.press("ctrl+c")
-        assert app.station.stops == ["you"]
-
-    run(dialog)
-
-
-@pytest.mark.parametrize("key", ["question_mark", "H"])
-def test_space_stops_in_dialogs_without_a_text_field(key):
-    async def dialog(app, pilot):
-        await pilot.press(key)
-        await pilot.pause()
-        await pilot.press("space")
-        assert app.station.stops == ["you"]
-
-    run(dialog)
 
 
 def test_esc_stops_first_while_moving_and_closes_a_layer_only_at_rest():

@@ -1,0 +1,132 @@
+"""Every place in which a person may be when the dish has to stop: how to get there, and what takes keys there."""
+
+from __future__ import annotations
+
+import asyncio
+import sys
+from dataclasses import dataclass, field, replace
+
+import setup_stand_in
+import stand_in
+from birdcage.base.presets import Preset, add_preset
+from birdcage_tui.app import BirdcageApp
+from birdcage_tui.commands import PAGES
+
+KEYS = {" ": "space", "?": "question_mark", ":": "colon", ";": "semicolon", "/": "slash"}
+LINE = [KEYS.get(letter, letter) for letter in "a 0 200"]
+
+
+@dataclass(frozen=True)
+class Place:
+    """The keys that lead there, what can have the focus there (`Owner/Kind`), and who put the dialog there, if any."""
+
+    name: str
+    keys: tuple[str, ...]
+    holds: frozenset[str] = frozenset()
+    dialog: str = ""
+    asked_by: str = ""
+    size: tuple[int, int] = (80, 24)
+    engine: str = "home"
+    state: dict[str, object] = field(default_factory=dict)
+
+
+def _page(name: str, *keys: str, holds: str = "", **more: object) -> Place:
+    return Place(name, keys, frozenset(holds.split()), **more)
+
+
+def _dialog(name: str, asked_by: str, *keys: str, dialog: str = "QuestionScreen",
+            holds: str = "QuestionScreen/VerticalScroll", **more: object) -> Place:  # fmt: skip
+    return Place(name, keys, frozenset(holds.split()), dialog, asked_by, **more)
+
+
+HANDS = "ControlPage/RosePane ControlPage/DigitsPane"
+LIST = "PresetsBox/PresetsPane"
+STEPS = "SetupBody/can_focus"
+FORM = f"{STEPS} AnswerForm/ChoiceButton AnswerForm/Input"
+BUTTONS = f"{STEPS} AnswerForm/ChoiceButton"
+LOG, TYPED, FOUND = (f"ConsoleOverlay/{kind}" for kind in ("LogView", "ConsoleInput", "FindInput"))
+FIELDS = {"dialog": "FieldsScreen", "holds": "FieldsScreen/Input"}
+FORMS = {"mute": FORM, "feed": FORM, "place": FORM, "north": FORM, "level": f"{STEPS} AnswerForm/Input",
+         "busy": STEPS, "dish": STEPS, "search": STEPS}  # fmt: skip
+"""What the form of a step holds, where that is not buttons alone."""
+POCKET = (40, 12)
+
+PLACES = (
+    *(_page(name, f"f{number}") for number, (name, _, _) in enumerate(PAGES, 1)
+      if name not in ("control", "console", "setup")),
+    _page("control", "f2", holds=HANDS),
+    _page("control, roomy", "f2", holds=f"{HANDS} {LIST}", size=(120, 36)),
+    _page("control, presets", "f2", "p", holds=f"ControlPage/RosePane {LIST}"),
+    _page("control, filter", "f2", "slash", holds=f"ControlPage/RosePane PresetsBox/Input {LIST}"),
+    _page("go to", "g", holds="GotoLine/Input"),
+    _page("go to, over control", "f2", "g", holds=f"{HANDS} GotoLine/Input"),
+    _page("console", "f5", holds=f"{LOG} {TYPED}"),
+    _page("console, find", "f5", "slash", holds=f"{LOG} {FOUND}"),
+    _page("console, recall", "f5", "i", "ctrl+r", holds=f"{LOG} {FOUND}"),
+    _page("console, over control", "f2", "f5", holds=f"{HANDS} {LOG} {TYPED}"),
+    _page("console, over setup", "f8", "f5", holds=f"{BUTTONS} {LOG} {TYPED}"),
+    *(_page(f"setup, {name}", "f8", holds=FORMS.get(name, BUTTONS), engine=name)
+      for name in setup_stand_in.ENGINES),
+    _page("setup, roomy form", "f8", holds=FORM, engine="place", size=(120, 36)),
+    _page("setup, wiring", "f8", "w"),
+    _page("pocket", size=POCKET),
+    _page("pocket, go to", "g", holds="GotoLine/Input", size=POCKET),
+    _dialog("home", "BirdcageApp.ask_home", "H"),
+    _dialog("own limits", "BirdcageApp.ask_limits", "enter", state={"motion_refused_because": "line 7: not a number."}),
+    _dialog("engage", "ControlPage._question", "f2", "E"),
+    _dialog("release", "ControlPage._question", "f2", "R"),
+    _dialog("stow", "ControlPage._question", "f2", "W", state={"stow_allowed": True}),
+    _dialog("speeds", "ControlPage._ask_speeds", "f2", "v", **FIELDS),
+    _dialog("new preset", "ControlPage._add", "f2", "a", **FIELDS),
+    _dialog("edit preset", "ControlPage._edit", "f2", "p", "e", **FIELDS),
+    _dialog("area clear", "SetupPage._when_clear", "f8", "enter"),
+    _dialog("hazard", "ConsoleOverlay._ask", "f5", "i", *LINE, "enter", state={"holder": "console", "menu": "mot"}),
+    _dialog("take over", "ConsoleOverlay._ask", "f5", "i", "a", "enter", state={"holder": "Gpredict", "menu": "mot"}),
+    _dialog("help", "BirdcageApp.show_help", "question_mark", dialog="HelpScreen", holds="HelpScreen/OptionList"),
+    _dialog("jump", "BirdcageApp.show_jump", "semicolon", dialog="JumpScreen", holds=""),
+    _dialog("palette", "BirdcageApp.show_palette", "colon", dialog="Palette", holds="Palette/CommandInput"),
+    _dialog("home, pocket", "BirdcageApp.ask_home", "H", size=POCKET),
+    _dialog("help, pocket", "BirdcageApp.show_help", "question_mark", dialog="HelpScreen",
+            holds="HelpScreen/OptionList", size=POCKET),
+    _dialog("palette, pocket", "BirdcageApp.show_palette", "colon", dialog="Palette", holds="Palette/CommandInput",
+            size=POCKET),
+)  # fmt: skip
+BY_NAME = {place.name: place for place in PLACES}
+
+
+def at(place, folder, test, *, state="slewing", size=None, **settings):
+    """Go there, in an app around a stand-in dish (which moves, unless told otherwise); await `test(app, pilot, ask)`.
+
+    `ask` is who put the dialog there.
+    """
+    presets = folder / "presets.toml"
+    add_preset(presets, Preset("Hot Bird", 164.2, 38.1, "13°E"))
+
+    async def body():
+        asked = []
+        app = stand_in.app_in(
+            state, setup=setup_stand_in.ENGINES[place.engine], presets_file=presets, history_file=folder / "history",
+            **settings,
+        )  # fmt: skip
+        app.station.state = replace(app.station.state, **place.state)
+
+        def push_screen(*args, **options):
+            asked.append(sys._getframe(1).f_code.co_qualname)
+            return BirdcageApp.push_screen(app, *args, **options)
+
+        app.push_screen = push_screen
+        async with app.run_test(size=size or place.size) as pilot:
+            await settle(app, pilot)
+            for key in place.keys:
+                await pilot.press(key)
+                await settle(app, pilot)
+            return await test(app, pilot, asked[-1] if asked else "")
+
+    return asyncio.run(body())
+
+
+async def settle(app, pilot):
+    """Draw one frame, and wait until the layout has followed it."""
+    app.paint()
+    await pilot.pause()
+    await pilot.pause()
