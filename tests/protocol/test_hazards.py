@@ -153,7 +153,9 @@ def test_what_a_line_makes_the_station_forget(dish):
         ("g 400 40", ("40.00°", "360.00°")),
         ("g 100 80", ("15.00° above", "65.00°")),
         ("a 0 nan", ("not an angle",)),
-        ("a 0 north", ("not an angle",)),
+        ("a 0 north", ("`north` is not an angle",)),
+        ("a 0 +north", ("`+north` is not an angle",)),
+        ("g 100 up", ("`up` is not an angle",)),
     ],
 )
 @pytest.mark.parametrize("homed", [True, None])

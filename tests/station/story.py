@@ -8,7 +8,7 @@ from birdcage.base.config import Settings
 from birdcage.base.geometry import shortest_turn
 from birdcage.protocol.model import Turn
 from birdcage.station import requests as ask
-from birdcage.station.raw import CONSOLE
+from birdcage.station.raw import CONSOLE, Grade
 from birdcage.station.state import MOVING, Activity
 from birdcage.station.state import Link as LinkNow
 
@@ -125,7 +125,11 @@ class Story(Bench):
             if station._control.latched and is_motion(menu, line):
                 self.wrong.append(f"{now:.3f} motion while latched: {line!r} in {menu}")
             if line.strip().lower() == "q" and menu == "root" and self.device.shell._script is None:
-                typed = isinstance(serving, ask.Raw) and serving.confirmed and serving.line.strip().lower() == "q"
+                typed = (
+                    isinstance(serving, ask.Raw)
+                    and serving.confirmed is Grade.RUINS
+                    and serving.line.strip().lower() == "q"
+                )
                 if not typed:
                     self.wrong.append(f"{now:.3f} q at the root for {serving}")
                 self.may_die = True
@@ -164,7 +168,7 @@ class Story(Bench):
         what = rng.random()
         if what < 0.45:
             line = rng.choice(LINES.get(menu if rng.random() < 0.9 else rng.choice(list(LINES)), ("",)))
-            self.ask(ask.Raw(line, CONSOLE, confirmed=rng.random() < 0.85))
+            self.ask(ask.Raw(line, CONSOLE, confirmed=rng.choices(list(Grade), (15, 5, 10, 70))[0]))
         elif what < 0.48:
             self.ask(ask.ListCommands())
         elif what < 0.56:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from birdcage.station.raw import CONSOLE
+from birdcage.station.raw import CONSOLE, Grade
 from birdcage.station.requests import Goto, Home, Raw, ReleaseLease
 
 from .conftest import Bench
@@ -16,10 +16,10 @@ class TalkBench(Bench):
         self.watch("position")
         self.step(6)  # identity and limits are read by then
 
-    def type(self, line, *, confirmed=False, seconds=30.0):
+    def type(self, line, *, confirmed=Grade.HARMLESS, seconds=30.0):
         return self.do(Raw(line, CONSOLE, confirmed), seconds)
 
-    def begin(self, line, *, confirmed=False):
+    def begin(self, line, *, confirmed=Grade.HARMLESS):
         return self.station.submit(Raw(line, CONSOLE, confirmed))
 
     def counted(self):
@@ -31,7 +31,7 @@ class TalkBench(Bench):
 
     def in_raw_motion(self, line="a 0 100", seconds=0.7):
         """A raw motion, counterclockwise, that takes seconds is under way."""
-        self.type(line, confirmed=True)
+        self.type(line, confirmed=Grade.RUINS)
         self.step(seconds)
         assert self.device.truth().moving
         return self.device.truth().az_deg

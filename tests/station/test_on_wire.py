@@ -10,7 +10,7 @@ from birdcage.base.config import Settings
 from birdcage.base.errors import BirdcageError
 from birdcage.base.paths import Paths
 from birdcage.station.build import open_session
-from birdcage.station.raw import LineJoiner
+from birdcage.station.raw import Grade, LineJoiner
 from birdcage.station.requests import Raw
 from birdcage.station.session import Session
 
@@ -36,7 +36,7 @@ def wired(tmp_path, *, files):
 def test_every_line_and_remark_is_heard(tmp_path, files):
     session, heard, end = wired(tmp_path, files=files)
     session.step(8)
-    session.station.submit(Raw("a 1 90", confirmed=True))
+    session.station.submit(Raw("a 1 90", confirmed=Grade.RUINS))
     session.step(1)
     joiner = LineJoiner()
     lines = [(line.direction, line.text) for entry in heard for line in joiner.join(entry)] + [

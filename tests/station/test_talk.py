@@ -42,7 +42,7 @@ def test_a_line_brings_its_reply(bench):
 
 
 def test_what_the_dish_refuses_is_a_reply_too(bench):
-    assert bench.type("frob", confirmed=True).lines == ("Invalid command.",)
+    assert bench.type("frob", confirmed=Grade.RUINS).lines == ("Invalid command.",)
 
 
 def test_submenus_work_and_the_menu_is_shown(bench):
@@ -83,7 +83,7 @@ def test_a_motion_beyond_a_limit_is_warned_of_and_marked_when_sent(bench):
     sent = []
     original = bench.sim.write
     bench.sim.write = lambda data: (sent.append((len(bench.remarks), data)), original(data))
-    bench.type("a 0 9999", confirmed=True)
+    bench.type("a 0 9999", confirmed=Grade.RUINS)
     mark = (
         "raw by console: a 0 9999 (MOVES, confirmed; "
         "Azimuth 9999.00 deg is 9639.00 deg beyond the limit of 360.00 deg.)"
@@ -103,14 +103,14 @@ def test_while_held_questions_and_settings_go_and_motions_do_not(bench):
     bench.station.stop("you")
     bench.step(2)
     assert bench.type("mv").lines
-    assert bench.type("w 0 on", confirmed=True)
+    assert bench.type("w 0 on", confirmed=Grade.RUINS)
     since = bench.clock.monotonic()
     for line in ("a 0 100", "h 0", "r", "sw 0 0"):
         with pytest.raises(Held):
-            bench.type(line, confirmed=True)
+            bench.type(line, confirmed=Grade.RUINS)
     assert not {"a 0 100", "h 0", "r", "sw 0 0"} & set(lines_since(bench, since))
     bench.do(Release("you"))
-    bench.type("a 0 100", confirmed=True)
+    bench.type("a 0 100", confirmed=Grade.RUINS)
     assert "a 0 100" in bench.lines()
 
 
@@ -216,3 +216,22 @@ def test_the_tuner_lists_its_commands_page_by_page(bench):
     bench.type("dvb")
     assert any(command.told_by_dish for command in bench.do(ListCommands()))
     assert bench.state.link.state is LinkNow.UP
+
+
+def test_a_line_that_would_do_worse_than_what_was_confirmed_is_not_sent(bench):
+    since = bench.clock.monotonic()
+    with pytest.raises(ConfirmationNeeded, match=r"worse now than what was confirmed.*fall under its own weight"):
+        bench.type("r", confirmed=Grade.SETTING)
+    assert "r" not in lines_since(bench, since)
+    bench.type("r", confirmed=Grade.MOVES)
+    assert "r" in lines_since(bench, since)
+
+
+def test_what_was_confirmed_in_one_menu_is_not_sent_in_another_where_it_is_worse(bench):
+    bench.type("q")
+    assert bench.type("nvs").menu == "nvs"
+    assert bench.station.judge("e 1 2").grade is Grade.SETTING
+    bench.device.shell.menu = "mot"  # somebody else at the dish: another prompt is seen with the next line
+    bench.type("")
+    with pytest.raises(ConfirmationNeeded, match="worse now"):
+        bench.type("e 1 2", confirmed=Grade.SETTING)

@@ -35,7 +35,7 @@ def test_after_a_raw_motion_the_position_is_unknown_until_it_is_read_again(bench
     bench.do(Home("you"))
     assert bench.state.turn is Turn.COUNTED
     bench.do(ReleaseLease("you"))
-    bench.type("a 0 100", confirmed=True)
+    bench.type("a 0 100", confirmed=Grade.RUINS)
     assert bench.state.position_lost == "raw command"
     assert bench.state.turn is Turn.UNKNOWN
     assert bench.state.activity is Activity.UNKNOWN
@@ -52,7 +52,7 @@ def test_a_raw_move_of_the_elevation_keeps_the_counted_cable(bench):
     bench.do(Home("you"))
     bench.do(Goto(20, 40, "you"))
     bench.do(ReleaseLease("you"))
-    bench.type("a 1 50", confirmed=True)
+    bench.type("a 1 50", confirmed=Grade.RUINS)
     bench.do(ReleaseLease(CONSOLE))
     bench.step(3)
     assert bench.state.turn is Turn.COUNTED
@@ -61,14 +61,14 @@ def test_a_raw_move_of_the_elevation_keeps_the_counted_cable(bench):
 
 def test_a_released_dish_is_believed_nothing_until_it_is_homed():
     bench = TalkBench("g2?seed=1&release_forgets=0")
-    bench.type("r", confirmed=True)
+    bench.type("r", confirmed=Grade.RUINS)
     assert bench.state.homed is None
     bench.do(ReleaseLease(CONSOLE))
     bench.step(3)
     assert bench.state.position is None
     assert bench.state.position_lost == "released"
-    bench.type("h 0", confirmed=True)
-    bench.type("h 1", confirmed=True)
+    bench.type("h 0", confirmed=Grade.RUINS)
+    bench.type("h 1", confirmed=Grade.RUINS)
     assert bench.state.homed is True
     assert bench.station.judge("a 0 100").grade is Grade.MOVES
     bench.do(ReleaseLease(CONSOLE))
@@ -79,10 +79,10 @@ def test_a_released_dish_is_believed_nothing_until_it_is_homed():
 def test_settings_that_were_written_by_hand_are_surveyed_again(bench):
     bench.type("q")
     bench.type("nvs")
-    bench.type("e 20 1", confirmed=True)
+    bench.type("e 20 1", confirmed=Grade.RUINS)
     assert bench.state.search is Search.UNKNOWN
-    bench.type("e 102 60", confirmed=True)
-    bench.type("s", confirmed=True)
+    bench.type("e 102 60", confirmed=Grade.RUINS)
+    bench.type("s", confirmed=Grade.RUINS)
     surveys = bench.lines().count("d 102")
     assert surveys
     bench.do(ReleaseLease(CONSOLE))
@@ -93,7 +93,7 @@ def test_settings_that_were_written_by_hand_are_surveyed_again(bench):
 
 def test_a_raw_reboot_is_seen_through(bench):
     bench.type("q")
-    bench.type("reboot", confirmed=True, seconds=200)
+    bench.type("reboot", confirmed=Grade.RUINS, seconds=200)
     assert bench.state.homed is None
     assert bench.station.judge("a").grade is Grade.SETTING  # it is at the root now
     bench.do(ReleaseLease(CONSOLE))
@@ -212,13 +212,13 @@ def test_a_dead_shell_is_noticed(bench):
 
 
 def test_homing_is_waited_for(bench):
-    reply = bench.type("h 0", confirmed=True, seconds=20)
+    reply = bench.type("h 0", confirmed=Grade.RUINS, seconds=20)
     assert reply.took_s > 1
     assert any("Wrap" in line for line in reply.lines)
 
 
 def test_a_busy_dish_takes_no_second_line(bench):
-    homing = bench.begin("h 0", confirmed=True)
+    homing = bench.begin("h 0", confirmed=Grade.RUINS)
     bench.step(0.5)
     with pytest.raises(CommandRefused, match="still at `h 0`"):
         bench.type("a")

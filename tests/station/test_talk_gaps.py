@@ -8,7 +8,7 @@ from birdcage.base.config import Settings
 from birdcage.base.errors import BirdcageError, CommandRefused, Held, LeaseDenied
 from birdcage.protocol.model import Turn
 from birdcage.station.inhibitor import SleepInhibitor
-from birdcage.station.raw import CONSOLE
+from birdcage.station.raw import CONSOLE, Grade
 from birdcage.station.requests import (
     ApplySettings,
     Connect,
@@ -32,7 +32,7 @@ def bench():
 
 def test_the_same_port_chosen_anew_does_not_make_a_released_dish_believed():
     bench = TalkBench("g2?seed=1&release_forgets=0")
-    bench.type("r", confirmed=True)
+    bench.type("r", confirmed=Grade.RUINS)
     bench.do(ReleaseLease(CONSOLE))
     bench.step(2)
     bench.do(Connect("sim:test", None))
@@ -43,7 +43,7 @@ def test_the_same_port_chosen_anew_does_not_make_a_released_dish_believed():
 
 def test_another_port_has_another_dish():
     bench = TalkBench("g2?seed=1&release_forgets=0")
-    bench.type("r", confirmed=True)
+    bench.type("r", confirmed=Grade.RUINS)
     bench.do(ReleaseLease(CONSOLE))
     bench.step(2)
     bench.do(Connect("sim:other", None))
@@ -116,7 +116,7 @@ def test_who_has_no_control_ends_no_stream(bench, request_):
 
 def test_a_mistyped_line_that_the_dish_refuses_costs_nothing(bench):
     bench.counted()
-    bench.type("mto", confirmed=True)
+    bench.type("mto", confirmed=Grade.RUINS)
     assert bench.state.position_lost is None
     bench.do(ReleaseLease(CONSOLE))
     bench.step(3)
@@ -126,7 +126,7 @@ def test_a_mistyped_line_that_the_dish_refuses_costs_nothing(bench):
 def test_an_unwritten_line_that_the_dish_takes_makes_the_station_look_anew(bench):
     bench.counted()
     bench.device.shell._menus["mot"].commands["zz"] = lambda _args: iter(["done\n"])
-    bench.type("zz", confirmed=True)
+    bench.type("zz", confirmed=Grade.RUINS)
     assert bench.state.position_lost == "raw command"
     assert bench.state.turn is Turn.UNKNOWN
     surveys = bench.lines().count("d 102")
@@ -142,23 +142,23 @@ def test_current_is_not_put_on_by_hand_while_held(bench):
     since = bench.clock.monotonic()
     for line in ("e", "stow", "mto;a 0 100", "motorb"):
         with pytest.raises(Held):
-            bench.type(line, confirmed=True)
+            bench.type(line, confirmed=Grade.RUINS)
     assert not {"e", "stow"} & set(lines_since(bench, since))
 
 
 def test_no_line_is_longer_than_any_command_needs(bench):
     since = bench.clock.monotonic()
     with pytest.raises(CommandRefused, match="120 characters at most"):
-        bench.type("a" * 121, confirmed=True)
+        bench.type("a" * 121, confirmed=Grade.RUINS)
     assert "a" * 121 not in lines_since(bench, since)
-    bench.type("x" * 120, confirmed=True)
+    bench.type("x" * 120, confirmed=Grade.RUINS)
 
 
 def test_after_the_speeds_were_changed_by_hand_stop_looks_before_it_aims(bench):
     bench.counted()
     for line in ("q", "step", "mv 0 600", "q", "mot"):
-        bench.type(line, confirmed=True)
-    bench.type("a 0 100", confirmed=True)
+        bench.type(line, confirmed=Grade.RUINS)
+    bench.type("a 0 100", confirmed=Grade.RUINS)
     bench.step(2)
     before = bench.device.truth()
     assert before.moving
@@ -184,9 +184,9 @@ def test_a_slow_raw_motion_is_not_taken_for_rest():
 
 def test_homing_one_axis_before_a_release_does_not_count_after_it():
     bench = TalkBench("g2?seed=1&release_forgets=0")
-    bench.type("h 0", confirmed=True)
-    bench.type("r", confirmed=True)
-    bench.type("h 1", confirmed=True)
+    bench.type("h 0", confirmed=Grade.RUINS)
+    bench.type("r", confirmed=Grade.RUINS)
+    bench.type("h 1", confirmed=Grade.RUINS)
     assert bench.state.homed is None
 
 
@@ -218,14 +218,14 @@ def test_the_machine_stays_awake_while_a_raw_line_may_move_the_dish():
         return hold.held == count
 
     try:
-        bench.type("a 0 170", confirmed=True)
+        bench.type("a 0 170", confirmed=Grade.RUINS)
         assert become(1)
         clock.wait(None, clock.monotonic() + 0.2)
         assert hold.held == 1
         bench.do(ReleaseLease(CONSOLE))
         bench.step(12)
         assert become(0)
-        bench.type("r", confirmed=True)
+        bench.type("r", confirmed=Grade.RUINS)
         assert become(1)
         bench.do(ReleaseLease(CONSOLE))
         bench.step(3)  # nobody says that it rests: it is not known where it is

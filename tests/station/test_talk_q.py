@@ -8,7 +8,7 @@ from birdcage.base.errors import (
     ConfirmationNeeded,
     NoReply,
 )
-from birdcage.station.raw import CONSOLE
+from birdcage.station.raw import CONSOLE, Grade
 from birdcage.station.requests import (
     ReleaseLease,
 )
@@ -80,7 +80,7 @@ def test_a_word_that_holds_a_q_is_kept_back_when_the_dish_turns_out_to_be_at_the
 def test_a_confirmed_q_at_the_root_is_sent_as_typed(mortal):
     mortal.type("q")
     with pytest.raises(NoReply):
-        mortal.type("q", confirmed=True)
+        mortal.type("q", confirmed=Grade.RUINS)
     assert not alive(mortal)
     assert mortal.lines()[-1] == "q"
 

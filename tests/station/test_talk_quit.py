@@ -10,7 +10,7 @@ from birdcage.base.config import Settings
 from birdcage.base.paths import Paths
 from birdcage.sim.port import open_device
 from birdcage.station.build import open_session
-from birdcage.station.raw import CONSOLE
+from birdcage.station.raw import CONSOLE, Grade
 from birdcage.station.requests import Raw
 from birdcage.station.state import Link
 
@@ -37,7 +37,7 @@ def test_a_raw_motion_that_is_not_foreseen_is_stopped():
 
 def test_a_raw_motion_that_has_ended_needs_no_stop():
     bench = TalkBench("g2?seed=1")
-    bench.type("a 0 170", confirmed=True)
+    bench.type("a 0 170", confirmed=Grade.RUINS)
     bench.step(8)
     assert bench.state.raw_motion
     since = bench.clock.monotonic()
@@ -56,7 +56,7 @@ def test_from_another_menu_it_is_stopped_too():
 
 def test_homing_by_hand_cannot_be_stopped_and_the_farewell_says_so():
     bench = TalkBench()
-    bench.begin("h 0", confirmed=True)
+    bench.begin("h 0", confirmed=Grade.RUINS)
     bench.step(0.3)
     assert CUT in close(bench)
 
@@ -91,7 +91,7 @@ def test_the_running_station_stops_it_within_its_time_or_says_that_it_did_not(tm
     while station.state.link.state is not Link.UP:
         assert clock.monotonic() < end
         clock.wait(None, clock.monotonic() + 0.02)
-    station.submit(Raw("a 0 170", CONSOLE, confirmed=True)).result(8)
+    station.submit(Raw("a 0 170", CONSOLE, confirmed=Grade.RUINS)).result(8)
     clock.wait(None, clock.monotonic() + 0.5)
     assert device.truth().moving
     began = time.monotonic()

@@ -7,6 +7,7 @@ from birdcage.base.errors import (
     Held,
     Stopped,
 )
+from birdcage.station.raw import Grade
 from birdcage.station.state import Activity
 from birdcage.station.state import Link as LinkNow
 
@@ -39,7 +40,7 @@ def test_stop_of_a_raw_motion_leaves_at_once_and_ahead_of_the_dish(bench):
 
 def test_stop_leaves_at_once_while_the_raw_motion_waits_for_its_prompt(bench):
     bench.counted()
-    future = bench.begin("a 0 100", confirmed=True)
+    future = bench.begin("a 0 100", confirmed=Grade.RUINS)
     bench.step(0.001)
     assert not future.done()
     bench.station.stop("you")
@@ -54,7 +55,7 @@ def test_stop_leaves_at_once_while_the_raw_motion_waits_for_its_prompt(bench):
 @pytest.mark.parametrize("line", ["a 0 170", "a 0 -170"])
 def test_stop_of_a_raw_motion_that_is_not_foreseen_looks_and_aims(bench, line):
     # The turn of the cable is not known: `a 0 170` from 0 goes counterclockwise, as the cable has no more room.
-    bench.type(line, confirmed=True)
+    bench.type(line, confirmed=Grade.RUINS)
     bench.step(0.5)
     before = bench.device.truth().az_deg
     bench.station.stop("you")
@@ -136,7 +137,7 @@ def test_stop_with_nothing_moving_ends_the_talk(bench):
 def test_stop_holds_back_a_motion_that_was_typed_before_it(bench):
     bench.type("a")
     since = bench.clock.monotonic()
-    future = bench.begin("a 0 200", confirmed=True)
+    future = bench.begin("a 0 200", confirmed=Grade.RUINS)
     bench.station.stop("you")
     bench.step(5)
     assert isinstance(future.exception(0), (Held, Stopped))
@@ -145,7 +146,7 @@ def test_stop_holds_back_a_motion_that_was_typed_before_it(bench):
 
 
 def test_stop_during_raw_homing_says_that_nothing_stops_it(bench):
-    homing = bench.begin("h 0", confirmed=True)
+    homing = bench.begin("h 0", confirmed=Grade.RUINS)
     bench.step(0.5)
     bench.station.stop("you")
     bench.step(0.5)
@@ -160,8 +161,8 @@ def test_stop_during_raw_homing_says_that_nothing_stops_it(bench):
 
 def test_two_raw_axes_are_both_stopped(bench):
     bench.counted()
-    bench.type("a 0 100", confirmed=True)
-    bench.type("a 1 20", confirmed=True)
+    bench.type("a 0 100", confirmed=Grade.RUINS)
+    bench.type("a 1 20", confirmed=Grade.RUINS)
     bench.step(0.1)
     bench.station.stop("you")
     bench.step(3)
@@ -175,7 +176,7 @@ def test_a_raw_motion_that_the_dish_refused_is_not_retargeted(bench):
     bench.counted()
     bench.device.board.nvram.active[102] = 50.0  # a limit that nobody told us of
     assert bench.station.judge("a 1 60").limit == ""
-    assert bench.type("a 1 60", confirmed=True).lines == ("Angle out of range.",)
+    assert bench.type("a 1 60", confirmed=Grade.RUINS).lines == ("Angle out of range.",)
     since = bench.clock.monotonic()
     bench.station.stop("you")
     bench.step(2)
@@ -206,7 +207,7 @@ def test_stop_between_the_warning_and_the_bytes_keeps_the_motion_back():
 
     bench.station._talk._effects._remark = stop
     with pytest.raises(Stopped):
-        bench.type("a 1 60", confirmed=True)
+        bench.type("a 1 60", confirmed=Grade.RUINS)
     bench.step(2)
     assert "a 1 60" not in bench.lines()
     assert bench.remarks[-1].startswith("not sent: ")

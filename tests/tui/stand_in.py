@@ -47,6 +47,9 @@ class Station:
     def judge(self, line):
         return PROTOCOL.judge(line, self.state.menu, homed=self.state.homed)
 
+    def only_asks(self, line, prompt):
+        return PROTOCOL.only_asks(line, prompt)
+
     def commands(self, menu):
         return MenuCommands(PROTOCOL).of(menu)
 

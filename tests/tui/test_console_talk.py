@@ -45,7 +45,7 @@ def test_each_hazard_names_its_consequence_before_enter_counts(homed):
             else:
                 assert "Enter again sends it" in at.words()
                 await at.press("enter")
-            assert at.raw() == [(typed, True)]
+            assert at.raw() == [(typed, verdict.grade)]
             assert at.line.value == ""
 
     desk(warn, size=(120, 36))
@@ -63,7 +63,7 @@ def test_a_change_of_the_text_or_escape_takes_the_first_enter_back():
         await at.press("enter")
         assert at.raw() == []
         await at.press("enter")
-        assert at.raw() == [("s", True)]
+        assert at.raw() == [("s", Grade.SETTING)]
 
     desk(arm)
 
@@ -88,7 +88,7 @@ def test_a_harmless_line_goes_out_at_once():
         await at.press("enter")
         return at.raw(), at.line.value
 
-    assert desk(send) == ([("a", False)], "")
+    assert desk(send) == ([("a", Grade.HARMLESS)], "")
 
 
 def test_enter_twice_asks_once():
@@ -211,4 +211,4 @@ def test_a_line_that_prints_on_says_so_and_enter_ends_it():
 
     text, raw = desk(stream)
     assert "`agc` running 3 s, Enter ends it." in text
-    assert raw == [("agc", False), ("", False)]
+    assert raw == [("agc", Grade.HARMLESS), ("", Grade.HARMLESS)]

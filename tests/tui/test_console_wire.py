@@ -201,11 +201,12 @@ async def test_another_holder_is_named_and_taken_over(at):
 async def test_a_motion_while_held_is_refused_in_words_and_comes_back(at):
     at.station.stop("you")
     await at.step(1)
-    await at.send("a 0 200", 0.4)
-    await at.press("y")
-    await at.step(1)
-    assert "# `a 0 200`: STOP is latched" in at.text()
-    assert at.line == "a 0 200"
+    since = len(at.wire)
+    await at.send("r", 0.4)
+    assert "# STOP is latched: `r` moves the dish and is not sent." in at.text()
+    assert "To take the current off the motors even so: F2, then R." in at.words()
+    assert at.line == "r"
+    assert b"r\r" not in at.went_out(since)
 
 
 @talked

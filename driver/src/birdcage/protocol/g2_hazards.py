@@ -34,10 +34,23 @@ def _rows(
     homes: tuple[int, ...] = (),
     restarts: bool = False,
     unhomed: bool = False,
+    releases: bool = False,
 ) -> tuple[Hazard, ...]:
     where = frozenset(menus.split()) if isinstance(menus, str) else menus
     return tuple(
-        Hazard(where, re.compile(pattern), grade, consequence, forgets, takes_s, streams, homes, restarts, unhomed)
+        Hazard(
+            where,
+            re.compile(pattern),
+            grade,
+            consequence,
+            forgets,
+            takes_s,
+            streams,
+            homes,
+            restarts,
+            unhomed,
+            releases,
+        )
         for pattern in patterns
     )
 
@@ -213,10 +226,11 @@ _CURRENT = (
         "mot step",
         "Puts the current on the motors: they may jerk, and after a release the dish is not where it says.", "e( .*)?",
     ),
-    *_moves(
+    *_rows(
         "mot step",
+        Grade.MOVES,
         "Takes the current off the motors: the dish may fall under its own weight, and its position is then unknown.",
-        "r( .*)?", forgets=_REFERENCE,
+        "r( .*)?", forgets=_REFERENCE, releases=True,
     ),
 )  # fmt: skip
 _MOT = (

@@ -42,6 +42,8 @@ class Verdict:
     """The axes whose reference it finds, with a motion that nothing stops."""
     restarts: bool = False
     """Whether the dish starts anew."""
+    releases: bool = False
+    """Whether it takes the current off the motors."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,6 +66,7 @@ class Hazard:
     restarts: bool = False
     unhomed: bool = False
     """Whether it holds only while an axis is not homed, or is not known to be."""
+    releases: bool = False
     loose: bool = False
     """Whether it speaks of what might be left of any line, not of a command: only in the menu that the dish is in."""
 
@@ -77,6 +80,7 @@ class Hazard:
             streams=self.streams,
             homes=self.homes,
             restarts=self.restarts,
+            releases=self.releases,
         )
 
 

@@ -12,7 +12,7 @@ from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.session import Console
 from birdcage.protocol.command_list import CommandDoc
 from birdcage.protocol.gate import MotionGate
-from birdcage.protocol.hazard import HazardTable, Verdict
+from birdcage.protocol.hazard import Grade, HazardTable, Verdict
 from birdcage.protocol.model import DishModel
 from birdcage.protocol.raw_motion import with_motion
 from birdcage.protocol.types import Position, RssiReading, Survey
@@ -153,6 +153,12 @@ class FirmwareProtocol(ABC):
         """Say what a raw line would do in a menu (None: not known). Sends nothing; any thread."""
         verdict, match = self.hazards.judge(line, menu, homed=homed)
         return with_motion(verdict, match, self.gate)
+
+    def only_asks(self, line: str, prompt: str) -> bool:
+        """Return whether a line at this prompt changes nothing but the menu, in every menu that has such a prompt."""
+        menus = [menu for menu, token in self.dialect.prompts.items() if token == prompt]
+        verdicts = [self.hazards.judge(line, menu, homed=True)[0] for menu in menus]
+        return bool(menus) and all(verdict.grade is Grade.HARMLESS for verdict in verdicts)
 
     def survey(self) -> Survey:
         """Read what the dish tells about itself; on a firmware that tells nothing, nothing is sent."""

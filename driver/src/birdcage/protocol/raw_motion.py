@@ -19,19 +19,22 @@ def with_motion(verdict: Verdict, match: re.Match[str] | None, gate: MotionGate)
     as another firmware may take it as it is written.
     """
     groups = match.groupdict() if match is not None else {}
+    for name in ("angle", "az", "el"):
+        text = groups.get(name)
+        if text is not None and not math.isfinite(_number(text)):
+            return replace(verdict, limit=f"`{text}` is not an angle: where the dish goes then is not known.")
     if groups.get("angle") is not None:
         axis, angle = int(groups["axis"]), _number(groups["angle"])
         if groups["angle"][0] in "+-":
             return replace(verdict, limit=_relative(axis, angle, gate))
-        motion = (axis, angle) if math.isfinite(angle) else None
-        return replace(verdict, limit=_limit(axis, angle, gate), motion=motion)
+        return replace(verdict, limit=_limit(axis, angle, gate), motion=(axis, angle))
     if groups.get("az") is not None:
         return replace(verdict, limit=_sentence(gate, _number(groups["az"]), _number(groups["el"])))
     return verdict
 
 
 def _number(text: str) -> float:
-    """Return the angle; NaN, which every limit refuses, for what is none."""
+    """Return the angle; NaN for what is none."""
     try:
         return float(text)
     except ValueError:
@@ -44,8 +47,8 @@ def _limit(axis: int, angle_deg: float, gate: MotionGate) -> str:
 
 def _relative(axis: int, step_deg: float, gate: MotionGate) -> str:
     position, cable_deg, cable = gate.position, gate.cable_deg, gate.cable_limits
-    if position is None or not math.isfinite(step_deg):
-        return "" if math.isfinite(step_deg) else _limit(axis, step_deg, gate)
+    if position is None:
+        return ""
     if axis != MOTOR_AZIMUTH:
         return _limit(axis, position.elevation + step_deg, gate)
     if cable is not None and cable_deg is not None:

@@ -41,10 +41,10 @@ class RawEffects:
         self._remark(text)
         self._board.tell(TranscriptLine(*self._board.stamp(), "#", text))
 
-    def announce(self, line: str, verdict: Verdict, holder: str, *, confirmed: bool) -> None:
+    def announce(self, line: str, verdict: Verdict, holder: str) -> None:
         """Mark a raw line before its bytes go out."""
         about = [verdict.grade.name]
-        if verdict.grade > Grade.HARMLESS and confirmed:
+        if verdict.grade > Grade.HARMLESS:
             about.append("confirmed")
         if not verdict.listed:
             about.append("not in the hazard table")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from birdcage.base.config import Settings
+from birdcage.protocol.hazard import Grade
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,13 +94,14 @@ class SetSpeed:
 class Raw:
     """One line for the dish's own console, exempt from the limits. Its future resolves with a `RawReply`.
 
-    It takes the lease (`console`). ConfirmationNeeded unless the line is harmless or `confirmed`; Held for a line that
-    moves the dish while STOP is latched. A line sent while another one still prints ends that one with a bare Enter.
+    It takes the lease (`console`). Held for a line that moves the dish while STOP is latched. A line sent while another
+    one still prints ends that one with a bare Enter.
     """
 
     line: str
     holder: str = "console"
-    confirmed: bool = False
+    confirmed: Grade = Grade.HARMLESS
+    """How bad a person was told that it is. ConfirmationNeeded when it is worse in the menu that the dish is in now."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -103,6 +103,10 @@ class Station:
         """Say what a raw line would do in the dish's present menu, before it is sent. Sends nothing; any thread."""
         return self._talk.judge(line)
 
+    def only_asks(self, line: str, prompt: str) -> bool:
+        """Return whether a line that went out at this prompt changes nothing but the menu. Any thread."""
+        return self._antenna.protocol.only_asks(line, prompt)
+
     def commands(self, menu: str) -> tuple[MenuCommand, ...]:
         """Return the commands of a menu: the documented ones, and what the dish has told. Any thread."""
         return self._talk.menus.of(menu)

@@ -94,7 +94,7 @@ class Talk:
         self._refuse_held(request.line, self.judge(request.line))
         menu = self._take_console(request.holder)
         verdict = self._admitted(request)
-        self._effects.announce(request.line, verdict, request.holder, confirmed=request.confirmed)
+        self._effects.announce(request.line, verdict, request.holder)
         dialect = self._protocol.console.dialect
         if request.line.strip().lower() == dialect.leave and menu != dialect.root:
             self._leave(request.line, future)
@@ -108,12 +108,13 @@ class Talk:
             asks = self.menus.asks(menu)
             told: list[str] = []
             for ask_line in asks:
-                self._effects.say(f"raw by {holder}: {ask_line} (HARMLESS)")
+                self._effects.say(f"raw by {holder}: {ask_line} (HARMLESS; asks for the list of commands)")
                 try:
                     told += self._protocol.console.exchange(ask_line, permit=lambda: self._permit(None)).lines
                 except CommandRefused:
                     if ask_line is asks[0]:
                         raise
+                    self._effects.say(f"this dish has no `{ask_line}` here: its list ends there")
             self.menus.learn(menu, told)
             self._last = self._board.clock.monotonic()
         return self.menus.of(menu)
@@ -171,8 +172,9 @@ class Talk:
     def _admitted(self, request: ask.Raw) -> Verdict:
         verdict = self.judge(request.line)
         self._refuse_held(request.line, verdict)
-        if verdict.grade > Grade.HARMLESS and not request.confirmed:
-            about = " ".join(text for text in (verdict.consequence, verdict.limit) if text)
+        if verdict.grade > request.confirmed:
+            meanwhile = "It would do worse now than what was confirmed." if request.confirmed else ""
+            about = " ".join(text for text in (meanwhile, verdict.consequence, verdict.limit) if text)
             raise ConfirmationNeeded(f"`{request.line}` was not sent. {about}")
         return verdict
 
@@ -208,7 +210,7 @@ class Talk:
         try:
             typed = console.type_line(
                 request.line, takes_s=verdict.takes_s, permit=lambda: self._permit(verdict),
-                at_root=request.confirmed and menu == console.dialect.root,
+                at_root=request.confirmed is Grade.RUINS and menu == console.dialect.root,
             )  # fmt: skip
         except BaseException as error:
             if self._antenna.motion is model:

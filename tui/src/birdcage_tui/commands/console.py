@@ -27,6 +27,10 @@ CONSOLE: tuple[Command, ...] = (
         where=WHERE,
     ),
     Command(
+        "console-polling", ("p",), "p", "Polling, every byte",
+        "Shows polling, echoes and marks of harmless lines, or folds them away again.", "Console", where=WHERE,
+    ),
+    Command(
         "console-save", ("s",), "s", "Save to a file", "Writes all lines that are kept here into a new file.",
         "Console", where=WHERE,
     ),

@@ -28,8 +28,10 @@ Ask = Callable[[str, str, str, Callable[[], None]], None]
 class Asking:
     """Knows the text in the line, what it would do, and what was said of it."""
 
-    def __init__(self, station: Station, sent: LinesSent, history: History, ask: Ask) -> None:
-        self._station, self._sent, self._ask = station, sent, ask
+    def __init__(
+        self, station: Station, sent: LinesSent, history: History, ask: Ask, say: Callable[[str], None]
+    ) -> None:
+        self._station, self._sent, self._ask, self._say = station, sent, ask, say
         self.history = history
         self.completion = Completion()
         self.text = ""
@@ -54,6 +56,9 @@ class Asking:
         if not line:
             if self._sent.under_way or holder == CONSOLE:
                 self._sent.end_line(view.now)
+            return
+        if self._is_held(view):
+            self._say(saying.held_words(line, self.verdict))
             return
 
         def take() -> None:
@@ -80,9 +85,12 @@ class Asking:
             self.armed = False
 
         def send() -> None:
+            if saying.is_worse(self._station.judge(line), verdict):
+                self._go(line, view, done)  # it was answered for something else
+                return
             self.history.add(line)
             self.armed = False
-            self._sent.send(line, verdict, view.now, confirmed=verdict.grade > Grade.HARMLESS)
+            self._sent.send(line, verdict, view.now)
             done()
 
         if saying.asks(verdict):
@@ -91,6 +99,9 @@ class Asking:
             self.armed = True
         else:
             send()
+
+    def _is_held(self, view: View) -> bool:
+        return view.state.held is not None and self.verdict.grade >= Grade.MOVES
 
     def drop(self) -> None:
         """Nobody is there any more: a line that waits for control is not sent."""
@@ -116,6 +127,8 @@ class Asking:
         verdict, commands = self.verdict, self.commands(view)
         command, offered = named(self.text, commands), matching(self.text, commands)
         usage = () if command is None else ((saying.usage_words(command), "dim"),)
+        if self._is_held(view):
+            return ((saying.held_words(self.text.strip(), verdict), "warn-row"),)
         if self.warns(view):
             again = "  Enter again sends it, Esc takes it back." if self.armed else ""
             hazard = (saying.verdict_words(verdict) + again, saying.GRADES[verdict.grade][0])

@@ -109,7 +109,8 @@ class KeysLine(Edge):
 
     LOG: Keys = (
         ("console-type", "type"), ("console-find", "find"), ("console-stamps", "times"), ("console-hex", "hex"),
-        ("console-save", "save"), ("page-console", "close"), ("console-clear", "clear"), ("console-end", "follow"),
+        ("console-polling", "polling"), ("console-save", "save"), ("page-console", "close"), ("console-clear", "clear"),
+        ("console-end", "follow"),
     )  # fmt: skip
     LINE: Keys = (
         ("console-complete", "complete"), ("console-older", "older"), ("console-recall", "recall"),

@@ -8,6 +8,8 @@ from enum import Enum
 
 HEX_WIDTHS = (16, 12, 8, 4)
 """Bytes a row; the first that fits is taken."""
+BY_BIRDCAGE = "   by birdcage"
+"""Stands after a line that nobody typed, and that is no mere question."""
 _ESCAPED = {byte: f"\\x{byte:02x}" for byte in range(256) if not 0x20 <= byte < 0x7F}
 _ESCAPED |= {0x0D: r"\r", 0x0A: r"\n", 0x09: r"\t", 0x5C: r"\\"}
 
@@ -27,6 +29,20 @@ class Stamps(Enum):
         return order[(order.index(self) + 1) % len(order)]
 
 
+class Part(Enum):
+    """What a line is in the talk."""
+
+    PLAIN = "plain"
+    YOURS = "yours"
+    """Somebody typed it."""
+    POLL = "poll"
+    """The station asks for something by itself, or hears the answer: nothing changes but the menu."""
+    ECHO = "echo"
+    """The dish repeats what was typed."""
+    MARK = "mark"
+    """The transcript's mark that a harmless line was typed."""
+
+
 @dataclass(frozen=True, slots=True)
 class Line:
     """One line that passed: `>` to the dish, `<` from it; or a remark, `#`."""
@@ -34,6 +50,7 @@ class Line:
     utc: datetime
     direction: str
     data: bytes
+    part: Part = Part.PLAIN
 
     @property
     def text(self) -> str:
@@ -51,10 +68,12 @@ class Line:
     @property
     def ink(self) -> str:
         """Its colour; the glyph says the same."""
+        if self.part in (Part.POLL, Part.ECHO, Part.MARK):
+            return "dim"
         if self.direction == "#":
-            return "dim" if self.text.endswith("(HARMLESS)") else "warn"
+            return "dim" if "(HARMLESS" in self.text else "warn"
         if self.direction == ">":
-            return "accent-strong"
+            return "accent-strong" if self.part is Part.YOURS else "accent"
         return "dim" if self.is_prompt else "text"
 
 
@@ -89,7 +108,8 @@ def rows_of(line: Line, number: int, before: Line | None, width: int, stamps: St
     """Lay a line out in rows of at most `width` columns: stamp, glyph, space, text."""
     stamp = stamp_of(line, before, stamps)
     room = max(width - len(stamp) - 2, 8)
-    pieces = _hex(line.data, room) if as_hex and line.direction != "#" else _wrapped(line.text, room)
+    by = BY_BIRDCAGE if line.direction == ">" and line.part is Part.PLAIN else ""
+    pieces = _hex(line.data, room) if as_hex and line.direction != "#" else _wrapped(line.text + by, room)
     return [
         Row(number, stamp if not index else " " * len(stamp), line.direction if not index else " ", piece, line.ink)
         for index, piece in enumerate(pieces)

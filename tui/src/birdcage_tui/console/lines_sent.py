@@ -34,12 +34,12 @@ class LinesSent:
         self.last = 0.0
         """When a line was last sent or answered, in monotonic seconds: idle time counts from here."""
 
-    def send(self, line: str, verdict: Verdict, now: float, *, confirmed: bool = False) -> None:
-        """Send a line. What fails is told with the line, so that nothing typed is lost."""
+    def send(self, line: str, verdict: Verdict, now: float) -> None:
+        """Send a line of which a person was told `verdict`. What fails is told with it: nothing typed is lost."""
         sent = Sent(line, verdict, now)
         self.under_way.append(sent)
         self.last = now
-        self._submit(Raw(line, CONSOLE, confirmed)).add_done_callback(
+        self._submit(Raw(line, CONSOLE, verdict.grade)).add_done_callback(
             lambda future: self._later(lambda: self._done(sent, future))
         )
 

@@ -20,8 +20,9 @@ class LogView(Pane, can_focus=True):
     """Draws only the rows that are seen, and sends only those that changed."""
 
     HELP = (
-        "The log: everything that passes on the wire. > went to the dish, < came from it, # is a remark. Scrolling up "
-        "stops it from following; End follows again. Space stops the dish here; in the line below it types a space."
+        "The log: everything that passes on the wire. > went to the dish, < came from it, # is a remark. Polling is "
+        "one row, and echoes are not repeated, until p shows every byte. Scrolling up stops it from following; End "
+        "follows again. Space stops the dish here; in the line below it types a space."
     )
 
     def __init__(self, kept: int = KEPT) -> None:
@@ -39,7 +40,7 @@ class LogView(Pane, can_focus=True):
     @property
     def fresh(self) -> int:
         """How many lines have come since the reader scrolled up."""
-        return 0 if self.following else self.back.taken - self._read_to
+        return 0 if self.following else self.back.told - self._read_to
 
     def add(self, lines: Sequence[Line]) -> None:
         """Take lines in; what is being read stays where it is."""
@@ -48,9 +49,9 @@ class LogView(Pane, can_focus=True):
         self.top = max(self.top - self.back.add(lines), 0)
         self._found = None
 
-    def write_as(self, *, stamps: Stamps | None = None, as_hex: bool | None = None) -> None:
+    def write_as(self, *, stamps: Stamps | None = None, as_hex: bool | None = None, folded: bool | None = None) -> None:
         """Write the lines in another way; the line at the top stays there."""
-        self._lay_out(stamps=stamps, as_hex=as_hex)
+        self._lay_out(stamps=stamps, as_hex=as_hex, folded=folded)
         self.repaint()
 
     def clear(self) -> None:
@@ -124,13 +125,16 @@ class LogView(Pane, can_focus=True):
         self.top = min(max(top, 0), last)
         self.following = self.top >= last
         if was_following and not self.following:
-            self._read_to = self.back.taken
+            self._read_to = self.back.told
         self.repaint()
 
-    def _lay_out(self, width: int | None = None, stamps: Stamps | None = None, as_hex: bool | None = None) -> None:
+    def _lay_out(
+        self, width: int | None = None, stamps: Stamps | None = None, as_hex: bool | None = None,
+        folded: bool | None = None,
+    ) -> None:  # fmt: skip
         first = self._first()
         number = self.back.rows[first].number if first < len(self.back.rows) else 0
-        self.back.lay_out(width=width, stamps=stamps, as_hex=as_hex)
+        self.back.lay_out(width=width, stamps=stamps, as_hex=as_hex, folded=folded)
         self.top, self._found = self.back.first_row(number), None
 
     # Drawing.

@@ -48,11 +48,12 @@ class ConsoleOverlay(Container):
 
     def __init__(self, shell: Shell) -> None:
         super().__init__(id="console")
-        self._shell, self._tap, self._wire = shell, shell.tap, WireLog(shell.tap)
+        self._shell, self._tap, self._wire = shell, shell.tap, WireLog(shell.tap, shell.station.only_asks)
         self._pane, self._entry, self._finder = LogView(), ConsoleInput(self.do), FindInput(self.do)
         self._head, self._hinted, self._prompt, self._keys = HeadLine(), HintLine(), PromptCell(), KeysLine()
         self._sent = LinesSent(shell.station.submit, shell.soon, self._failed)
-        self._asking = Asking(shell.station, self._sent, History(shell.settings.history_file), self._ask)
+        history = History(shell.settings.history_file)
+        self._asking = Asking(shell.station, self._sent, history, self._ask, self._remark)
         self._recalled = 0
         self._listed: str | None = None
         """The menu whose commands the dish was asked for last."""
@@ -192,6 +193,7 @@ class ConsoleOverlay(Container):
             "console-previous": lambda: log.step_match(-1),
             "console-stamps": lambda: log.write_as(stamps=log.back.stamps.next),
             "console-hex": lambda: log.write_as(as_hex=not log.back.as_hex),
+            "console-polling": lambda: log.write_as(folded=not log.back.folded),
             "console-save": self._save,
             "console-clear": log.clear,
             "console-up": lambda: log.move(-1),
@@ -277,7 +279,7 @@ class ConsoleOverlay(Container):
 
     def _failed(self, line: str, error: BaseException) -> None:
         """Say why a line was not answered, and put it back if the field is empty: nothing typed is lost."""
-        before = f"`{line}`: " if line else ""
+        before = f"`{line}`: " if line and f"`{line}`" not in str(error) else ""
         self._remark(f"{before}{error}")
         if isinstance(error, LeaseDenied):
             self._remark("Enter again asks whether to take over.")

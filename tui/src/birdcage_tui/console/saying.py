@@ -54,6 +54,18 @@ def verdict_words(verdict: Verdict) -> str:
     return f"{word}{unlisted}: {verdict.consequence}"
 
 
+def held_words(line: str, verdict: Verdict) -> str:
+    """Return why a line that moves the dish is not sent while STOP is latched, and what to do."""
+    how = " To take the current off the motors even so: F2, then R." if verdict.releases else ""
+    return f"STOP is latched: `{line}` moves the dish and is not sent. Esc, then Enter, releases STOP.{how}"
+
+
+def is_worse(verdict: Verdict, told: Verdict) -> bool:
+    """Return whether a line would do something else, and not less bad, than what a person was told."""
+    other = verdict.grade is told.grade and verdict.consequence != told.consequence
+    return verdict.grade > told.grade or other or bool(verdict.limit and not told.limit)
+
+
 def ink_of(verdict: Verdict) -> str:
     """Return the ink of the hint: a broken limit is as bad as what can ruin."""
     return "fault-row" if verdict.limit else GRADES[verdict.grade][0]

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from datetime import datetime
 
 from birdcage.station.raw import LineJoiner
 
 from birdcage_tui.console.lines import Line
+from birdcage_tui.console.sorter import OnlyAsks, Sorter
 from birdcage_tui.console.tap import WireTap
 
 PROMPT_LIMIT = 16
@@ -17,8 +17,8 @@ PROMPT_LIMIT = 16
 class WireLog:
     """Takes from the tap what came since the last look."""
 
-    def __init__(self, tap: WireTap) -> None:
-        self._tap = tap
+    def __init__(self, tap: WireTap, only_asks: OnlyAsks) -> None:
+        self._tap, self._sorter = tap, Sorter(only_asks)
         self._joiner = LineJoiner()
         self._own: list[Line] = []
         self.prompt = ""
@@ -38,8 +38,10 @@ class WireLog:
         if missed:
             words = f"{missed} events are not shown: nobody looked. The transcript file has them."
             lines.append(Line(found[0].utc if found else now, "#", words.encode()))
-        lines += [Line(event.utc, event.direction, event.data) for event in joined]
-        self._note_prompt(lines)
+        for event in joined:
+            line = Line(event.utc, event.direction, event.data)
+            lines.append(self._sorter.sort(line, self.prompt))
+            self._note_prompt(line)
         lines += self._own
         self._own = []
         return lines
@@ -48,7 +50,6 @@ class WireLog:
         """The link went: what answers next may be in another menu."""
         self.prompt = ""
 
-    def _note_prompt(self, lines: Iterable[Line]) -> None:
-        for line in lines:
-            if line.is_prompt and len(line.data) <= PROMPT_LIMIT:
-                self.prompt = line.text
+    def _note_prompt(self, line: Line) -> None:
+        if line.is_prompt and len(line.data) <= PROMPT_LIMIT:
+            self.prompt = line.text

@@ -1,0 +1,72 @@
+"""Tells who said a line: somebody at this console, the station by itself, or the dish."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import replace
+
+from birdcage_tui.console.lines import Line, Part
+
+OnlyAsks = Callable[[str, str], bool]
+"""Whether a line at a prompt changes nothing but the menu."""
+ANSWER_S = 2.0
+"""What comes later than this is no answer to a poll: a dish that restarts prints for seconds."""
+_MARK = re.compile(r"raw by [^:]+: (?P<line>.*) \((?P<grade>[A-Z]+)\b.*\)", re.DOTALL)
+"""The station's mark before the bytes of a line that somebody typed (`RawEffects.announce`)."""
+
+
+class Sorter:
+    """Reads the talk line by line. What it cannot place stays plain, and so in sight."""
+
+    def __init__(self, only_asks: OnlyAsks) -> None:
+        self._only_asks = only_asks
+        self._typed: str | None = None
+        self._sent: Line | None = None
+        """The last line that went out, until the dish has repeated it."""
+        self._polled: Line | None = None
+        self._owed = 0
+        """Prompts that the poll under way still waits for."""
+
+    def sort(self, line: Line, prompt: str) -> Line:
+        """Return the line with the part it plays; `prompt` is what the dish wrote last."""
+        if line.direction == "#":
+            part = self._remark(line)
+        elif line.direction == ">":
+            part = self._out(line, prompt)
+        else:
+            part = self._in(line)
+        return replace(line, part=part)
+
+    def _remark(self, line: Line) -> Part:
+        mark = _MARK.fullmatch(line.text)
+        if mark is None:
+            self._polled = None
+            return Part.PLAIN
+        typed = mark["line"]
+        self._typed = "" if typed == "Enter" else typed.strip()
+        return Part.MARK if line.text.endswith("(HARMLESS)") else Part.PLAIN
+
+    def _out(self, line: Line, prompt: str) -> Part:
+        self._sent, self._polled = line, None
+        said = [part.strip() for part in line.data.decode("ascii", "replace").rstrip("\r\n").split("\r")]
+        if self._typed is not None and self._typed in said:
+            self._typed = None
+            return Part.YOURS
+        if all(self._only_asks(part, prompt) for part in said):
+            self._polled, self._owed = line, line.data.count(b"\r")
+            return Part.POLL
+        return Part.PLAIN
+
+    def _in(self, line: Line) -> Part:
+        sent, self._sent = self._sent, None
+        polled = self._polled
+        if polled is not None and self._owed and (line.utc - polled.utc).total_seconds() < ANSWER_S:
+            self._owed -= line.is_prompt
+            return Part.POLL
+        self._polled = None
+        return Part.ECHO if sent is not None and _bare(sent) == _bare(line) != b"" else Part.PLAIN
+
+
+def _bare(line: Line) -> bytes:
+    return line.data.strip(b"\r\n ")
