@@ -1,5 +1,6 @@
 """F8: what its keys do, and that nothing moves before a person said that it may."""
 
+import asyncio
 from dataclasses import replace
 
 import pytest
@@ -7,6 +8,7 @@ import setup_stand_in
 import stand_in
 from birdcage.setup.case import Cause
 from birdcage.setup.engine import CLEAR_QUESTION
+from birdcage.setup.step import Choice
 from birdcage.station.requests import AcknowledgeFault, Goto, Home, Jog, Release
 from birdcage.station.state import Link, LinkState
 from birdcage_tui.dialogs import QuestionScreen
@@ -274,3 +276,45 @@ def test_without_a_port_it_says_so_and_blames_nothing():
     assert "○ NO PORT  No port is chosen yet." in text
     assert "What may be wrong" not in text
     assert "Type a port" in text
+
+
+def test_an_app_without_a_setup_says_so_and_crashes_on_no_key():
+    async def body():
+        app = stand_in.app_in("idle", setup=None, first_page="setup")
+        async with app.run_test(size=(80, 24)) as pilot:
+            await settle(app, pilot)
+            await settle(app, pilot)
+            text = stand_in.text_of(app)
+            await press(app, pilot, "enter", "s", "b", "down", "w", "w", "o", "escape")
+            return text, moved(app)
+
+    text, motions = asyncio.run(body())
+    assert "`birdcage setup` does the same steps" in " ".join(text.replace("│", " ").split())
+    assert motions == []
+
+
+def test_while_it_listens_the_causes_stay_as_they_were():
+    async def listen(app, pilot, engine):
+        before = stand_in.text_of(app)
+        engine.change("link", busy="listening at several speeds", choices=())
+        engine._causes = ()
+        await settle(app, pilot)
+        return before, stand_in.text_of(app)
+
+    before, after = run(listen, "mute", "silent", size=(120, 36))
+    assert "What may be wrong" in before
+    assert "What may be wrong" in after
+    assert "Seen: 57600: 34 bytes" in after
+
+
+def test_enter_takes_the_step_s_own_release_and_does_not_only_acknowledge():
+    async def go_on(app, pilot, engine):
+        engine.change("home", choices=(Choice("release", "enter", "I did that: go on"),))
+        await settle(app, pilot)
+        text = stand_in.text_of(app)
+        await press(app, pilot, "enter")
+        return text, engine.asked
+
+    text, asked = run(go_on, "home", "fault")
+    assert asked == [("home", "release", {})]
+    assert "Enter acknowledges the fault first" not in text

@@ -100,7 +100,7 @@ def test_w_draws_the_plug_and_w_puts_it_away(size):
 def test_a_finished_setup_says_so_and_what_comes_next():
     async def done(app, pilot, engine):
         text = " ".join(stand_in.text_of(app).replace("│", " ").split())
-        assert "Setup is finished" in text
+        assert "The setup is complete, but for Level (skipped)." in text
         assert "after each power-up" in text.lower()
         assert text.count("as answered") >= 4
 

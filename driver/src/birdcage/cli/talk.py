@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import queue
+import shutil
+import textwrap
 import threading
 from typing import TYPE_CHECKING, TextIO
 
@@ -55,7 +57,7 @@ class Talk:
 
     def run(self) -> bool:
         """Talk until the person leaves; return whether every step is done, skipped or for later."""
-        say(KEYS)
+        _tell(KEYS)
         self._wait_for_the_port()
         try:
             while True:
@@ -81,11 +83,18 @@ class Talk:
             self._said = self._shape(view)
             _say_step(view)
             if self._setup.finished:
-                say("   Nothing is left to do: q leaves.")
+                self._say_end()
         answer = self._line(f"{view.number} {view.title}> ", watch=True)
         if answer is not None:
             self._said = None
             self._answer(view, answer)
+
+    def _say_end(self) -> None:
+        """Sum up, when nothing is open: what was left out is named."""
+        skipped = [each.title for each in self._setup.steps() if each.mark is Mark.SKIPPED]
+        left = f", but for {', '.join(skipped)} (skipped)" if skipped else ""
+        _tell(f"The setup is complete{left}: q leaves, l lists all of it.", 3)
+        _tell("After each power-up home the dish: `birdcage home`, or H in the app.", 3)
 
     @staticmethod
     def _shape(view: StepView) -> object:
@@ -100,7 +109,7 @@ class Talk:
             before, self._marks[view.name] = self._marks.get(view.name), view.mark
             if before is not view.mark and view.mark in (Mark.DONE, Mark.FAILED):
                 self._dish.progress.clear()
-                say(f"{view.number} {view.title}: {view.mark.value}. {view.evidence}".rstrip())
+                _tell(f"{view.number} {view.title}: {view.mark.value}. {view.evidence}".rstrip())
 
     def _line(self, prompt: str, *, watch: bool = False) -> str | None:
         """Return what is typed; None when the step has changed meanwhile and `watch` is set."""
@@ -133,12 +142,14 @@ class Talk:
                 case _:
                     self._choose(view, word or "enter")
         except BirdcageError as error:
-            say(str(error))
+            _tell(str(error))
 
     def _choose(self, view: StepView, key: str) -> None:
         choice = next((each for each in view.choices if key in (each.key, each.name)), None)
         if choice is None:
-            say("There is no such answer here." if view.choices else "There is nothing to answer here yet: wait.")
+            keys = ", ".join(_key(each) for each in view.choices)
+            _tell(f"There is no such answer here: {keys}." if keys else "There is nothing to answer here yet: wait.")
+            self._said = self._shape(view)  # what can be answered stands just above
             return
         if choice.moves and not self._setup.area_clear and not self._cleared():
             say("Nothing was moved.")
@@ -149,7 +160,7 @@ class Talk:
     def _cleared(self) -> bool:
         from birdcage.setup.engine import CLEAR_QUESTION
 
-        say(CLEAR_QUESTION)
+        _tell(CLEAR_QUESTION)
         if (self._line("yes or no> ") or "").lower() not in ("y", "yes"):
             return False
         self._setup.clear()
@@ -173,11 +184,22 @@ def _line_of(view: StepView) -> str:
 
 def _say_step(view: StepView) -> None:
     say("")
-    say(_line_of(view))
+    _tell(_line_of(view), hang=29)
     for words in view.words:
-        say(f"   {words}")
+        _tell(words, 3)
     for choice in view.choices:
-        say(f"   {_key(choice):6} {choice.label}{' (moves the dish)' if choice.moves else ''}")
+        _tell(f"{_key(choice):6} {choice.label}{' (moves the dish)' if choice.moves else ''}", 3, hang=10)
+
+
+def _tell(text: str, indent: int = 0, *, hang: int | None = None) -> None:
+    """Say a sentence, wrapped where the terminal ends; further lines begin at column `hang`."""
+    width = max(shutil.get_terminal_size().columns - 1, 40)
+    first = " " * indent
+    rest = first if hang is None else " " * hang
+    for line in textwrap.wrap(
+        text, width, initial_indent=first, subsequent_indent=rest, break_long_words=False, break_on_hyphens=False
+    ):
+        say(line)
 
 
 def _key(choice: Choice) -> str:

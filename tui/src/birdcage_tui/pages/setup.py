@@ -48,6 +48,10 @@ class SetupPage(SetupBody):
     def do_step(self) -> None:
         """Release first, then go to the step that is looked at, then take its main answer."""
         state = self.host.station.state
+        main = next((choice for choice in self.answers() if choice.key == "enter"), None)
+        if main is not None and main.name == "release":
+            self.take(main, typed=False)
+            return
         if state.fault is not None or state.held is not None:
             self.host.action_command("release")
             return
@@ -55,14 +59,13 @@ class SetupPage(SetupBody):
             self.limits_asked = True
             self.host.action_command("release")
             return
-        main = next((choice for choice in self.answers() if choice.key == "enter"), None)
         if main is not None:
             self.take(main, typed=False)
         elif self.step.busy:
             self.remark(f"Wait: {self.step.busy}.")
         else:
-            keys = ", ".join(choice.key for choice in self.answers())
-            self.remark(f"This step has no answer for Enter: press {keys}." if keys else "Nothing to do here now.")
+            keys = " or ".join(choice.key for choice in self.answers())
+            self.remark(f"Enter does nothing here: press {keys}." if keys else "Nothing to do here now.")
 
     def look(self, by: int) -> None:
         """Look at another step; the wiring scrolls instead while it fills the page."""
@@ -161,7 +164,7 @@ class SetupPage(SetupBody):
                 self.engine.clear()
                 then()
             else:
-                self.remark("Nothing was moved.")
+                self.remark("Nothing was moved: only y says that the area is clear.")
 
         self.app.push_screen(QuestionScreen("Is the area clear?", CLEAR_QUESTION, "it is clear: go on"), answered)
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import cast
 
 from birdcage.setup.case import Cause
-from birdcage.setup.step import Choice, StepView
+from birdcage.setup.step import Choice, Mark, StepView
 from textual.app import ComposeResult
 from textual.containers import Vertical, VerticalScroll
 from textual.widgets import Input
@@ -14,6 +15,7 @@ from textual.widgets import Input
 from birdcage_tui.pages.page import Page
 from birdcage_tui.panes.pointing import PointingPane
 from birdcage_tui.settings import Place
+from birdcage_tui.setup.absent import AbsentSetup
 from birdcage_tui.setup.causes import told_apart
 from birdcage_tui.setup.engine import SetupEngine, SetupHost
 from birdcage_tui.setup.extra import ExtraPane, Kind, kind_for
@@ -29,10 +31,7 @@ HAND_STEPS = ("north", "first")
 """Steps at which a person may want to move the dish by hand."""
 HIDDEN_S = 1.0
 """Between two looks at what is under way, whatever page is seen."""
-FINISHED = (
-    "Setup is finished: every step is done, skipped or for later. 1 shows the sky, 2 moves the dish by hand.",
-    "Any step can be done again: look at it with the arrows, then Enter. After each power-up the dish has to be homed.",
-)
+AGAIN = "Any step can be done again: look at it with the arrows, then Enter. After each power-up home the dish."
 
 
 class SetupBody(Page):
@@ -77,8 +76,7 @@ class SetupBody(Page):
     def on_mount(self) -> None:
         """Make the engine, and look at its present step."""
         make = self.host.settings.setup
-        assert make is not None, "the page is only made with an engine behind it"
-        self.engine: SetupEngine = make()
+        self.engine: SetupEngine = AbsentSetup() if make is None else make()
         self.views = self.engine.steps()
         self.follow()
         self.set_interval(HIDDEN_S, self.go_on)
@@ -193,6 +191,9 @@ class SetupBody(Page):
 
     def _find_causes(self, view: View) -> None:
         """Take the causes of silence; with others, the walk begins anew."""
+        link = next(step for step in self.views if step.name == "link")
+        if link.busy and self.causes:
+            return  # what it was before, until there is something new to tell: nothing jumps meanwhile
         causes = self.engine.causes() if view.state.port else ()
         if [cause.title for cause in causes] != [cause.title for cause in self.causes]:
             self.chosen = 0
@@ -220,9 +221,12 @@ class SetupBody(Page):
             self._busy = (step.name, view.now)
         kind = kind_for(step.name, mute=bool(self.causes), wiring_asked=self.wiring, wide=self.wide)
         extra = self.query_one("#setup-extra", ExtraPane)
-        told, extra.seen = step, ""
-        if kind is Kind.CAUSES:
-            words, extra.seen = told_apart(step, self.causes, view.state.link.detail)
+        told = step
+        if kind is not Kind.CAUSES:
+            extra.seen = ""
+        else:
+            words, seen = told_apart(step, self.causes, view.state.link.detail)
+            extra.seen = extra.seen if step.busy else seen
             told = replace(step, words=words)
         self.query_one(StepWords).telling = Telling(
             told,
@@ -230,8 +234,8 @@ class SetupBody(Page):
             None if self._busy is None else view.now - self._busy[1],
             wrong=self.wrong,
             whole=kind is not Kind.CAUSES and not step.busy and self.query_one("#setup-steps", StepsPane).cuts(step),
-            news=FINISHED if present and self.engine.finished else (),
-            extra=_asides(step, view) if present else (),
+            news=_finished(self.views) if present and self.engine.finished and not step.busy else (),
+            extra=_asides(self.answers(), step, view) if present else (),
             note=self.note,
         )
         extra.kind, extra.causes, extra.chosen, extra.place = kind, self.causes, self.chosen, view.settings.place
@@ -239,9 +243,18 @@ class SetupBody(Page):
         extra.firmware = None if dish is None else dish.firmware
 
 
-def _asides(step: StepView, view: View) -> tuple[str, ...]:
+def _finished(views: Sequence[StepView]) -> tuple[str, ...]:
+    """Sum up a setup in which nothing is open: what was left out is named."""
+    skipped = [step.title for step in views if step.mark is Mark.SKIPPED]
+    left = f", but for {', '.join(skipped)} (skipped)" if skipped else ""
+    return (f"The setup is complete{left}. 1 shows the sky, 2 moves the dish by hand.", AGAIN)
+
+
+def _asides(answers: Sequence[Choice], step: StepView, view: View) -> tuple[str, ...]:
     """Return what the page itself has to add to a step."""
     state = view.state
+    if any(choice.name == "release" and choice.key == "enter" for choice in answers):
+        return ()
     if state.fault is not None:
         return ("Enter acknowledges the fault first; after that it does the step.",)
     if state.held is not None:

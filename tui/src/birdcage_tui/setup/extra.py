@@ -16,7 +16,7 @@ from birdcage_tui.setup.compass import draw_compass
 from birdcage_tui.view import View
 
 COMPASS_STEPS = ("direction", "place", "north", "first")
-WIRED_STEPS = ("link", "dish")
+WIRED_STEPS = ("link",)
 
 
 class Kind(Enum):

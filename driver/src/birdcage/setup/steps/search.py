@@ -41,7 +41,8 @@ class SearchStep(Step):
         """Say what the dish says, and where the backup is."""
         state, kept = self.bench.state, self.bench.kept(self.name)
         if self.written:
-            return "saved as off; waits for the dish to be switched off and on"
+            waits = "in force once you go on" if self._restarted else "waits for the dish to be switched off and on"
+            return f"saved as off; {waits}"
         if self.proven is False:
             told = state.readings["nvs.20"].value
             return f"on: NVS 20 is {told}; the dish moves by itself after power-up"
@@ -66,6 +67,8 @@ class SearchStep(Step):
             if self.bench.is_up:
                 return ("The dish has started anew, as it should. Go on.",)
             return ("The dish was switched on and is starting. Wait until it answers: that may take minutes.",)
+        if self.gone and self.bench.is_up:
+            return ("Asking the dish whether it is in force: some seconds.", *self.trouble())
         if not self.bench.is_up:
             return ("It does not answer now: it is off, or starting. Switched on, it may take minutes to answer.",)
         return ("Now switch the dish off and on (12 V), and wait until it has started.", *self.trouble())
