@@ -127,3 +127,18 @@ def test_in_16_colours_nothing_that_is_read_vanishes(look):
     for name in ("warn-row", "fault-row"):
         if look.name != "night":
             assert in_16(look.inks[name].bgcolor) != in_16(look.inks["text"].bgcolor), name
+
+
+@pytest.mark.parametrize(
+    ("environ", "underlined"),
+    [({"NO_COLOR": "1"}, True), ({"TERM": "xterm-16color", "COLORTERM": ""}, True), ({"TERM": "linux"}, True),
+     ({"TERM": "xterm-256color"}, False)],
+    ids=str,
+)  # fmt: skip
+def test_a_text_field_can_be_told_from_the_page_where_its_ground_cannot(environ, underlined, monkeypatch):
+    monkeypatch.delenv("COLORTERM", raising=False)
+    monkeypatch.setattr("rich.console.Console.is_terminal", True)
+    for name, value in environ.items():
+        monkeypatch.setenv(name, value)
+    assert bool(style_of(rows("idle", "g"), "nter goes there").underline) is underlined
+    assert bool(style_of(rows("idle", "g", "q", "q"), "qq").underline) is underlined

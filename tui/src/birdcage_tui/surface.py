@@ -47,6 +47,8 @@ class Surface(App[None]):
         self._glyph_filter = GlyphFilter(settings.glyphs)
         self._attribute_filter = attributes.AttributeFilter(self._look)
         self._colourless = attributes.wanted(os.environ)
+        # The ground of a text field cannot be told from that of the page there.
+        self.set_class(self._colourless or self.console.color_system in (None, "standard"), "-few-colours")
 
     def _look(self) -> Look:
         return LOOKS.get(self.theme, LOOKS[DEFAULT])

@@ -40,6 +40,13 @@ def digit_rows(width: int, height: int, words: int) -> int:
     return 1 if spare >= 1 else 0
 
 
+def whole(words: str, width: int) -> str:
+    """Return as many whole sentences as fit; of a first one that does not, as much of it as does."""
+    while len(words) > width and ". " in words:
+        words = words[: words.rindex(". ") + 1]
+    return words if len(words) <= width else f"{words[: width - 2]} …"
+
+
 class PocketReading(Pane):
     """Angles as large as there is room for; under them what is wrong, or what it does and what STOP can do."""
 
@@ -67,7 +74,7 @@ class PocketReading(Pane):
             cable_gauge(cells, cable_y, view)
         if not wrong and y < cable_y:
             said = "" if view.moving else calm(view)
-            cells.put(1, y, (said or stop_text(view))[: cells.width - 2], "text" if view.moving else "dim")
+            cells.put(1, y, whole(said or stop_text(view), cells.width - 2), "text" if view.moving else "dim")
 
     def _wrong(self, cells: Cells, view: View, y: int, ink: str, rows: list[str]) -> int:
         """Write what is wrong over the whole width; a press does what it asks for."""

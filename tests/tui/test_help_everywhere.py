@@ -1,0 +1,79 @@
+"""`?` lists what holds where the focus is, each row can be chosen, and no command is left without a mouse target."""
+
+import pytest
+from birdcage_tui.commands import COMMANDS, PAGES, in_force
+from birdcage_tui.footer import KeyBar
+from birdcage_tui.help import HelpScreen
+from places import Place, at, settle
+from textual.widgets import Input, OptionList
+
+POCKET = (40, 12)
+SCOPES = {
+    **{(f"f{number}",): (name,) for number, (name, _, _) in enumerate(PAGES, 1)},
+    ("f2", "n"): ("digits", "control"),
+    ("f2", "p"): ("presets", "control"),
+    ("f5", "i"): ("console-input", "console"),
+    ("f5", "slash"): ("console-find", "console"),
+    ("f2", "f5"): ("console",),
+}
+"""The keys that lead to each set of scopes, and these, from the focus outward."""
+POCKET_SCOPES = ("pocket",)
+
+
+async def open_help(app, pilot):
+    """Open it by its key; while one types, by a click in the footer."""
+    if isinstance(app.focused, Input):
+        bar = app.query_one(KeyBar)
+        spot = next(region for region, command in bar.hot if command == "help")
+        await pilot.click(bar, offset=(spot.x + 1, 0))
+    else:
+        await pilot.press("question_mark")
+    await settle(app, pilot)
+    assert isinstance(app.screen, HelpScreen)
+    return app.screen.query_one(OptionList)
+
+
+async def chosen_in(app, pilot, rows):
+    """Choose every row with the arrows and Enter, and return what was told to be done."""
+    chosen = []
+    app.screen.dismiss = chosen.append
+    count = sum(not rows.get_option_at_index(index).disabled for index in range(rows.option_count))
+    rows.action_first()
+    for _ in range(count):
+        rows.action_select()
+        rows.action_cursor_down()
+    await settle(app, pilot)
+    return chosen
+
+
+@pytest.mark.parametrize(
+    ("keys", "scopes", "size"),
+    [(keys, scopes, (80, 24)) for keys, scopes in SCOPES.items()] + [((), POCKET_SCOPES, POCKET)],
+    ids=str,
+)
+def test_help_shows_what_holds_and_does_each_and_the_footer_begins_with_stop(keys, scopes, size, tmp_path):
+    async def read(app, pilot, _):
+        assert app.view().scopes == scopes
+        holds = [command.name for command in in_force(scopes)]
+        if size != POCKET:
+            typing = isinstance(app.focused, Input)
+            bar = app.query_one(KeyBar)
+            text = "".join(segment.text for segment in bar._strips[0])
+            assert text.startswith("  Ctrl+C STOP" if typing else "  Space STOP"), "the footer begins with STOP"
+            assert bar.hot[0][1] == "stop"
+        rows = await open_help(app, pilot)
+        shown = [rows.get_option_at_index(index).id for index in range(rows.option_count)]
+        assert [name for name in shown if name is not None] == holds
+        assert await chosen_in(app, pilot, rows) == holds
+        del app.screen.dismiss
+        await pilot.press("home", "enter")
+        await settle(app, pilot)
+        assert app.station.stops == ["you"], "the first row is STOP"
+        assert app.view().scopes == scopes, "the focus is where it was"
+
+    at(Place("", keys), tmp_path, read, state="idle", size=size)
+
+
+def test_every_command_is_in_some_help_and_so_has_a_mouse_target():
+    listed = {command for scopes in (*SCOPES.values(), POCKET_SCOPES) for command in in_force(scopes)}
+    assert listed == set(COMMANDS)
