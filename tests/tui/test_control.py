@@ -244,3 +244,32 @@ def test_the_columns_fill_the_width_and_nothing_is_squeezed_away(width, height):
         assert found.readout + hands + 2 + 3 <= inside, "a row of presets and their keys"
     else:
         assert found.readout + hands + 2 <= inside
+
+
+@pytest.mark.parametrize("size", [(120, 36), (160, 48)], ids=str)
+def test_what_was_done_stands_once_and_what_was_done_before_it_has_its_own_pane(size):
+    async def tell(app, pilot):
+        app.say("The first.")
+        app.session.clock.advance(5.0)
+        app.say("The second.")
+        await pilot.pause()
+        return stand_in.text_of(app).splitlines()
+
+    rows = run(tell, size=size)
+    assert "12:00:05Z  The second." in rows[-2]
+    assert sum("The second." in row for row in rows) == 1
+    assert sum("12:00:00Z  The first." in row for row in rows) == (size[0] >= 160)
+
+
+def test_a_sentence_is_dated_when_it_was_said_and_not_when_the_page_was_opened():
+    async def tell(app, pilot):
+        await pilot.press("f1")
+        app.say("Said on the dashboard.")
+        app.session.clock.advance(60.0)
+        await pilot.press("f2")
+        await pilot.pause()
+        app.paint()
+        await pilot.pause()
+        return stand_in.text_of(app).splitlines()[-2]
+
+    assert "12:00:00Z  Said on the dashboard." in run(tell)

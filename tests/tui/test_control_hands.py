@@ -167,7 +167,7 @@ def test_stow_is_grey_unless_the_feed_allows_it(size):
         style = next(s.style for strip in pane._strips for s in strip if "stow" in s.text)
         await pilot.press("W")
         await pilot.pause()
-        return style == pane.inks["dim"], len(app.screen_stack), stand_in.text_of(app)
+        return style == pane.inks["bar-dim"], len(app.screen_stack), stand_in.text_of(app)
 
     dim, screens, text = run(press, size=size)
     assert dim
@@ -267,38 +267,6 @@ def test_a_speed_out_of_range_is_told_its_range(typed, asked, says):
     assert screens == (2 if says else 1)
 
 
-@pytest.mark.parametrize("key", ["space", "ctrl+c"])
-@pytest.mark.parametrize("size", [(80, 24), (120, 36)], ids=str)
-def test_stop_from_everything_that_can_have_the_focus(key, size, kept):
-    async def everywhere(app, pilot):
-        await pilot.press("p")
-        focusable = [widget for widget in app.screen.query("ControlPage *") if widget.focusable]
-        assert {"rose", "digits", "presets"} <= {widget.id for widget in focusable}
-        for number, widget in enumerate(focusable, 1):
-            app.set_focus(widget)
-            await pilot.pause()
-            await pilot.press(key)
-            assert len(app.station.stops) == number, widget
-
-    run(everywhere, "slewing", size, presets_file=kept)
-
-
-@pytest.mark.parametrize("opens", [["E"], ["R"], ["W"], ["v"], ["a"], ["p", "e"], ["slash"], ["g"]], ids=str)
-def test_stop_in_each_dialog_and_field_of_the_page(opens, kept):
-    async def dialog(app, pilot):
-        await pilot.press(*opens)
-        await pilot.pause()
-        await pilot.press("ctrl+c")
-        assert app.station.stops == ["you"]
-        typing = isinstance(app.focused, Input)
-        await pilot.press("space")
-        assert app.station.stops == ["you"] * (1 if typing else 2)
-        await pilot.press("escape")  # it moves: Esc stops first
-        assert len(app.station.stops) == (2 if typing else 3)
-
-    run(dialog, "slewing", state={"stow_allowed": True}, presets_file=kept)
-
-
 def test_enter_releases_what_is_held_even_in_the_list(kept):
     async def enter(app, pilot):
         await pilot.press("p", "enter")
@@ -314,3 +282,13 @@ def test_help_speaks_of_what_has_the_focus(kept):
         return " ".join(stand_in.text_of(app).split())
 
     assert "Enter turns the dish there" in run(ask, size=(160, 60), presets_file=kept)
+
+
+def test_esc_leads_from_the_digits_back_to_the_rose():
+    async def leave(app, pilot):
+        await pilot.press("n")
+        before = app.focused.id
+        await pilot.press("escape")
+        return before, app.focused.id
+
+    assert run(leave) == ("digits", "rose")

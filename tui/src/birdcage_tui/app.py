@@ -74,8 +74,8 @@ class BirdcageApp(Shell):
         return deeds.get(name)
 
     def say(self, words: str) -> None:
-        """Put a sentence into row 2, where the calm line is."""
-        self._note = words
+        """Tell what was done, or why not, in one sentence."""
+        self.note(words)
         self.paint()
 
     def ask(self, request: Request) -> None:

@@ -39,13 +39,16 @@ class Pane(Widget):
         raise NotImplementedError
 
     def button(self, cells: Cells, x: int, y: int, command: str, view: View, text: str = "") -> int:
-        """Write a command as its key and a word, clickable; dim while it is refused. Return the column after it."""
+        """Write a command as its key and a word on one ground, clickable; dim while it is refused.
+
+        Return the column in which the next one may begin.
+        """
         known = BY_NAME[command]
         dim = known.refused(view) is not None
         start = x
         x = cells.put(x, y, f" {known.shown} ", "bar-dim" if dim else "key")
-        x = cells.put(x, y, text or known.title, "dim" if dim else "text") + 1
-        self.heat(start, y, x - start - 1, command)
+        x = cells.put(x, y, f"{text or known.title} ", "bar-dim" if dim else "bar")
+        self.heat(start, y, x - start, command)
         return x + 1
 
     def heat(self, x: int, y: int, width: int, command: str) -> None:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from birdcage.base.errors import BirdcageError
-from birdcage.station.events import Event, MoveEnded, ReadingRead
+from birdcage.station.events import End, Event, MoveEnded, ReadingRead
 from birdcage.station.requests import Unwatch, Watch
 from textual import events, on
 from textual.app import ComposeResult
@@ -35,7 +35,7 @@ from birdcage_tui.status import BadDayRow, TopRow
 from birdcage_tui.stopping import focused_widget, is_stop_key, stop_first
 from birdcage_tui.surface import Surface
 from birdcage_tui.tour import Tour
-from birdcage_tui.view import Sample, View
+from birdcage_tui.view import Sample, Told, View
 from birdcage_tui.words import ended_text
 
 if TYPE_CHECKING:
@@ -46,6 +46,7 @@ if TYPE_CHECKING:
 LISTEN_S = 0.4
 """Between two looks at how long the dish has been silent."""
 KEPT_SAMPLES = 2000
+KEPT_WORDS = 64
 POCKET_TALL = 20
 """From so many rows on the pocket view's buttons are three rows tall."""
 
@@ -82,6 +83,8 @@ class Shell(Surface):
         """Where the go-to line would lead, while one types into it."""
         self._signal: deque[Sample] = deque(maxlen=KEPT_SAMPLES)
         self._note = ""
+        self._told: deque[Told] = deque(maxlen=KEPT_WORDS)
+        """What the last commands did, the newest last."""
         self._tour = Tour(self.station.submit)
         if not self.settings.tour:
             self._tour.end()
@@ -142,6 +145,14 @@ class Shell(Surface):
 
     # What is seen.
 
+    def note(self, words: str) -> None:
+        """Show what a command did, and keep it with the time; nothing shows nothing, and the same again is one."""
+        self._note = words
+        if self._told and self._told[-1].words == words:
+            self._told.pop()
+        if words:
+            self._told.append(Told(self.session.clock.utc(), words))
+
     def view(self) -> View:
         """Return what one frame shows, now."""
         clock, crash = self.session.clock, self.session.crash
@@ -160,6 +171,7 @@ class Shell(Surface):
             typing=isinstance(focused_widget(lambda: self.focused), Input),
             presets=self.presets.entries,
             aim=self.aim,
+            told=tuple(self._told),
         )
 
     def paint(self) -> None:
@@ -202,8 +214,8 @@ class Shell(Surface):
         event = message.event
         if isinstance(event, ReadingRead) and event.feature == "rssi":
             self._signal.append(Sample(event.at, float(event.value)))
-        if isinstance(event, MoveEnded):
-            self._note = ended_text(event)
+        if isinstance(event, MoveEnded) and event.end is not End.SUPERSEDED:  # the newer one ends, too
+            self.note(ended_text(event))
         self._changed()
 
     def on_resize(self, event: events.Resize) -> None:
@@ -251,7 +263,7 @@ class Shell(Surface):
     async def _show_console(self, then: str | None) -> None:
         """Slide the console over the page, or away again; with `then`, one of its commands, it stays."""
         if self._folded:
-            self._note = "The console needs 80x24: make the terminal larger."
+            self.note("The console needs 80x24 or more.")
             self.paint()
             return
         if self.sheet is None:
@@ -289,7 +301,7 @@ class Shell(Surface):
                 if not self._folded:
                     self._arrive(pages)
         if self._folded:
-            self._note = "Pages need 80x24: make the terminal larger."
+            self.note("Pages need 80x24 or more.")
             then = None
         self._watch()
         self.call_after_refresh(self.paint)
@@ -370,7 +382,7 @@ class Shell(Surface):
             stopped = any(event is other for other in self.stopped_keys) or self.stop_key(event)
             self.end_tour()
             if stopped:
-                self._note = "STOP."
+                self.note("STOP.")
                 self._changed()
                 return
         await super().on_event(event)

@@ -28,6 +28,14 @@ class Sample:
 
 
 @dataclass(frozen=True, slots=True)
+class Told:
+    """What a command did, in one sentence, and when."""
+
+    utc: datetime
+    words: str
+
+
+@dataclass(frozen=True, slots=True)
 class View:
     """One frame. Pure data: everything drawn follows from it."""
 
@@ -55,6 +63,8 @@ class View:
     """Directions with names."""
     aim: tuple[float, float] | None = None
     """Where the go-to line would lead, while one types into it; true degrees."""
+    told: Sequence[Told] = ()
+    """What the last commands did, the newest last: `note`, unless that was cleared since."""
 
     @property
     def position_age_s(self) -> float | None:

@@ -166,7 +166,8 @@ def calm(view: View) -> str:
         return view.tour
     if view.state.link.state is Link.OPENING:
         return f"Opening {view.state.port}. {view.state.link.detail}".rstrip()
-    return view.note or view.settings.notice or _standing(view)
+    told = "" if "control" in view.scopes else view.note  # the page's own last row tells it there
+    return told or view.settings.notice or _standing(view)
 
 
 def _standing(view: View) -> str:

@@ -33,23 +33,22 @@ class ActionsPane(Pane):
 
     def draw(self, cells: Cells, view: View) -> None:
         """Write them."""
-        across = 4 if cells.width >= 42 else 2
-        if across == 4:
-            taken = sum(len(word) + 3 for _, word in BUTTONS)
-            gap, x = min((cells.width - 2 - taken) // 3, 4), 1
+        wide = cells.width >= 42
+        left = 1 if wide else 0
+        if wide:
+            x = left
             for command, word in BUTTONS:
-                self.button(cells, x, 0, command, view, word)
-                x += len(word) + 3 + gap
+                x = self.button(cells, x, 0, command, view, word)
         else:
             for index, (command, word) in enumerate(BUTTONS):
-                self.button(cells, 1 + index % 2 * (cells.width - 2) // 2, index // 2, command, view, word)
-        y = 4 // across
+                self.button(cells, left + index % 2 * 12, index // 2, command, view, word)
+        y = 1 if wide else 2
         words = speeds_text(view)
         dish = view.state.dish
         if dish is not None and not dish.has_speeds:
-            cells.put(1, y, words if len(words) < cells.width else words.removeprefix("this "), "dim")
+            cells.put(left, y, words if len(words) < cells.width else words.removeprefix("this "), "dim")
         else:
-            self.button(cells, 1, y, "speeds", view, words)
+            self.button(cells, left, y, "speeds", view, words)
         reason = BY_NAME["stow"].refused(view)
         if reason is not None and cells.height > y + 1:
-            cells.put(1, y + 1, cut(reason, cells.width - 2), "dim")
+            cells.put(left, y + 1, cut(reason, cells.width - 2), "dim")

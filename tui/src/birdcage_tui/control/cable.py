@@ -32,7 +32,8 @@ class CablePane(Pane):
             self._unknown(cells, limits, view)
             return
         left, right = max(0.0, turn - limits[0]), max(0.0, limits[1] - turn)
-        head, tail = f"cable CCW {left:3.0f}° left ", f" CW {right:3.0f}° left"
+        name = "" if cells.height > 2 else "cable "  # its frame names it
+        head, tail = f"{name}CCW {left:3.0f}° left ", f" CW {right:3.0f}° left"
         start, width = 1 + len(head), cells.width - 2 - len(head) - len(tail)
         if width < 12:
             return
@@ -74,11 +75,23 @@ class CablePane(Pane):
 
     @staticmethod
     def _unknown(cells: Cells, limits: tuple[float, float], view: View) -> None:
-        cells.put(1, 0, "cable ", "dim")
-        cells.put(7, 0, "▕" + "▨" * max(cells.width - 10, 0) + "▏", "line")
-        words = "turn unknown" if view.waiting or not view.link_up else "turn unknown: H homes the dish and counts it"
-        cells.put(8, 1, words, "dim" if view.waiting else "warn")
-        cells.right(cells.width - 1, 1, f"{limits[0]:+.0f}° to {limits[1]:+.0f}°", "dim")
+        """Hatch the whole track: the stops are known, where the cable stands between them is not."""
+        waiting = view.waiting or not view.link_up
+        words = "turn unknown" if waiting else "turn unknown: H homes the dish and counts it"
+        ink = "dim" if view.waiting else "warn"
+        framed = cells.height > 2
+        start = 1 if framed else 7
+        if not framed:
+            cells.put(1, 0, "cable", "dim")
+        cells.put(start, 0, "▕" + "▨" * max(cells.width - start - 3, 0) + "▏", "line")
+        low, high = f"{limits[0]:+.0f}°", f"{limits[1]:+.0f}°"
+        cells.put(start, 1, low, "dim")
+        cells.right(cells.width - 1, 1, high, "dim")
+        room = cells.width - start - len(low) - len(high) - 3
+        if framed:
+            cells.put(1, 2, words, ink)
+        elif len(words) <= room:
+            cells.put(start + len(low) + 2, 1, words, ink)
 
     @staticmethod
     def _words(cells: Cells, view: View, turn: float, there: float | None, limits: tuple[float, float]) -> None:

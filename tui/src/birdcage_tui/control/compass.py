@@ -23,7 +23,7 @@ class Compass:
     @property
     def middle(self) -> tuple[float, float]:
         """The hub, in dots."""
-        return float(self.width // 2 * 2 + 0.5), float(self.height * 2)
+        return float(self.width // 2 * 2 + 0.5), float(self.height * 2 + 0.5)
 
     def dot(self, az_deg: float, part: float = 1.0) -> tuple[float, float]:
         """Return the dot in a direction, at a part of the radius."""

@@ -17,6 +17,8 @@ from birdcage_tui.view import View
 
 UNDER_DEG = 3.0
 """A target nearer than this lies under the needle: its ray would only break it."""
+WORDS, ROOM = 2, 12
+"""Rows that the limits in words take over the quarter; from how many rows on they are written."""
 QUIET = ("faint", "line", "dim")
 
 
@@ -30,13 +32,14 @@ class Quarter:
     @property
     def radius(self) -> float:
         """Dots from the hub to the arc."""
-        return max(4.0, min(self.width * 2 - 10, self.height * 4 - 8))
+        over = WORDS * 4 if self.height >= ROOM else 0
+        return max(4.0, min(self.width * 2 - 10, self.height * 4 - 8 - over))
 
     @property
     def hub(self) -> tuple[float, float]:
-        """The hub: the arc stands in the middle of the height."""
+        """The hub: the arc stands in the middle of what the words over it leave."""
         left = max(2.0, (self.width * 2 - 8 - self.radius) / 2)
-        return left, (self.height * 4 + self.radius) / 2
+        return left, min(self.height * 4 - 2.5, (self.height * 4 + self.radius) / 2 + WORDS * 2)
 
     def dot(self, el_deg: float, part: float = 1.0) -> tuple[float, float]:
         """Return the dot at an elevation, at a part of the radius."""
@@ -141,24 +144,20 @@ class ElevationPane(Pane):
             for el_deg in (0, 30, 60, 90):
                 x, y = quarter.cell(el_deg, 1 + 4 / quarter.radius)
                 text = f"{el_deg}"
-                x = min(x + 1, cells.width - len(text)) if el_deg < 90 else x - 1
-                if cells.free(x, y, len(text) + 1):
+                x = min(x + 1, cells.width - len(text)) if el_deg < 90 else max(x - 1, 0)
+                if cells.free(x, y, len(text)):
                     cells.put(x, y, text, "dim")
 
     @staticmethod
     def _limits(cells: Cells, quarter: Quarter, view: View) -> None:
-        """Say how far it is to ceiling and floor, where there is room over and under the quarter."""
+        """Say how far it is to ceiling and floor, where there is room over the quarter."""
         state, position = view.state, view.state.position
-        room = math.floor((quarter.hub[1] - quarter.radius) / 4)
-        if room < 3:
+        if quarter.height < ROOM:
             return
-        for y, name, limit in (
-            (0, "ceiling", state.el_max_deg),
-            (quarter.height - 1, "floor", state.el_min_deg),
-        ):
-            away = "" if limit is None or position is None else f", {abs(limit - position.el_deg):.1f}° off"
-            words = f"{name} --.-" if limit is None else f"{name} {limit:.1f}°"
-            words += away if len(words) + len(away) <= cells.width else ""
+        for y, name, limit in ((0, "ceiling", state.el_max_deg), (1, "floor", state.el_min_deg)):
+            words = f"{name:<8}" + (" --.-" if limit is None else f"{limit:5.1f}°")
+            if limit is not None and position is not None and cells.width >= 23:
+                words += f" {abs(limit - position.el_deg):4.1f}° off"
             cells.put(max((cells.width - len(words)) // 2, 0), y, words, "dim")
 
     def on_click(self, event: events.Click) -> None:

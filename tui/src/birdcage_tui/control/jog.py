@@ -19,19 +19,20 @@ class JogPane(Pane):
         narrow = cells.width < 28
         x = 0 if narrow else 1
         for command, glyph in ARROWS:
-            dim = BY_NAME[command].refused(view) is not None
-            cells.put(x, 0, f" {glyph} ", "bar-dim" if dim else "key")
-            self.heat(x, 0, 3, command)
-            x += 4
+            x = self._key(cells, x, command, glyph, view) + (0 if narrow else 1)
+        x += 1 if narrow else 2
         shown = f"{view.step_deg:g}" if narrow else f"step {view.step_deg:g}°"
-        middle = 4 if narrow else 12
-        cells.put(x, 0, " - ", "key")
-        self.heat(x, 0, 3, "step-down")
-        cells.put(x + 3, 0, f"{shown:^{middle}}", "accent-strong")
-        cells.put(x + 3 + middle, 0, " + ", "key")
-        self.heat(x + 3 + middle, 0, 3, "step-up")
+        middle = 5 if narrow else 12
+        x = self._key(cells, x, "step-down", "-", view)
+        x = cells.put(x, 0, f"{shown:^{middle}}", "accent-strong")
+        self._key(cells, x, "step-up", "+", view)
         if cells.height > 1:
             x = 1
             for step in STEPS_DEG:
                 text = f"{step:g}".replace("0.", ".")
-                x = cells.put(x, 1, f" {text} ", "accent-row" if step == view.step_deg else "dim")
+                x = cells.put(x, 1, f"{text:>3} ", "accent-row" if step == view.step_deg else "dim")
+
+    def _key(self, cells: Cells, x: int, command: str, glyph: str, view: View) -> int:
+        dim = BY_NAME[command].refused(view) is not None
+        self.heat(x, 0, 3, command)
+        return cells.put(x, 0, f" {glyph} ", "bar-dim" if dim else "key")

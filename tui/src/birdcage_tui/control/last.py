@@ -1,27 +1,54 @@
-"""The last row: what the last command did."""
+"""The last row: what the last command did. Where there is room: what those before it did, too."""
 
 from __future__ import annotations
 
+import textwrap
+
 from birdcage_tui.canvas import Cells
 from birdcage_tui.commands.table import can_move
+from birdcage_tui.control.actions import cut
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
+
+TIME = 11
+"""Columns that the time of a command takes, with the gap after it."""
+
+EMPTY = "What the last command did stands in the row at the bottom; what those before it did, here."
 
 
 class LastLine(Pane):
     """One sentence with the time of the command, or what to do first."""
 
-    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
-        super().__init__(id=id)
-        self._note = self._at = ""
-
     def draw(self, cells: Cells, view: View) -> None:
-        """Write it."""
-        if view.note != self._note:
-            self._note, self._at = view.note, f"{view.utc:%H:%M:%S}Z"
-        if view.note:
-            x = cells.put(1, 0, f"{self._at}  ", "dim")
-            cells.put(x, 0, view.note[: max(cells.width - x - 1, 0)], "text")
+        """Write it; the time gives way to a long sentence."""
+        if view.note and view.told:
+            last, x = view.told[-1], 1
+            if len(last.words) + TIME + 2 <= cells.width:
+                x = cells.put(1, 0, f"{last.utc:%H:%M:%S}Z", "dim") + 2
+            cells.put(x, 0, cut(last.words, cells.width - x - 1), "text")
         else:
             hint = f"Arrows or hjkl step {view.step_deg:g}°, g goes to a direction, Tab goes on to the digits."
-            cells.put(1, 0, (can_move(view) or hint)[: max(cells.width - 2, 0)], "dim")
+            cells.put(1, 0, cut(can_move(view) or hint, cells.width - 2), "dim")
+
+
+class LogPane(Pane):
+    """What the commands before that one did, the latest first."""
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.border_title = "Earlier"
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Write as many as there is room for."""
+        earlier = view.told[:-1] if view.note else view.told
+        if not earlier:
+            for y, row in enumerate(textwrap.wrap(EMPTY, max(cells.width - 2, 10))):
+                cells.put(1, y, row, "dim")
+        y = 0
+        for told in reversed(earlier):
+            cells.put(1, y, f"{told.utc:%H:%M:%S}Z", "dim")
+            for row in textwrap.wrap(told.words, max(cells.width - TIME - 2, 10)):
+                cells.put(1 + TIME, y, row, "text")
+                y += 1
+            if y >= cells.height:
+                return

@@ -23,23 +23,29 @@ class Sizes:
     jog: int
     actions: int
     cable: int
+    upper: int = 0
+    """Height of elevation and hands, over the presets; 0 where the presets take turns with them."""
+    log: int = 0
+    """Width of the log beside the presets; 0 where there is no room for one."""
 
 
 def sizes(width: int, height: int) -> Sizes:
-    """Return the sizes: the rose fills its height, the elevation takes half as much, words get the rest."""
+    """Return the sizes: the rose fills its height; beside it elevation and hands, and under both the presets."""
     roomy = width >= ROOMY[0] and height >= ROOMY[1]
     cable = (3 if height >= 26 else 2) + FRAME if roomy else 2
     top = height - cable - 1
-    right = (57 if width >= 150 else 44) if roomy else 28
-    left = width - right
     least = 24 if width >= 120 else 18
     rows = top - FRAME - ROWS
-    rose = max(min(rows * 2 + 4 + FRAME, left - least), 20)
-    elevation = max(min(left - rose, rows + 12), least)
     if not roomy:
-        inside = top - FRAME
-        return Sizes(False, rose, left - rose, inside - 7, 3, 1, 3, cable)
-    tall = top >= 36
-    if top >= 25:
-        return Sizes(True, rose, elevation, (8 if tall else 6) + FRAME, 3, 2, 3, cable)
-    return Sizes(True, rose, elevation, 6 + FRAME, 3, 1, 2, cable)
+        left = width - 28
+        rose = max(min(rows * 2 + 4 + FRAME, left - least), 20)
+        return Sizes(False, rose, left - rose, top - FRAME - 7, 3, 1, 3, cable)
+    rose = max(min(rows * 2 + 4 + FRAME, width - 44 - least), 20)
+    side = width - rose
+    right = 57 if side >= 57 + 40 else 44
+    readout = (8 if top >= 36 and right == 57 else 6) + FRAME
+    digits, jog, actions = (4, 3, 4) if top >= 36 else (3, 2, 3) if top >= 25 else (3, 1, 2)
+    upper = readout + digits + jog + actions + FRAME
+    return Sizes(
+        True, rose, side - right, readout, digits, jog, actions, cable, upper, side - right if side >= 80 else 0
+    )

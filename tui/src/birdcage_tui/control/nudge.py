@@ -27,7 +27,8 @@ class DigitsPane(Pane, can_focus=True):
 
     HELP = (
         "Left and right choose a digit of the target, up and down step it. "
-        "Each step is a jog of that size, within the limits."
+        "Each step is a jog of that size, within the limits. "
+        "Esc goes back to the rose."
     )
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
@@ -47,16 +48,15 @@ class DigitsPane(Pane, can_focus=True):
         aimed = az is not None and el is not None
         if not aimed and position is not None:
             az, el = position.az_deg, position.el_deg
-        wide = 2 if cells.width >= 36 else 1
-        x_az = 8
-        x_el = x_az + 6 * wide + (5 if wide == 2 else 4)
-        cells.put(1, 1, "target" if aimed else "from", "target" if aimed else "dim")
+        wide = cells.width >= 36
+        left, x_az, x_el = (1, 12, 25) if wide else (0, 7, 17)
+        cells.put(left, 1, "target" if aimed else "now", "target" if aimed else "dim")
         numbers = (("---.--" if az is None else angle_text(az, 3)), ("--.--" if el is None else angle_text(el, 2)))
-        for x, number in zip((x_az, x_el), numbers, strict=True):
-            for index, char in enumerate(number):
-                cells.put(x + index * wide, 1, char, "strong")
-            cells.put(x + (len(number) - 1) * wide + 1, 1, "°", "dim")
-        self._columns = tuple((x_az if index < 4 else x_el) + at * wide for index, at in enumerate(AT))
+        for x, name, number in zip((x_az, x_el), ("az", "el"), numbers, strict=True):
+            if wide:
+                cells.put(x - 3, 1, name, "dim")
+            cells.put(cells.put(x, 1, number, "strong"), 1, "°", "dim")
+        self._columns = tuple((x_az if index < 4 else x_el) + at for index, at in enumerate(AT))
         for index, x in enumerate(self._columns):
             here = index == self.cursor and self.has_focus
             cells.put(x, 0, "▲", "accent-strong" if here else "dim")
@@ -95,6 +95,12 @@ class DigitsPane(Pane, can_focus=True):
     def on_blur(self) -> None:
         """Hide the cursor."""
         self.call_later(self._again)
+
+    def on_key(self, event: events.Key) -> None:
+        """Esc goes back to the rose (the app has stopped the dish first, if it could move)."""
+        if event.key == "escape":
+            event.stop()
+            self.screen.set_focus(self.screen.query_one("#rose"))
 
     def on_click(self, event: events.Click) -> None:
         """Choose the digit in that column; above or below it, step it too."""

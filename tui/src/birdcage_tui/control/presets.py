@@ -21,6 +21,7 @@ from birdcage_tui.view import View
 
 KEYS = (("preset-go", "go"), ("preset-add", "add"), ("preset-edit", "edit"), ("preset-delete", "del"),
         ("preset-filter", "find"), ("preset-undo", "undo"))  # fmt: skip
+EMPTY = "No direction has a name yet. a keeps the one in which the dish points."
 
 
 class PresetsPane(Pane, can_focus=True):
@@ -69,17 +70,17 @@ class PresetsPane(Pane, can_focus=True):
         shown = self.shown(view)
         self.cursor = min(self.cursor, max(len(shown) - 1, 0))
         self._rows = []
-        bottom = self._keys(cells, view)
-        y = 0
         problem = cast(Host, self.app).presets.problem
-        if problem and view.presets:
+        if not view.presets:
+            words = f"▲ {problem}" if problem else EMPTY
+            below = len(self._wrapped(cells, words, cells.height)) + 1
+            bottom = self._keys(cells, view, below)
+            self._words(cells, 0, words, "warn" if problem else "dim", bottom)
+            return
+        bottom, y = self._keys(cells, view, cells.height), 0
+        if problem:
             y = self._words(cells, y, f"▲ {problem}", "warn", min(3, bottom - 1))
-        elif problem:
-            y = self._words(cells, y, f"▲ {problem}", "warn", bottom)
-        elif not view.presets:
-            words = "No direction has a name yet. a keeps the one in which the dish points."
-            self._words(cells, 0, words, "dim", bottom)
-        elif not shown:
+        if not shown:
             self._words(cells, 0, f'No name or note has "{self.filter}" in it. / changes that.', "dim", bottom)
         room = max(bottom - y, 0)
         self._top = min(max(self._top, self.cursor - room + 1), self.cursor)
@@ -105,32 +106,37 @@ class PresetsPane(Pane, can_focus=True):
             cells.put(2 + name_width + 1 + len(angles) + 2, y, note, "dim")
         self._rows.append((Region(0, y, cells.width, 1), index))
 
-    def _keys(self, cells: Cells, view: View) -> int:
-        """Write the keys from the bottom, and return the row in which they begin."""
+    def _keys(self, cells: Cells, view: View, below: int) -> int:
+        """Write the keys from the bottom, or as high as row `below`; return the row in which they begin."""
         rows: list[list[tuple[str, str]]] = [[]]
-        x = 0
+        x = 1
         deleted = cast(Host, self.app).presets.deleted
         for command, word in KEYS:
             if command == "preset-undo" and not deleted:
                 continue
-            length = len(BY_NAME[command].shown) + 3 + len(word)
+            if not view.presets and command not in ("preset-add", "preset-undo"):
+                continue
+            length = len(BY_NAME[command].shown) + 4 + len(word)
             if x + length > cells.width and rows[-1]:
                 rows.append([])
-                x = 0
+                x = 1
             rows[-1].append((command, word))
             x += length
-        top = max(cells.height - len(rows), 0)
+        top = max(min(cells.height - len(rows), below), 0)
         for y, row in enumerate(rows, top):
-            x = 0
+            x = 1
             for command, word in row:
-                x = self.button(cells, x, y, command, view, word) - 1
+                x = self.button(cells, x, y, command, view, word)
         return top
 
     @staticmethod
-    def _words(cells: Cells, y: int, words: str, ink: str, rows: int) -> int:
+    def _wrapped(cells: Cells, words: str, rows: int) -> list[str]:
+        return textwrap.wrap(words, max(cells.width - 2, 10), max_lines=rows, placeholder=" …")
+
+    def _words(self, cells: Cells, y: int, words: str, ink: str, rows: int) -> int:
         if rows <= 0:
             return y
-        for line in textwrap.wrap(words, max(cells.width - 2, 10), max_lines=rows, placeholder=" …"):
+        for line in self._wrapped(cells, words, rows):
             cells.put(1, y, line, ink)
             y += 1
         return y

@@ -6,6 +6,7 @@ import textwrap
 
 from birdcage_tui.canvas import Cells
 from birdcage_tui.digits import angle_text, put_big, width_of
+from birdcage_tui.goto_text import wind_of
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
 from birdcage_tui.words import age_text, motion_text, stop_text
@@ -37,7 +38,8 @@ class ReadoutPane(Pane):
         y = rows
         if cells.height >= rows + 3:
             true = view.state.az_offset_deg or view.state.el_offset_deg
-            cells.put(1, y, "azimuth true" if true else "azimuth", "dim")
+            name = "azimuth true" if true else "azimuth"
+            cells.put(1, y, name if position is None else f"{name}  {wind_of(position.az_deg)}", "dim")
             cells.put(start_el, y, "elevation", "dim")
             self._age(cells, start_el + 10, y, view)
             y += 1
@@ -49,10 +51,12 @@ class ReadoutPane(Pane):
         put_big(cells, 1 + width_of("0"), 3, el + "°", ink)
         cells.put(right + 1, 0, "az", "dim")
         cells.put(right + 1, 3, "el", "dim")
-        age_s = view.position_age_s
+        age_s, position = view.position_age_s, view.state.position
         if age_s is not None and view.stale:
             cells.put(right + 1, 1, age_text(age_s), "warn")
             cells.put(right + 1, 2, "old", "warn")
+        elif position is not None:
+            cells.put(right + 1, 1, wind_of(position.az_deg), "dim")
         self._words(cells, 6, view)
 
     @staticmethod

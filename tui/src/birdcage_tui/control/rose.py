@@ -14,7 +14,6 @@ from birdcage_tui.control.needle import draw_needle
 from birdcage_tui.control.reach import cable_limits
 from birdcage_tui.control.tape import ROWS, draw_tape
 from birdcage_tui.control.unknown import why_unknown
-from birdcage_tui.goto_text import wind_of
 from birdcage_tui.host import Host
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
@@ -144,7 +143,7 @@ class RosePane(Pane, can_focus=True):
 
     @staticmethod
     def _words(cells: Cells, compass: Compass, view: View) -> None:
-        """Say in the corners which wind it is and what the second needle is; in the middle, why there is no needle."""
+        """Say in the corners what the second needle is and which preset this is; in the middle why there is none."""
         state, position = view.state, view.state.position
         if position is None:
             rows = why_unknown(view)
@@ -154,7 +153,6 @@ class RosePane(Pane, can_focus=True):
                 y = compass.height // 2 - len(rows) // 2 + offset
                 cells.put(x, y, text, "dim" if view.waiting or offset else "warn-strong")
             return
-        cells.put(0, 0, wind_of(position.az_deg), "dim")
         if state.az_offset_deg:
             cells.put(0, compass.height - 1, f"dish {position.dish_az_deg:.1f}°", "dim")
         named = next((p.name for p in view.presets if abs(shortest_turn(p.az_deg, position.az_deg)) < 0.5), "")

@@ -78,6 +78,8 @@ def _marks(cells: Cells, y: int, centre: float, a_degree: float, off_deg: float 
     words = f"✕ {abs(off_deg):.2f}°"
     if abs(off_deg) < 0.005:
         words = "✕ there"
+    if len(words) + 2 >= width - width // 2:
+        words = words[2:]  # it would run into the pointer
     if 0 <= column < width:
         cells.put(column, y, "✕", "target-strong")
         if width >= 28:

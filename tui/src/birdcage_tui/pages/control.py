@@ -17,7 +17,7 @@ from birdcage_tui.control.actions import ActionsPane
 from birdcage_tui.control.cable import CablePane
 from birdcage_tui.control.elevation import ElevationPane
 from birdcage_tui.control.jog import JogPane
-from birdcage_tui.control.last import LastLine
+from birdcage_tui.control.last import LastLine, LogPane
 from birdcage_tui.control.layout import sizes
 from birdcage_tui.control.nudge import DigitsPane
 from birdcage_tui.control.presets import PresetsBox, PresetsPane
@@ -33,25 +33,25 @@ class ControlPage(Page):
 
     DEFAULT_CSS = """
     ControlPage { layout: vertical; }
-    ControlPage #control-top { height: 1fr; }
-    ControlPage RosePane, ControlPage ElevationPane, ControlPage #control-right { border: round $line; height: 1fr;
-        border-title-color: $dim; border-title-style: none; border-subtitle-color: $dim; }
-    ControlPage RosePane:focus { border: round $focus; border-title-color: $foreground; }
-    ControlPage #control-right { width: 1fr; }
+    ControlPage #control-top, ControlPage #control-side, ControlPage #control-upper { height: 1fr; }
+    ControlPage #control-side, ControlPage #control-right, ControlPage PresetsBox { width: 1fr; }
+    ControlPage #control-lower { height: 1fr; display: none; }
+    ControlPage RosePane, ControlPage ElevationPane, ControlPage #control-right, ControlPage PresetsBox,
+    ControlPage LogPane { border: round $line; height: 1fr; border-title-color: $dim; border-title-style: none;
+        border-subtitle-color: $dim; }
+    ControlPage RosePane:focus, ControlPage PresetsBox:focus-within { border: round $focus;
+        border-title-color: $foreground; }
     ControlPage #control-hands { height: auto; }
-    ControlPage PresetsBox { height: 1fr; display: none; }
     ControlPage PresetsPane { height: 1fr; }
     ControlPage PresetsBox Input, ControlPage PresetsBox Input:focus { height: 1; border: none; padding: 0 1;
         background: $panel; }
     ControlPage LastLine { height: 1; }
-    ControlPage.-listing #control-hands, ControlPage.-listing ReadoutPane { display: none; }
-    ControlPage.-listing PresetsBox { display: block; }
+    ControlPage.-listing #control-upper { display: none; }
+    ControlPage.-listing #control-lower, ControlPage.-roomy #control-lower { display: block; }
     ControlPage.-roomy #control-right { border: none; }
-    ControlPage.-roomy ReadoutPane, ControlPage.-roomy CablePane, ControlPage.-roomy #control-hands,
-    ControlPage.-roomy PresetsBox { border: round $line; border-title-color: $dim; border-title-style: none;
-        border-subtitle-color: $dim; display: block; }
-    ControlPage.-roomy #control-hands:focus-within, ControlPage.-roomy PresetsBox:focus-within {
-        border: round $focus; border-title-color: $foreground; }
+    ControlPage.-roomy ReadoutPane, ControlPage.-roomy CablePane, ControlPage.-roomy #control-hands {
+        border: round $line; border-title-color: $dim; border-title-style: none; border-subtitle-color: $dim; }
+    ControlPage.-roomy #control-hands:focus-within { border: round $focus; border-title-color: $foreground; }
     """
     RATE_HZ = 2.0
     FIRST_FOCUS = "#rose"
@@ -60,17 +60,21 @@ class ControlPage(Page):
         """The parts, from the top left."""
         with Horizontal(id="control-top"):
             yield RosePane(id="rose")
-            yield ElevationPane(id="elevation")
-            with Vertical(id="control-right") as right:
-                right.border_title = "Command"
-                yield ReadoutPane(id="readout")
-                with Vertical(id="control-hands") as hands:
-                    hands.border_title = "Command"
-                    yield DigitsPane(id="digits")
-                    yield JogPane(id="jog")
-                    yield ActionsPane(id="actions")
-                with PresetsBox(id="presets-box") as box:
-                    box.border_title = "Presets"
+            with Vertical(id="control-side"):
+                with Horizontal(id="control-upper"):
+                    yield ElevationPane(id="elevation")
+                    with Vertical(id="control-right") as right:
+                        right.border_title = "Command"
+                        yield ReadoutPane(id="readout")
+                        with Vertical(id="control-hands") as hands:
+                            hands.border_title = "Command"
+                            yield DigitsPane(id="digits")
+                            yield JogPane(id="jog")
+                            yield ActionsPane(id="actions")
+                with Horizontal(id="control-lower"):
+                    yield LogPane(id="log")
+                    with PresetsBox(id="presets-box") as box:
+                        box.border_title = "Presets"
         yield CablePane(id="cable")
         yield LastLine(id="last")
 
@@ -85,6 +89,9 @@ class ControlPage(Page):
             ("#cable", found.cable),
         ):  # fmt: skip
             self.query_one(name).styles.height = height
+        self.query_one("#control-upper").styles.height = found.upper or "1fr"
+        log = self.query_one(LogPane)
+        log.display, log.styles.width = found.log > 0, found.log
         self._face()
 
     def on_descendant_focus(self, _: events.DescendantFocus) -> None:
@@ -99,13 +106,11 @@ class ControlPage(Page):
         box, focused = self.query_one(PresetsBox), self.screen.focused
         listing = focused is not None and box in focused.ancestors and not self.has_class("-roomy")
         self.set_class(listing, "-listing")
-        right = self.query_one("#control-right")
-        faces = (
-            "Presets" if listing else "Command",
-            "" if self.has_class("-roomy") else "Esc back" if listing else "p presets",
-        )
-        if (right.border_title, right.border_subtitle or "") != faces:  # setting them repaints, equal or not
-            right.border_title, right.border_subtitle = faces
+        roomy = self.has_class("-roomy")
+        for part, words in ((self.query_one("#control-right"), "" if roomy else "p presets"),
+                            (box, "Esc back" if listing else "")):  # fmt: skip
+            if (part.border_subtitle or "") != words:  # setting it repaints, equal or not
+                part.border_subtitle = words
 
     @property
     def host(self) -> Host:
