@@ -68,10 +68,11 @@ class HelpScreen(Dialog[str | None]):
         group = ""
         for command in in_force(self._view.scopes):
             if command.group != group:
+                options.append(Option(Text(f"\n{command.group}" if options else command.group, "bold"), disabled=True))
                 group = command.group
-                options.append(Option(Text(group, "bold underline"), disabled=True))
             options.append(Option(line_of(command, self._view, width), id=command.name))
-        options.append(Option(Text(f"Always\n{ALWAYS}"), disabled=True))
+        options.append(Option(Text("\nAlways", "bold"), disabled=True))
+        options.append(Option(Text(ALWAYS), disabled=True))
         return options
 
     def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:

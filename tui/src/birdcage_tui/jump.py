@@ -6,11 +6,12 @@ from dataclasses import dataclass
 
 from textual import events
 from textual.app import ComposeResult
-from textual.geometry import Region
+from textual.geometry import Offset, Region
 from textual.screen import Screen
 from textual.widget import Widget
 from textual.widgets import Static
 
+from birdcage_tui.commands import BY_NAME
 from birdcage_tui.dialogs import Dialog
 from birdcage_tui.pane import Pane
 from birdcage_tui.status import TopRow
@@ -27,6 +28,19 @@ class Target:
     region: Region
     widget: Widget
     command: str | None = None
+
+    @property
+    def cap(self) -> int:
+        """Columns of its label: as many as the key that it lies on."""
+        shown = BY_NAME[self.command].shown if self.command in BY_NAME else ""
+        return min(max(len(shown) + 2, 3), max(self.region.width, 3))
+
+
+def _corner(widget: Widget) -> Offset:
+    """Return where its frame begins, which may be that of the box that it fills: there it covers no words."""
+    framed = next((each for each in (widget, widget.parent) if isinstance(each, Widget) and each.styles.border_top[0]),
+                  widget)  # fmt: skip
+    return framed.region.offset
 
 
 def targets(screen: Screen[object]) -> tuple[Target, ...]:
@@ -59,8 +73,9 @@ class JumpScreen(Dialog[Target | None]):
         """A label at the corner of each target."""
         yield TopRow()
         for letter, place in self._places.items():
-            label = Static(f" {letter} ", classes="jump", markup=False)
-            label.absolute_offset = place.region.offset
+            label = Static(f"{letter:^{place.cap}}", classes="jump", markup=False)
+            label.absolute_offset = place.region.offset if place.command else _corner(place.widget)
+            label.styles.width = place.cap
             yield label
 
     def on_key(self, event: events.Key) -> None:

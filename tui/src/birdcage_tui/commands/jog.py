@@ -12,15 +12,15 @@ DIRECTIONS = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "up": (0.0, 1.0), "down"
 
 JOG = (
     Command(
-        "left", ("left", "h"), "← h", "Step counterclockwise", "One step of azimuth, counterclockwise.", "Jog",
+        "left", ("left", "h"), "← h", "Step counterclockwise", "Azimuth by one step.", "Jog",
         can_move, where=WHERE,
     ),
     Command(
-        "right", ("right", "l"), "→ l", "Step clockwise", "One step of azimuth, clockwise.", "Jog", can_move,
+        "right", ("right", "l"), "→ l", "Step clockwise", "Azimuth by one step.", "Jog", can_move,
         where=WHERE,
     ),
-    Command("up", ("up", "k"), "↑ k", "Step up", "One step of elevation, up.", "Jog", can_move, where=WHERE),
-    Command("down", ("down", "j"), "↓ j", "Step down", "One step of elevation, down.", "Jog", can_move, where=WHERE),
+    Command("up", ("up", "k"), "↑ k", "Step up", "Elevation by one step.", "Jog", can_move, where=WHERE),
+    Command("down", ("down", "j"), "↓ j", "Step down", "Elevation by one step.", "Jog", can_move, where=WHERE),
     Command(
         "step-down", ("minus",), "-", "Smaller step", "From 10° down to 0.01°.", "Jog", where=WHERE,
     ),
