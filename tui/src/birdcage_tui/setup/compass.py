@@ -10,7 +10,7 @@ from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.settings import Place
 from birdcage_tui.view import View
 
-LEAST_HEIGHT, MOST_HEIGHT = 9, 25
+LEAST_HEIGHT, MOST_HEIGHT = 9, 37
 WORDS = 24
 
 

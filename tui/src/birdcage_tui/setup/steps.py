@@ -17,6 +17,8 @@ from birdcage_tui.view import View
 TITLE_WIDTH = 15
 LABEL_WIDTH = 7 + TITLE_WIDTH
 """Of a row, before its evidence."""
+ROOMY = 50
+"""Rows from which two blank ones stand between the steps."""
 
 
 class StepsPane(Pane):
@@ -53,7 +55,11 @@ class StepsPane(Pane):
                 self._row(cells, len(self._at), row)
                 self._at.append(row.first)
             return
-        gap = 1 if sum(len(block) for block in blocks) + 2 * len(blocks) - 1 <= cells.height else 0
+        rows = sum(1 + len(block) for block in blocks)
+        between = len(blocks) - 1
+        gap = 2 if cells.height >= ROOMY else 1
+        while gap and rows + gap * between > cells.height:
+            gap -= 1
         for row, block in zip(self._rows, blocks, strict=True):
             y = len(self._at)
             self._head(cells, y, row.first)
