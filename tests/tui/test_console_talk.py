@@ -3,11 +3,12 @@
 from concurrent.futures import Future
 
 import pytest
-from birdcage.base.errors import Held, LeaseDenied
+from birdcage.base.errors import ConfirmationNeeded, Held, LeaseDenied
 from birdcage.station.raw import CONSOLE, Grade
 from birdcage.station.requests import AcquireLease, ReleaseLease, Watch
 from birdcage_tui.dialogs import QuestionScreen
 from console_desk import desk
+from stand_in import PROTOCOL
 
 HAZARDS = [
     ("root", "q"), ("root", "reboot"), ("root", "stow"), ("os", "reboot"), ("a3981", "reset"), ("adc", "scan"),
@@ -20,35 +21,89 @@ HAZARDS = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize("homed", [True, False], ids=["homed", "unhomed"])
-def test_each_hazard_names_its_consequence_before_enter_counts(homed):
+UNHOMED = [
+    each for each in HAZARDS
+    if PROTOCOL.judge(each[1], each[0], homed=True) != PROTOCOL.judge(each[1], each[0], homed=False)
+]  # fmt: skip
+"""Those that are worse while the dish is not homed."""
+
+
+@pytest.mark.parametrize(("homed", "hazards"), [(True, HAZARDS), (False, UNHOMED)], ids=["homed", "unhomed"])
+def test_each_hazard_names_its_consequence_before_enter_counts(homed, hazards):
     async def warn(at):
         await at.press("i")
-        for menu, typed in HAZARDS:
+        assert len(hazards) >= 5
+        for menu, typed in hazards:
             at.app.station.asked.clear()
             at.state(holder=CONSOLE, menu=menu, homed=homed)
             at.line.value = typed
-            await at.look()
+            await at.pilot.pause()
+            at.app.paint()
             verdict = at.app.station.judge(typed)
             assert verdict.grade > Grade.HARMLESS, typed
             assert verdict.consequence in at.words()
             assert verdict.limit in at.words()
-            await at.press("enter")
-            await at.look()
+            await at.pilot.press("enter")
             assert at.raw() == [], f"the first Enter sends nothing: {typed}"
             if verdict.grade >= Grade.MOVES or verdict.limit:
                 assert isinstance(at.app.screen, QuestionScreen)
                 assert verdict.consequence in at.words()
-                await at.press("enter")
-                assert at.raw() == [], f"Enter is no answer: {typed}"
-                await at.press("enter", "y")
+                await at.pilot.press("y")
             else:
                 assert "Enter again sends it" in at.words()
-                await at.press("enter")
+                await at.pilot.press("enter")
             assert at.raw() == [(typed, verdict.grade)]
             assert at.line.value == ""
 
     desk(warn, size=(120, 36))
+
+
+def test_enter_is_no_answer_to_the_question():
+    async def enter(at):
+        at.state(holder=CONSOLE, menu="mot")
+        await at.type("r")
+        await at.press("enter", "enter", "enter")
+        return at.raw()
+
+    assert desk(enter) == []
+
+
+def test_a_line_that_is_worse_by_the_time_it_is_confirmed_is_asked_about_anew():
+    async def worse(at):
+        at.state(holder=CONSOLE, menu="mot", homed=True)
+        await at.type("a 0 200")
+        await at.press("enter")
+        at.state(homed=False)
+        await at.press("y")
+        sent = at.raw()
+        await at.look()
+        words = at.words()
+        await at.press("y")
+        return sent, words, at.raw()
+
+    sent, words, after = desk(worse)
+    assert sent == []
+    assert "Send a 0 200" in words
+    assert "CAN RUIN" in words
+    assert after == [("a 0 200", Grade.RUINS)]
+
+
+def test_what_the_station_sends_back_as_worse_returns_to_the_line_and_is_not_sent_by_itself():
+    async def refused(at):
+        at.state(holder=CONSOLE, menu="mot")
+        failed = Future()
+        submit, at.app.sheet._sent._submit = at.app.sheet._sent._submit, lambda request: failed
+        await at.type("a")
+        await at.press("enter")
+        failed.set_exception(ConfirmationNeeded("`a` was not sent. It would do worse now."))
+        at.app.sheet._sent._submit = submit
+        await at.pilot.pause()
+        return await at.look(), at.line.value, at.raw()
+
+    text, value, sent = desk(refused)
+    assert "# `a` was not sent. It would do worse now." in text
+    assert value == "a"
+    assert sent == []
 
 
 def test_a_change_of_the_text_or_escape_takes_the_first_enter_back():

@@ -39,6 +39,8 @@ class Part(Enum):
     """The station asks for something by itself, or hears the answer: nothing changes but the menu."""
     ECHO = "echo"
     """The dish repeats what was typed."""
+    WARNING = "warning"
+    """A remark that wants to be read: of a line that is not harmless, or of something that failed."""
     MARK = "mark"
     """The transcript's mark that a harmless line was typed."""
 
@@ -71,7 +73,7 @@ class Line:
         if self.part in (Part.POLL, Part.ECHO, Part.MARK):
             return "dim"
         if self.direction == "#":
-            return "dim" if "(HARMLESS" in self.text else "warn"
+            return "warn" if self.part is Part.WARNING else "text"
         if self.direction == ">":
             return "accent-strong" if self.part is Part.YOURS else "accent"
         return "dim" if self.is_prompt else "text"

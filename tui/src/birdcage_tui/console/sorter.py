@@ -45,6 +45,8 @@ class Sorter:
             return Part.PLAIN
         typed = mark["line"]
         self._typed = "" if typed == "Enter" else typed.strip()
+        if mark["grade"] != "HARMLESS":
+            return Part.WARNING
         return Part.MARK if line.text.endswith("(HARMLESS)") else Part.PLAIN
 
     def _out(self, line: Line, prompt: str) -> Part:
@@ -53,7 +55,7 @@ class Sorter:
         if self._typed is not None and self._typed in said:
             self._typed = None
             return Part.YOURS
-        if all(self._only_asks(part, prompt) for part in said):
+        if all(not part or self._only_asks(part, prompt) for part in said):
             self._polled, self._owed = line, line.data.count(b"\r")
             return Part.POLL
         return Part.PLAIN

@@ -6,7 +6,7 @@ from datetime import datetime
 
 from birdcage.station.raw import LineJoiner
 
-from birdcage_tui.console.lines import Line
+from birdcage_tui.console.lines import Line, Part
 from birdcage_tui.console.sorter import OnlyAsks, Sorter
 from birdcage_tui.console.tap import WireTap
 
@@ -26,7 +26,7 @@ class WireLog:
 
     def remark(self, text: str, utc: datetime) -> None:
         """Put a sentence of this console's own among the lines."""
-        self._own.append(Line(utc, "#", text.encode()))
+        self._own.append(Line(utc, "#", text.encode(), Part.WARNING))
 
     def take(self, now: datetime) -> list[Line]:
         """Return the lines that are new, in order."""
@@ -37,7 +37,7 @@ class WireLog:
         lines = []
         if missed:
             words = f"{missed} events are not shown: nobody looked. The transcript file has them."
-            lines.append(Line(found[0].utc if found else now, "#", words.encode()))
+            lines.append(Line(found[0].utc if found else now, "#", words.encode(), Part.WARNING))
         for event in joined:
             line = Line(event.utc, event.direction, event.data)
             lines.append(self._sorter.sort(line, self.prompt))

@@ -1,0 +1,84 @@
+"""Who said a line: what is folded away as polling, and what never is."""
+
+from datetime import UTC, datetime, timedelta
+
+from birdcage_tui.console.lines import Line, Part
+from birdcage_tui.console.scrollback import Scrollback
+from birdcage_tui.console.sorter import Sorter
+from console_desk import desk
+from stand_in import PROTOCOL
+
+START = datetime(2026, 3, 20, 12, tzinfo=UTC)
+
+
+def sorted_parts(*lines, prompt="MOT>"):
+    sorter = Sorter(PROTOCOL.only_asks)
+    return [sorter.sort(Line(START + timedelta(seconds=second), way, data), prompt).part for second, way, data in lines]
+
+
+def test_a_poll_and_its_answer_are_polling_and_what_comes_unasked_is_not():
+    assert sorted_parts(
+        (0, ">", b"a\r"), (0.1, "<", b"a\r\n"), (0.1, "<", b"Angle[0] = 1.00\r\n"), (0.1, "<", b"MOT>"),
+        (0.2, "<", b"Stalled.\r\n"),
+    ) == [Part.POLL] * 4 + [Part.PLAIN]  # fmt: skip
+
+
+def test_a_dish_that_restarts_instead_of_answering_is_seen():
+    parts = sorted_parts((0, ">", b"a\r"), (0.1, "<", b"a\r\n"), (2.5, "<", b"Bootloader V1\r\n"))
+    assert parts == [Part.POLL, Part.POLL, Part.PLAIN]
+
+
+def test_what_birdcage_does_to_the_dish_is_never_folded():
+    for data in (b"a 0 120\r", b"h 0\r", b"r\r", b"\ra 1 30\r", b"e\r"):
+        assert sorted_parts((0, ">", data)) == [Part.PLAIN], data
+    assert sorted_parts((0, ">", b"d 20\r"), prompt="who knows>") == [Part.PLAIN]
+
+
+def test_a_typed_line_is_yours_its_echo_an_echo_and_its_mark_a_mark():
+    assert sorted_parts(
+        (0, "#", b"raw by console: a (HARMLESS)"), (0, ">", b"a\r"), (0, "<", b"a\r\n"),
+        (0, "<", b"Angle[0] = 1.00\r\n"),
+    ) == [Part.MARK, Part.YOURS, Part.ECHO, Part.PLAIN]  # fmt: skip
+    moved = sorted_parts((0, "#", b"raw by console: a 0 9999 (MOVES, confirmed; Beyond.)"), (0, ">", b"a 0 9999\r"))
+    assert moved == [Part.WARNING, Part.YOURS]
+
+
+def test_an_echo_that_came_back_otherwise_is_seen():
+    parts = sorted_parts((0, "#", b"raw by console: mv (HARMLESS)"), (0, ">", b"mv\r"), (0, "<", b"mw\r\n"))
+    assert parts[-1] is Part.PLAIN
+
+
+def test_a_fold_outlives_the_cutting_of_old_lines():
+    back = Scrollback(kept=50)
+    for _ in range(40):
+        back.add([Line(START, "<", b"x", Part.POLL)] * 100)
+    assert [row.text for row in back.rows] == ["4000 lines of birdcage's own questions, p shows all"]
+    back.add([Line(START, "<", b"end")])
+    assert [row.text for row in back.rows][1:] == ["end"]
+
+
+def test_polling_is_one_row_until_p_shows_every_byte_and_counts_as_nothing_new():
+    async def see(at):
+        at.wire("<", b"MOT>")
+        await at.look()
+        for _ in range(20):
+            at.wire(">", b"a\r")
+            at.wire("<", b"a\r\n", b"Angle[0] = 1.00\r\n", b"MOT>")
+        folded = await at.look()
+        await at.press("p")
+        shown = await at.look()
+        await at.press("p", "c")
+        at.wire("#", b"raw by console: mv (HARMLESS)")
+        at.wire(">", b"mv\r")
+        at.wire("<", b"mv\r\n", b"Max\r\n")
+        return folded, shown, await at.look()
+
+    folded, shown, typed = desk(see)
+    assert "+ 80 lines of birdcage's own questions, p shows all" in folded
+    assert "Angle" not in folded
+    assert "> a" in shown
+    assert "< Angle[0] = 1.00" in shown
+    assert "> mv" in typed
+    assert "< mv" not in typed
+    assert "HARMLESS" not in typed
+    assert "< Max" in typed
