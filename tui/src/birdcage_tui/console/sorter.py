@@ -22,18 +22,20 @@ class Sorter:
     def __init__(self, only_asks: OnlyAsks) -> None:
         self._only_asks = only_asks
         self._typed: str | None = None
+        self._prompt = ""
+        """What the dish wrote last; one of before a gap holds until the next, as the station asks for it first."""
         self._sent: Line | None = None
         """The last line that went out, until the dish has repeated it."""
         self._polled: Line | None = None
         self._owed = 0
         """Prompts that the poll under way still waits for."""
 
-    def sort(self, line: Line, prompt: str) -> Line:
-        """Return the line with the part it plays; `prompt` is what the dish wrote last."""
+    def sort(self, line: Line) -> Line:
+        """Return the line with the part it plays."""
         if line.direction == "#":
             part = self._remark(line)
         elif line.direction == ">":
-            part = self._out(line, prompt)
+            part = self._out(line)
         else:
             part = self._in(line)
         return replace(line, part=part)
@@ -49,19 +51,20 @@ class Sorter:
             return Part.WARNING
         return Part.MARK if line.text.endswith("(HARMLESS)") else Part.PLAIN
 
-    def _out(self, line: Line, prompt: str) -> Part:
+    def _out(self, line: Line) -> Part:
         self._sent, self._polled = line, None
         said = [part.strip() for part in line.data.decode("ascii", "replace").rstrip("\r\n").split("\r")]
         if self._typed is not None and self._typed in said:
             self._typed = None
             return Part.YOURS
-        if all(not part or self._only_asks(part, prompt) for part in said):
+        if all(not part or self._only_asks(part, self._prompt) for part in said):
             self._polled, self._owed = line, line.data.count(b"\r")
             return Part.POLL
         return Part.PLAIN
 
     def _in(self, line: Line) -> Part:
         sent, self._sent = self._sent, None
+        self._prompt = line.text if line.is_prompt else self._prompt
         polled = self._polled
         if polled is not None and self._owed and (line.utc - polled.utc).total_seconds() < ANSWER_S:
             self._owed -= line.is_prompt

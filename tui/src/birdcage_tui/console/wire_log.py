@@ -40,7 +40,7 @@ class WireLog:
             lines.append(Line(found[0].utc if found else now, "#", words.encode(), Part.WARNING))
         for event in joined:
             line = Line(event.utc, event.direction, event.data)
-            lines.append(self._sorter.sort(line, self.prompt))
+            lines.append(self._sorter.sort(line))
             self._note_prompt(line)
         lines += self._own
         self._own = []
