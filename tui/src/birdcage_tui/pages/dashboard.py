@@ -12,6 +12,9 @@ from birdcage_tui.panes.pointing import PointingPane
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.panes.sky import SkyPane
 
+LEAST_FOR_HEALTH = 30
+"""Rows from which there is one for everything."""
+
 
 class DashboardPage(Page):
     """The sky at the left, as large as it can be round; readings and words at the right."""
@@ -34,3 +37,4 @@ class DashboardPage(Page):
         width, height = self.size
         sky = 40 if width < 100 or height < 27 else max(min((height - 2) * 2 + 6, width - 50), 40)
         self.query_one(SkyPane).styles.width = sky
+        self.set_class(height < LEAST_FOR_HEALTH, "-short")

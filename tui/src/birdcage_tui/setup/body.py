@@ -61,7 +61,7 @@ class SetupBody(Page):
     def compose(self) -> ComposeResult:
         """The list above, the step, the list below; wider, list and step side by side."""
         with Vertical(id="setup-list") as column:
-            column.border_title = TITLE
+            column.border_title = "Setup: eleven steps"  # narrower than the page, whose title would be cut
             steps = StepsPane(id="setup-steps")
             steps.can_focus = True
             yield steps
