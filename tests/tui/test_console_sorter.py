@@ -13,7 +13,8 @@ START = datetime(2026, 3, 20, 12, tzinfo=UTC)
 
 def sorted_parts(*lines, prompt="MOT>"):
     sorter = Sorter(PROTOCOL.only_asks)
-    return [sorter.sort(Line(START + timedelta(seconds=second), way, data), prompt).part for second, way, data in lines]
+    sorter.sort(Line(START, "<", prompt.encode()))
+    return [sorter.sort(Line(START + timedelta(seconds=second), way, data)).part for second, way, data in lines]
 
 
 def test_a_poll_and_its_answer_are_polling_and_what_comes_unasked_is_not():

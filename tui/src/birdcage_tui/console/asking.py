@@ -130,7 +130,8 @@ class Asking:
         if self._is_held(view):
             return ((saying.held_words(self.text.strip(), verdict), "warn-row"),)
         if self.warns(view):
-            again = "  Enter again sends it, Esc takes it back." if self.armed else ""
+            again = "  Enter asks first." if saying.asks(verdict) else "  Enter twice sends it."
+            again = "  Enter again sends it, Esc takes it back." if self.armed else again
             hazard = (saying.verdict_words(verdict) + again, saying.GRADES[verdict.grade][0])
             return (hazard, (f"✖ LIMIT: {verdict.limit}", "fault-row")) if verdict.limit else (hazard, *usage)
         if self._sent.under_way:
