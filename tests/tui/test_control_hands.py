@@ -292,3 +292,18 @@ def test_esc_leads_from_the_digits_back_to_the_rose():
         return before, app.focused.id
 
     assert run(leave) == ("digits", "rose")
+
+
+@pytest.mark.parametrize(
+    ("keys", "hint"),
+    [([], "Arrows or hjkl step 1°"), (["n"], "← → choose a digit"), (["p"], "Enter turns the dish there")],
+)
+def test_the_last_row_says_what_the_arrows_do_where_the_focus_is(keys, hint):
+    async def read(app, pilot):
+        await pilot.press(*keys)
+        await pilot.pause()
+        app.paint()
+        await pilot.pause()
+        return stand_in.text_of(app).splitlines()[-2]
+
+    assert hint in run(read)

@@ -63,15 +63,16 @@ class HelpScreen(Dialog[str | None]):
     def _options(self) -> list[Option]:
         options: list[Option] = []
         width = min(WIDTH, self.app.size.width - 6)
+        gap = "\n" if self.app.size.height >= 24 else ""
         if self._words:
             options.append(Option(Text(self._words), disabled=True))
         group = ""
         for command in in_force(self._view.scopes):
             if command.group != group:
-                options.append(Option(Text(f"\n{command.group}" if options else command.group, "bold"), disabled=True))
                 group = command.group
+                options.append(Option(Text(f"{gap if options else ''}{group}", "bold"), disabled=True))
             options.append(Option(line_of(command, self._view, width), id=command.name))
-        options.append(Option(Text("\nAlways", "bold"), disabled=True))
+        options.append(Option(Text(f"{gap}Always", "bold"), disabled=True))
         options.append(Option(Text(ALWAYS), disabled=True))
         return options
 

@@ -39,7 +39,8 @@ class Quarter:
     def hub(self) -> tuple[float, float]:
         """The hub: the arc stands in the middle of what the words over it leave."""
         left = max(2.0, (self.width * 2 - 8 - self.radius) / 2)
-        return left, min(self.height * 4 - 2.5, (self.height * 4 + self.radius) / 2 + WORDS * 2)
+        row = min(self.height - 1, math.floor((self.height * 4 + self.radius) / 8 + WORDS / 2))
+        return left, row * 4 + 1.5  # the middle of a row, where its sign stands
 
     def dot(self, el_deg: float, part: float = 1.0) -> tuple[float, float]:
         """Return the dot at an elevation, at a part of the radius."""
@@ -145,7 +146,7 @@ class ElevationPane(Pane):
                 x, y = quarter.cell(el_deg, 1 + 4 / quarter.radius)
                 text = f"{el_deg}"
                 x = min(x + 1, cells.width - len(text)) if el_deg < 90 else max(x - 1, 0)
-                if cells.free(x, y, len(text)):
+                if cells.free(max(x - 1, 0), y, len(text) + 1):
                     cells.put(x, y, text, "dim")
 
     @staticmethod

@@ -27,8 +27,16 @@ class LastLine(Pane):
                 x = cells.put(1, 0, f"{last.utc:%H:%M:%S}Z", "dim") + 2
             cells.put(x, 0, cut(last.words, cells.width - x - 1), "text")
         else:
-            hint = f"Arrows or hjkl step {view.step_deg:g}°, g goes to a direction, Tab goes on to the digits."
-            cells.put(1, 0, cut(can_move(view) or hint, cells.width - 2), "dim")
+            cells.put(1, 0, cut(can_move(view) or _hint(view), cells.width - 2), "dim")
+
+
+def _hint(view: View) -> str:
+    """Return what the arrows do where the focus is."""
+    if "digits" in view.scopes:
+        return "← → choose a digit of the target, ↑ ↓ step it, Esc goes back to the rose."
+    if "presets" in view.scopes:
+        return "↑ ↓ choose, Enter turns the dish there, Esc goes back to the rose."
+    return f"Arrows or hjkl step {view.step_deg:g}°, g goes to a direction, Tab goes on to the digits."
 
 
 class LogPane(Pane):
