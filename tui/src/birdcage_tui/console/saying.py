@@ -56,7 +56,9 @@ def verdict_words(verdict: Verdict) -> str:
 
 def held_words(line: str, verdict: Verdict) -> str:
     """Return why a line that moves the dish is not sent while STOP is latched, and what to do."""
-    how = " To take the current off the motors even so: F5 closes the console, then F2 and R." if verdict.releases else ""
+    how = (
+        " To take the current off the motors even so: F5 closes the console, then F2 and R." if verdict.releases else ""
+    )
     return f"STOP is latched: `{line}` may move the dish and is not sent. Esc, then Enter, releases STOP.{how}"
 
 
