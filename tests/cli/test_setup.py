@@ -205,3 +205,14 @@ def test_goes_on_where_it_was(person, pty_dish):
         me.types("q")
         assert me.ends() == 0
     assert "feed" in kept()["setup"]
+
+
+def test_no_line_is_broken_inside_a_word(person, pty_dish):
+    me = person("--port", pty_dish.path, "--step", "level", COLUMNS="60")
+    me.answers("8 Level> ", "l")
+    me.sees("11 First satellite")
+    me.answers("8 Level> ", "q")
+    assert me.ends() == 0
+    lines = [line for line in me.screen.splitlines() if pty_dish.path not in line and not line.startswith("…")]
+    assert any(line.endswith("Better than") for line in lines)
+    assert max(map(len, lines)) < 60

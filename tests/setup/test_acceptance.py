@@ -75,6 +75,7 @@ def test_a_dish_out_of_its_box_ends_homed_limited_turned_north_and_pointing(buil
     house.choose("first", "point")
     evidence = house.view("first").evidence
     assert evidence.startswith("points at")
+    assert house.view("first").words[0] == f"The dish {evidence}."
     slot = next(slot for slot in SLOTS if slot.label in evidence)
     assert house.looks_at() == pytest.approx(look_angle(39.1, -95.7, slot.longitude_deg), abs=0.25)
     assert house.setup.finished

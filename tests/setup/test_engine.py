@@ -96,6 +96,7 @@ def test_clear_holds_for_one_run(house):
         ("feed", "other", {"name": "helix", "stow": "maybe"}, "answer y or n"),
         ("limits", "own", {"floor": "50", "ceiling": "40"}, "is not below"),
         ("place", "locator", {"locator": "ZZ99"}, "no Maidenhead locator"),
+        ("place", "locator", {"locator": "EM29"}, "2° wide"),
         ("place", "clock", {"utc": "25:00"}, "no time such as"),
         ("north", "typed", {"az_offset_deg": ""}, "type a number"),
         ("link", "other", {"port": " "}, "Type a port"),

@@ -42,7 +42,7 @@ STEPS = (
     StepView(8, "level", "Level", SKIPPED, "",
              ("Lay a phone with a level on the base plate.",
               "Better than typing: put wedges under it until it is level."),
-             (Choice("typed", "enter", "Keep pitch and roll", fields=(
+             (Choice("typed", "enter", "Type pitch and roll", fields=(
                  Field("pitch_deg", "pitch", "deg", "front of the base up is +"),
                  Field("roll_deg", "roll", "deg", "right side down is +"))),)),
     StepView(9, "place", "Place and clock", TODO, "", ("Where does the dish stand?",),

@@ -120,6 +120,10 @@ def test_the_setup_opens_by_itself_on_a_first_run_or_without_a_port(
         assert session.station.state.port == port
         assert (settings.place is not None) == settings.tour == options.demo
         assert settings.setup is not None
-        assert len(settings.setup().steps()) == 11
+        setup = settings.setup()
+        assert len(setup.steps()) == 11
+        setup.tick()
+        offered = any("ttyUSB7" in choice.label for choice in setup.step("link").choices)
+        assert offered == (bool(plugged) and not options.demo), "one key must not lead the demo to a real port"
     finally:
         session.close()

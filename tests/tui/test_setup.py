@@ -8,7 +8,7 @@ import setup_stand_in
 import stand_in
 from birdcage.setup.case import Cause
 from birdcage.setup.engine import CLEAR_QUESTION
-from birdcage.setup.step import Choice
+from birdcage.setup.step import Choice, Field
 from birdcage.station.requests import AcknowledgeFault, Goto, Home, Jog, Release
 from birdcage.station.state import Link, LinkState
 from birdcage_tui.dialogs import QuestionScreen
@@ -318,3 +318,21 @@ def test_enter_takes_the_step_s_own_release_and_does_not_only_acknowledge():
     text, asked = run(go_on, "home", "fault")
     assert asked == [("home", "release", {})]
     assert "Enter acknowledges the fault first" not in text
+
+
+def test_enter_in_a_field_that_may_stay_empty_sends_what_was_typed_before_it():
+    hint = "empty: the dish's own"
+    fields = tuple(Field(name, name, "deg", hint) for name in ("floor", "ceiling", "cable_min", "cable_max"))
+
+    async def narrow(app, pilot, engine):
+        engine.change("limits", choices=(Choice("own", "n", "Narrow them", fields=fields),))
+        await settle(app, pilot)
+        await press(app, pilot, "n", "2", "5", "enter")
+        assert engine.asked == []
+        assert app.screen.focused.name == "own/ceiling"
+        await press(app, pilot, "enter")
+        return engine.asked
+
+    assert run(narrow, "limits") == [
+        ("limits", "own", {"floor": "25", "ceiling": "", "cable_min": "", "cable_max": ""})
+    ]  # fmt: skip

@@ -91,7 +91,9 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSetti
     begin = "setup" if not options.demo and (not port or is_first_run(settings, paths)) else "dashboard"
 
     def make_setup() -> SetupEngine:
-        return Setup(session, settings, paths, environ={} if options.demo else None, flags=flags)
+        # The demo offers no port of this machine: a single key would open it.
+        ports = list if options.demo else list_ports
+        return Setup(session, settings, paths, environ={} if options.demo else None, flags=flags, ports=ports)
 
     app_settings = _app_settings(settings, paths, demo=options.demo)
     return session, replace(app_settings, setup=make_setup, first_page=begin)

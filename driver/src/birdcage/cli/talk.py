@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 KEYS = "s skip   b back   l list   q leave (all that is done is kept)   Ctrl+C stops the dish"
 OPEN_S = 5.0
 """How long a port may take to open before the questions begin."""
+HANG = 29
+"""The column of the evidence in the line of a step."""
 CLEARED = "-"
 """What is typed to empty a field that has a value."""
 
@@ -138,7 +140,7 @@ class Talk:
                     self._setup.back()
                 case "l":
                     for line in list_lines(self._setup):
-                        say(line)
+                        _tell(line, hang=HANG)
                 case _:
                     self._choose(view, word or "enter")
         except BirdcageError as error:
@@ -184,7 +186,7 @@ def _line_of(view: StepView) -> str:
 
 def _say_step(view: StepView) -> None:
     say("")
-    _tell(_line_of(view), hang=29)
+    _tell(_line_of(view), hang=HANG)
     for words in view.words:
         _tell(words, 3)
     for choice in view.choices:

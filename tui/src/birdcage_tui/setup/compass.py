@@ -70,7 +70,7 @@ def _readings(cells: Cells, x: int, y: int, view: View, place: Place | None) -> 
         (" ", "dim", "offset", f"{state.az_offset_deg:+6.2f}°"),
     ]
     if place is None:
-        rows.append(("☼", "dim", "Sun", "place unknown"))
+        rows.append(("☼", "dim", "Sun", "no place"))
     else:
         az_deg, el_deg = sun(view.utc, place.latitude_deg, place.longitude_deg)
         rows += [

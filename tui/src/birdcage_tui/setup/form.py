@@ -185,16 +185,20 @@ class AnswerForm(Vertical):
             self.screen.set_focus(boxes[0])
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
-        """Go to the next field that is empty; from the last, send what was typed."""
+        """Go to the next field that is empty; from the last, send what was typed.
+
+        Enter in one that may stay empty, with none after it that may not, sends too.
+        """
         event.stop()
         for choice in self._choices:
             names = [_name(choice, field) for field in choice.fields]
             if event.input.name not in names:
                 continue
             after = names[names.index(event.input.name) + 1 :]
-            empty = next((box for box in self._boxes if box.name in after and not box.value.strip()), None)
-            if empty is not None:
-                self.screen.set_focus(empty)
+            left = [box for box in self._boxes if box.name in after and not box.value.strip()]
+            passed_over = not event.value.strip() and all(_may_stay_empty(box) for box in (event.input, *left))
+            if left and not passed_over:
+                self.screen.set_focus(left[0])
             else:
                 self.post_message(self.Submitted(choice))
             return
@@ -209,6 +213,11 @@ class AnswerForm(Vertical):
                 self.screen.focus_previous()
             else:
                 self.screen.focus_next()
+
+
+def _may_stay_empty(box: Input) -> bool:
+    """Return whether the field's hint says so."""
+    return "empty" in box.placeholder
 
 
 def _name(choice: Choice, field: Field) -> str:

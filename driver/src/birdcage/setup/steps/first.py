@@ -52,6 +52,8 @@ class FirstStep(Step):
         place = self.bench.settings.place
         if place.latitude_deg is None:
             where = "Where satellites stand can be told once the place is known: step 9."
+        elif self._pointed:
+            where = f"The dish {self._pointed}."
         elif self._slot() is None:
             where = "No well-known slot of the geostationary arc stands within this dish's limits here."
         else:

@@ -29,7 +29,7 @@ class LevelStep(Step):
             Field("pitch_deg", "pitch", "deg", "front of the base up is +", _shown(kept.pitch_deg)),
             Field("roll_deg", "roll", "deg", "right side down is +", _shown(kept.roll_deg)),
         )
-        return (Choice("typed", "enter", "Keep pitch and roll", fields=fields),)
+        return (Choice("typed", "enter", "Type pitch and roll", fields=fields),)
 
     def take(self, choice: str, values: Mapping[str, str]) -> None:  # noqa: ARG002 - a step's signature
         """Keep them."""

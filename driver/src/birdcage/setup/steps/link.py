@@ -140,8 +140,8 @@ class LinkStep(Step):
             choices.append(Choice("connect", "enter", f"Connect at {answering} baud"))
         if state.link.state is Link.SILENT:
             again = " again" if self.findings and answering is None else ""
-            key = "enter" if answering is None else "p"
-            choices.append(Choice("probe", key, f"Listen at other speeds{again}"))
+            probe_key = "enter" if answering is None else "p"
+            choices.append(Choice("probe", probe_key, f"Listen at other speeds{again}"))
         for key, info in enumerate(self._ports[:MOST_PORTS], 1):
             maker = "" if info.vid_pid is None else f", {_MAKERS.get(info.vid_pid[:4], info.description or '')}"
             choices.append(Choice(f"port-{key}", str(key), f"{info.device}{maker}"))

@@ -13,6 +13,8 @@ from birdcage.sky.locator import decode, encode
 
 WRONG_CLOCK_S = 10.0
 """A clock this far off moves the Sun by 0.04 degrees: it must be set."""
+COARSE_DEG = 0.2
+"""Half the height of a locator square from which its middle is no place to point from."""
 
 
 class PlaceStep(Step):
@@ -95,9 +97,11 @@ class PlaceStep(Step):
     @staticmethod
     def _located(values: Mapping[str, str]) -> tuple[float, float]:
         try:
-            lat, lon, _half_deg = decode(values.get("locator", ""))
+            lat, lon, half_deg = decode(values.get("locator", ""))
         except ValueError as error:
             raise NoSuchChoice(str(error)) from None
+        if half_deg > COARSE_DEG:
+            raise NoSuchChoice(f"That square is {4 * half_deg:g}° wide: give six characters, such as JO21jv.")
         return round(lat, 6), round(lon, 6)
 
     def _compare(self, text: str) -> None:
