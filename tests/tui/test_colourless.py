@@ -77,10 +77,10 @@ def test_what_is_wrong_stands_out_without_colour(state, words, size, theme):
 @pytest.mark.parametrize("theme", LOOKS)
 def test_keys_that_hold_and_keys_that_do_not_look_different(theme):
     held, idle = rows("held", theme=theme)[-1:], rows("idle", theme=theme)[-1:]
-    assert style_of(held, " g ").dim
-    assert not style_of(held, " g ").bold
-    assert style_of(idle, " g ").bold
-    assert not style_of(idle, " g ").dim
+    assert style_of(held, " H ").dim
+    assert not style_of(held, " H ").bold
+    assert style_of(idle, " H ").bold
+    assert not style_of(idle, " H ").dim
 
 
 @pytest.mark.usefixtures("no_color")

@@ -77,8 +77,7 @@ def test_every_part_is_whole_and_over_no_other(place, size, tmp_path):
 
 @pytest.mark.parametrize(
     ("place", "size"),
-    [(place, (81, 25)) for place in DIALOGS]
-    + [(place, size) for place in EVERYWHERE for size in [(40, 12), (79, 23)]],
+    [(place, (81, 25)) for place in DIALOGS] + [(place, size) for place in EVERYWHERE for size in [(40, 12), (79, 23)]],
     ids=lambda each: each.name if isinstance(each, Place) else str(each),
 )
 def test_every_dialog_is_whole_under_row_1(place, size, tmp_path):

@@ -1,6 +1,7 @@
 """STOP: every key that means it, from everywhere, before anything else."""
 
 import asyncio
+from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
@@ -134,12 +135,25 @@ def test_the_row_is_a_mouse_target_of_enter():
 @pytest.mark.parametrize("name", ["held", "lost", "silent", "not-homed", "fault", "opening"])
 def test_no_go_to_and_no_step_when_the_dish_cannot_take_one(name):
     async def go(app, pilot):
-        await pilot.press("g", "left", "up")
-        return app.station.asked, app.focused
+        await pilot.press("left", "up", "g", *"180", "space", *"40", "enter")
+        await pilot.pause()
+        return app.station.asked, stand_in.text_of(app)
 
-    asked, focused = run(go, name)
+    asked, text = run(go, name)
     assert not [r for r in asked if type(r).__name__ in ("Goto", "Jog")]
-    assert focused is None
+    assert "▲ Refused: " in text, "what was typed stays, with the reason"
+    assert "180 40" in text
+
+
+def test_esc_is_no_stop_at_rest_after_a_move_of_your_own_and_is_one_before_it_began():
+    async def esc(app, pilot):
+        app.station.state = replace(app.station.state, holder="you")
+        await pilot.press("g", "escape")
+        at_rest, closed = list(app.station.stops), not app.query_one("GotoLine").is_open
+        await pilot.press("left", "escape")
+        return at_rest, closed, app.station.stops
+
+    assert run(esc, "idle") == ([], True, ["you"])
 
 
 def test_go_to_sends_what_was_typed_and_gives_the_focus_back():

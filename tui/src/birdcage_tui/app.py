@@ -7,19 +7,21 @@ import signal
 from collections.abc import Callable
 from concurrent.futures import Future
 
-from birdcage.station.requests import AcceptLimits, AcknowledgeFault, Goto, Home, Jog, Release, Request
+from birdcage.station.requests import AcceptLimits, AcknowledgeFault, Goto, Home, Jog, Release, Request, Stow
 
 from birdcage_tui.commands import BY_NAME, for_key
 from birdcage_tui.commands.jog import DIRECTIONS, STEPS_DEG
 from birdcage_tui.dialogs import QuestionScreen
 from birdcage_tui.goto import GotoLine
 from birdcage_tui.help import HelpScreen, help_words
-from birdcage_tui.host import YOU
 from birdcage_tui.jump import JumpScreen, Target, targets
 from birdcage_tui.messages import CommandChosen
 from birdcage_tui.palette import Palette
 from birdcage_tui.shell import Shell
 from birdcage_tui.themes import LOOKS
+from birdcage_tui.view import YOU
+
+MOTIONS = (Goto, Jog, Home, Stow)
 
 
 class BirdcageApp(Shell):
@@ -82,11 +84,15 @@ class BirdcageApp(Shell):
         """Submit a request; if it fails, the sentence of its error is shown."""
 
         def done(future: Future[object]) -> None:
+            self.under_way.discard(future)
             error = None if future.cancelled() else future.exception()
             if error is not None and self._loop is not None and not self._loop.is_closed():
                 self._loop.call_soon_threadsafe(self.say, str(error))
 
-        self.station.submit(request).add_done_callback(done)
+        future = self.station.submit(request)
+        if isinstance(request, MOTIONS):
+            self.under_way.add(future)
+        future.add_done_callback(done)
 
     def open_goto(self, text: str = "") -> None:
         """Open the go-to line, over whatever page is seen."""
@@ -160,7 +166,7 @@ class BirdcageApp(Shell):
 
     def show_palette(self) -> None:
         """Show every command by its name."""
-        if not Palette.is_open(self):
+        if not isinstance(self.screen, Palette):
             self.push_screen(Palette(id=Palette.ID))
 
     def show_jump(self) -> None:

@@ -26,6 +26,12 @@ def aim_of(text: str, view: View) -> Aim:
     return resolve(parse(text, view.presets), view.state)
 
 
+def held_back(view: View) -> str | None:
+    """Return why nothing can be sent anywhere now, and what to do from inside the line; None when it can."""
+    reason = can_move(view)
+    return None if reason is None else reason.replace(": Enter ", ": Esc closes this line, then Enter ")
+
+
 def foretell(text: str, view: View) -> tuple[str, str]:
     """Return the ink and the words for what Enter would do with `text`."""
     if not text.strip():
@@ -34,7 +40,7 @@ def foretell(text: str, view: View) -> tuple[str, str]:
         aim = aim_of(text, view)
     except ValueError as wrong:
         return "warn", f"▲ {wrong}"
-    reason = can_move(view) or forbidden(view.state, aim.az_deg, aim.el_deg)
+    reason = held_back(view) or forbidden(view.state, aim.az_deg, aim.el_deg)
     if reason is not None:
         return "warn", f"▲ Refused: {reason}"
     return "text", f"✕ {way_words(view, aim)}"
@@ -125,11 +131,15 @@ class GotoLine(Vertical):
         self._foretell(event.value)
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
-        """Send what was typed; what cannot be read stays there, and the line below says why."""
+        """Send what was typed; what cannot be read, or not be sent now, stays there, and the line below says why."""
         event.stop()
+        view = cast(Host, self.app).view()
         try:
-            aim = aim_of(event.value, cast(Host, self.app).view())
+            aim = aim_of(event.value, view)
         except ValueError:
+            self._foretell(event.value)
+            return
+        if held_back(view) is not None:
             self._foretell(event.value)
             return
         self.close()

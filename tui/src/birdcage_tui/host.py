@@ -9,9 +9,6 @@ from birdcage.station.requests import Request
 from birdcage_tui.control.book import PresetBook
 from birdcage_tui.view import View
 
-YOU = "you"
-"""Who asks, when a person at the keys does."""
-
 
 class Host(Protocol):
     """The app, seen from inside."""

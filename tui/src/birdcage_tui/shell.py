@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 from collections import deque
 from collections.abc import Callable
+from concurrent.futures import Future
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -69,6 +70,8 @@ class Shell(Surface):
         self.station = session.station
         self.stopped_keys: deque[events.Key] = deque(maxlen=16)
         """Keys that have stopped the dish already, on the thread that read them."""
+        self.under_way: set[Future[object]] = set()
+        """Motions that you asked for and that are not at their end."""
         self.step_deg = 1.0
         """What one press of a jog key is."""
         self.tap = WireTap()
@@ -168,6 +171,7 @@ class Shell(Surface):
             self._watching is not None,
             tuple(scope.scope for scope in self.scopes()),
             self.step_deg,
+            asked=bool(self.under_way),
             typing=isinstance(focused_widget(lambda: self.focused), Input),
             presets=self.presets.entries,
             aim=self.aim,
@@ -374,7 +378,7 @@ class Shell(Surface):
         """Return whether anything moves or may move by itself. Any thread."""
         if self._tour.running:
             return True
-        return View(self.station.state, 0.0, self.session.clock.utc(), self.settings).may_move
+        return bool(self.under_way) or View(self.station.state, 0.0, self.session.clock.utc(), self.settings).may_move
 
     async def on_event(self, event: events.Event) -> None:
         """STOP comes before bindings, widgets and frames; then the first key ends the tour."""

@@ -13,6 +13,8 @@ from birdcage.station.state import Activity, Link, StationState
 
 from birdcage_tui.settings import AppSettings
 
+YOU = "you"
+"""The lease holder's name of whoever sits at this terminal."""
 STALE_S = 2.0
 """A value older than this dims and shows its age."""
 LATE_S = 1.5
@@ -57,6 +59,8 @@ class View:
     """Whose commands hold, innermost first: the widget that has the focus, what it lies in, the page."""
     step_deg: float = 1.0
     """What one press of a jog key is."""
+    asked: bool = False
+    """Whether something that you asked for is not at its end yet: a motion may be about to begin."""
     typing: bool = False
     """Whether a text field has the focus: keys that print do nothing else, and Space is a space."""
     presets: Sequence[Preset] = ()
@@ -113,9 +117,12 @@ class View:
 
     @property
     def may_move(self) -> bool:
-        """Whether it moves, or may move by itself: then Esc stops first. A person who types moves nothing by that."""
-        by_itself = self.state.holder not in (None, CONSOLE) and self.state.held is None
-        return self.moving or self.state.raw_motion or bool(self.tour) or by_itself
+        """Whether it moves, or may move by itself: then Esc stops first.
+
+        What you or somebody at the console asked for has come to its end when nothing moves any more.
+        """
+        by_itself = self.state.holder not in (None, CONSOLE, YOU) and self.state.held is None
+        return self.moving or self.asked or self.state.raw_motion or bool(self.tour) or by_itself
 
     @property
     def to_go_deg(self) -> float | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from birdcage_tui.commands.table import Command, can_home, can_move, can_release
+from birdcage_tui.commands.table import Command, can_home, can_release
 
 PAGES = (
     ("dashboard", "Dashboard", "What it does, what stops it, what comes next."),
@@ -46,8 +46,7 @@ MOTION = (
         "Go to …",
         "Type where to, such as 180 45; Enter sends the dish there.",
         "Motion",
-        can_move,
-        "go to",
+        footer="go to",
     ),
     Command(
         "home",

@@ -9,9 +9,9 @@ from textual import events
 
 from birdcage_tui.canvas import Cells
 from birdcage_tui.digits import angle_text
-from birdcage_tui.host import YOU, Host
+from birdcage_tui.host import Host
 from birdcage_tui.pane import Pane
-from birdcage_tui.view import View
+from birdcage_tui.view import YOU, View
 
 STEPS = ((10.0, 0.0), (1.0, 0.0), (0.1, 0.0), (0.01, 0.0), (0.0, 10.0), (0.0, 1.0), (0.0, 0.1), (0.0, 0.01))
 """What one step of each digit is, from the left: azimuth, then elevation. Hundreds follow by carrying: no single key

@@ -24,8 +24,9 @@ from birdcage_tui.control.presets import PresetsBox, PresetsPane
 from birdcage_tui.control.readout import ReadoutPane
 from birdcage_tui.control.rose import RosePane
 from birdcage_tui.dialogs import QuestionScreen
-from birdcage_tui.host import YOU, Host
+from birdcage_tui.host import Host
 from birdcage_tui.pages.page import Page
+from birdcage_tui.view import YOU
 
 
 class ControlPage(Page):
