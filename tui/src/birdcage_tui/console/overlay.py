@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, cast
+from typing import cast
 
 from birdcage.base.errors import LeaseDenied
 from textual import events, on
@@ -19,6 +19,7 @@ from birdcage_tui.console.asking import Asking
 from birdcage_tui.console.entry import ConsoleInput, FindInput, Purpose
 from birdcage_tui.console.frame import HeadLine, HintLine, KeysLine, PromptCell
 from birdcage_tui.console.history import History
+from birdcage_tui.console.host import ConsoleHost
 from birdcage_tui.console.lines_sent import LinesSent
 from birdcage_tui.console.log import LogView
 from birdcage_tui.console.save import save
@@ -26,9 +27,6 @@ from birdcage_tui.console.wire_log import WireLog
 from birdcage_tui.dialogs import QuestionScreen
 from birdcage_tui.host import Host
 from birdcage_tui.view import View
-
-if TYPE_CHECKING:
-    from birdcage_tui.shell import Shell
 
 FLUSH_S = 0.1
 """Between two looks at the wire: so many lines a second as there may be, ten pictures of them."""
@@ -46,7 +44,7 @@ KEEP = "Enter keeps it: n and N then step through the matches. Esc leaves."
 class ConsoleOverlay(Container):
     """Watches the wire; talks to the dish once a line was entered."""
 
-    def __init__(self, shell: Shell) -> None:
+    def __init__(self, shell: ConsoleHost) -> None:
         super().__init__(id="console")
         self._shell, self._tap, self._wire = shell, shell.tap, WireLog(shell.tap, shell.station.only_asks)
         self._pane, self._entry, self._finder = LogView(), ConsoleInput(self.do), FindInput(self.do)

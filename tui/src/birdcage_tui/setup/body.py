@@ -12,15 +12,15 @@ from textual.app import ComposeResult
 from textual.containers import Vertical, VerticalScroll
 from textual.widgets import Input
 
-from birdcage_tui.pages.page import Page
 from birdcage_tui.panes.pointing import PointingPane
 from birdcage_tui.settings import Place
 from birdcage_tui.setup.absent import AbsentSetup
 from birdcage_tui.setup.causes import told_apart
-from birdcage_tui.setup.engine import SetupEngine, SetupHost
+from birdcage_tui.setup.engine import SetupEngine
 from birdcage_tui.setup.extra import ExtraPane, Kind, kind_for
 from birdcage_tui.setup.form import AnswerForm
-from birdcage_tui.setup.layout import lay_out
+from birdcage_tui.setup.host import SetupHost
+from birdcage_tui.setup.layout import SetupLayout, lay_out
 from birdcage_tui.setup.steps import StepsPane
 from birdcage_tui.setup.words import StepWords, Telling
 from birdcage_tui.view import View
@@ -34,7 +34,7 @@ HIDDEN_S = 1.0
 AGAIN = "Any step can be done again: look at it with the arrows, then Enter. After each power-up home the dish."
 
 
-class SetupBody(Page):
+class SetupBody(SetupLayout):
     """Lays out list, words, answers and what belongs under them, for the step that is looked at."""
 
     WATCHES = frozenset({"position", "health"})
@@ -43,18 +43,14 @@ class SetupBody(Page):
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
         self.border_title = TITLE
-        self.looked = 0
         self.wrong = ""
         """Why the last answer was not taken."""
         self.note = ""
         """A sentence about the last key. Row 2 may be taken by what is wrong with the dish."""
-        self.wiring = False
         self.limits_asked = False
         self.chosen = 0
         """Which of the causes is unfolded."""
         self.causes: tuple[Cause, ...] = ()
-        self.views: tuple[StepView, ...] = ()
-        self.present = ""
         self._busy: tuple[str, float] | None = None
         self._shape: object = None
 
@@ -93,16 +89,6 @@ class SetupBody(Page):
         return cast(SetupHost, self.app)
 
     @property
-    def form(self) -> AnswerForm:
-        """The answers."""
-        return self.query_one(AnswerForm)
-
-    @property
-    def step(self) -> StepView:
-        """The step that is looked at."""
-        return self.views[self.looked]
-
-    @property
     def baud_that_mends(self) -> int | None:
         """The rate that the chosen cause asks for."""
         chosen = self.causes[self.chosen : self.chosen + 1]
@@ -112,16 +98,6 @@ class SetupBody(Page):
     def typing(self) -> bool:
         """Whether a text field has the focus."""
         return isinstance(self.screen.focused, Input)
-
-    @property
-    def wide(self) -> bool:
-        """Whether list and step stand side by side."""
-        return self.app.screen_stack[0].has_class("-wide")
-
-    @property
-    def wiring_fills(self) -> bool:
-        """Whether the wiring stands instead of words and answers."""
-        return self.wiring
 
     def answers(self) -> tuple[Choice, ...]:
         """Return what can be answered now: only the present step is answered."""

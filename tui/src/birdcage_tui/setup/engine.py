@@ -1,4 +1,4 @@
-"""What the page needs of the engine behind it, which knows the steps and does them; and of the app."""
+"""What the page needs of the engine behind it, which knows the steps and does them."""
 
 from __future__ import annotations
 
@@ -8,10 +8,6 @@ from typing import Protocol
 from birdcage.base.config import Settings
 from birdcage.setup.case import Cause
 from birdcage.setup.step import StepView
-from birdcage.station.station import Station
-
-from birdcage_tui.settings import AppSettings
-from birdcage_tui.view import View
 
 
 class SetupEngine(Protocol):
@@ -56,25 +52,3 @@ class SetupEngine(Protocol):
 
     def tick(self) -> None:
         """Go on with what is under way."""
-
-
-class SetupHost(Protocol):
-    """The app, seen from the page."""
-
-    settings: AppSettings
-    station: Station
-
-    def view(self) -> View:
-        """Return what one frame shows, now."""
-
-    def paint(self) -> None:
-        """Draw a frame."""
-
-    def say(self, words: str) -> None:
-        """Put a sentence into row 2."""
-
-    def show_page(self, name: str) -> None:
-        """Show another page."""
-
-    def action_command(self, name: str) -> None:
-        """Do a command of the table, or say why not."""

@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
+from birdcage.setup.step import Choice, StepView
 from textual.containers import VerticalScroll
 from textual.widget import Widget
 
+from birdcage_tui.pages.page import Page
 from birdcage_tui.panes.pointing import PointingPane
 from birdcage_tui.setup.extra import ExtraPane, Kind
 from birdcage_tui.setup.fold import fold
+from birdcage_tui.setup.form import AnswerForm
 from birdcage_tui.setup.steps import StepsPane
 from birdcage_tui.setup.words import StepWords
-
-if TYPE_CHECKING:
-    from birdcage_tui.setup.body import SetupBody
 
 LEAST_BELOW = 14
 """Rows from which a compass is worth drawing under the readings."""
@@ -24,7 +24,44 @@ POINTING_ROWS = 13
 """What the readings take when there is room."""
 
 
-def lay_out(page: SetupBody) -> object:
+class SetupLayout(Page):
+    """The page as far as its layout depends on it."""
+
+    views: tuple[StepView, ...] = ()
+    """All steps, in order."""
+    looked = 0
+    """The index of the step that is looked at."""
+    present = ""
+    """The name of the step that is answered."""
+    wiring = False
+    """Whether the wiring was asked for."""
+
+    @property
+    def form(self) -> AnswerForm:
+        """The answers."""
+        return self.query_one(AnswerForm)
+
+    @property
+    def step(self) -> StepView:
+        """The step that is looked at."""
+        return self.views[self.looked]
+
+    @property
+    def wide(self) -> bool:
+        """Whether list and step stand side by side."""
+        return self.app.screen_stack[0].has_class("-wide")
+
+    @property
+    def wiring_fills(self) -> bool:
+        """Whether the wiring stands instead of words and answers."""
+        return self.wiring
+
+    def answers(self) -> Sequence[Choice]:
+        """Return what can be answered now."""
+        raise NotImplementedError
+
+
+def lay_out(page: SetupLayout) -> object:
     """Give every part its rows. Return what the layout was made from."""
     words, form, extra = page.query_one(StepWords), page.form, page.query_one("#setup-extra", ExtraPane)
     scroll = page.query_one("#setup-step", VerticalScroll)
@@ -60,7 +97,7 @@ def lay_out(page: SetupBody) -> object:
     return page.size, width, wide, told, asked, room, page.looked, extra.kind, page.present
 
 
-def _narrow(page: SetupBody, needs: int, *, has_extra: bool) -> int:
+def _narrow(page: SetupLayout, needs: int, *, has_extra: bool) -> int:
     """List and step in one column. Return the rows that the step has."""
     height, count = page.size.height, len(page.views)
     least = LEAST_LIST if has_extra else min(max(height - needs, LEAST_LIST), count)
@@ -82,7 +119,7 @@ def _narrow(page: SetupBody, needs: int, *, has_extra: bool) -> int:
     return step_rows
 
 
-def _wide(page: SetupBody) -> int:
+def _wide(page: SetupLayout) -> int:
     """List at the left. Return the rows that the step has."""
     steps, frame = page.query_one("#setup-steps", StepsPane), page.query_one("#setup-list")
     column = page.query_one("#setup-step")

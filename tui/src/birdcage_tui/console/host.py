@@ -1,0 +1,36 @@
+"""What the console needs of the app."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Protocol
+
+from birdcage.station.session import Session
+from birdcage.station.station import Station
+
+from birdcage_tui.console.tap import WireTap
+from birdcage_tui.settings import AppSettings
+from birdcage_tui.view import View
+
+
+class ConsoleHost(Protocol):
+    """The app, seen from the console."""
+
+    session: Session
+    station: Station
+    settings: AppSettings
+    tap: WireTap
+    tap_problem: str
+    """Why the wire cannot be heard, in a sentence; empty when it can."""
+
+    def view(self) -> View:
+        """Return what one frame shows, now."""
+
+    def soon(self, work: Callable[[], None]) -> None:
+        """Do something soon on the app's thread. Any thread."""
+
+    def typing_changed(self) -> None:
+        """The line has the focus, or no longer."""
+
+    def show_page(self, name: str) -> None:
+        """Show or hide the console, or show a page."""
