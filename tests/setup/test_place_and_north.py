@@ -1,0 +1,139 @@
+"""Place, clock and north: what is taken, what is kept, and what is refused."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime
+
+import pytest
+from birdcage.setup.north import NotYet, az_offset_deg
+from birdcage.setup.step import NoSuchChoice
+from birdcage.sky.sun import sun
+
+PLACE = {"latitude_deg": "39.1", "longitude_deg": "-95.7", "height_m": "250"}
+
+
+class TestPlace:
+    def test_by_locator(self, house):
+        house.choose("place", "locator", locator="jo21jv")
+        place = house.file().place
+        assert (place.latitude_deg, place.longitude_deg) == (pytest.approx(51.895833), pytest.approx(4.791667))
+        assert house.marks()["place"] == "todo"
+        house.choose("place", "trust")
+        assert house.marks()["place"] == "done"
+        assert house.view("place").evidence == "JO21jv, 51.8958 N 4.7917 E, 0 m; clock trusted"
+
+    def test_says_that_there_is_no_gps(self, house):
+        assert any("no GPS yet" in words for words in house.view("place").words)
+
+    @pytest.mark.parametrize(("utc", "offset_s"), [("18:20:00", 4.0), ("18:19:50", 14.0), ("18:21", -56.0)])
+    def test_the_clock_against_a_watch(self, build, utc, offset_s):
+        house = build(utc=datetime(2026, 3, 20, 18, 20, 4, tzinfo=UTC))
+        house.setup.choose("place", "typed", PLACE)
+        house.setup.choose("place", "clock", {"utc": utc})
+        assert house.file().setup.clock_offset_s == offset_s
+        assert (house.marks()["place"] == "failed") is (abs(offset_s) > 10)
+        if abs(offset_s) > 10:
+            assert f"{abs(offset_s):.0f} s" in house.view("place").evidence
+
+    def test_around_midnight(self, build):
+        house = build(utc=datetime(2026, 3, 20, 23, 59, 58, tzinfo=UTC))
+        house.setup.choose("place", "clock", {"utc": "00:00:01"})
+        assert house.file().setup.clock_offset_s == -3.0
+
+
+class TestNorth:
+    @pytest.fixture
+    def ready(self, house):
+        house.setup.clear()
+        house.choose("place", "typed", **PLACE)
+        house.choose("place", "trust")
+        return house
+
+    @pytest.mark.parametrize(
+        ("true_deg", "dish_deg", "offset_deg"),
+        [(189.0, 185.8, 3.2), (1.0, 359.0, 2.0), (359.0, 1.0, -2.0), (10.0, 190.5, 179.5), (0.0, 0.0, 0.0)],
+    )
+    def test_the_offset_goes_the_short_way(self, true_deg, dish_deg, offset_deg):
+        assert az_offset_deg(true_deg, dish_deg) == pytest.approx(offset_deg)
+
+    def test_typed(self, ready):
+        ready.choose("north", "typed", az_offset_deg="3.2")
+        assert ready.view("north").evidence == "az offset +3.20 deg: the dish's 0 is at 3.20 true"
+        assert ready.state.az_offset_deg == 3.2
+        assert ready.state.position.az_deg == pytest.approx(3.2, abs=0.05)
+
+    @pytest.mark.parametrize("keep", ["n", "y"])
+    def test_by_the_sun(self, ready, keep):
+        az_deg, el_deg = sun(ready.clock.utc(), 39.1, -95.7)
+        ready.choose("north", "jog", d_az_deg=f"{az_deg - 20 - 360:.2f}" if az_deg > 200 else f"{az_deg - 20:.2f}",
+                     d_el_deg=f"{el_deg - 46:.2f}")  # fmt: skip
+        ready.run(3)
+        ready.choose("north", "mark", el=keep)
+        assert ready.state.az_offset_deg == pytest.approx(20.0, abs=0.15)
+        assert ready.state.el_offset_deg == pytest.approx(1.0 if keep == "y" else 0.0, abs=0.1)
+        assert "el off by +" in ready.file().setup.north
+
+    def test_a_feeds_own_offset_is_not_counted_twice(self, ready):
+        ready.choose("feed", "other", name="helix", az_offset_deg="2")
+        assert ready.state.az_offset_deg == 2.0
+        az_deg, el_deg = sun(ready.clock.utc(), 39.1, -95.7)
+        ready.choose("north", "jog", d_az_deg=f"{az_deg - 22:.2f}", d_el_deg=f"{el_deg - 45:.2f}")
+        ready.run(3)
+        seen = ready.state.position.dish_az_deg
+        ready.choose("north", "mark")
+        az_deg = sun(ready.clock.utc(), 39.1, -95.7)[0]
+        assert ready.file().alignment.az_offset_deg == pytest.approx(az_deg - seen, abs=0.1)
+
+    def test_a_dish_that_looks_elsewhere_is_no_mark(self, ready):
+        ready.choose("north", "jog", d_el_deg="-20")
+        ready.run(2)
+        with pytest.raises(NotYet, match="does not look at the Sun"):
+            ready.setup.choose("north", "mark")
+        assert ready.file().setup.north is None
+
+    def test_a_compass_with_declination(self, ready):
+        ready.choose("north", "compass", reading_deg="10", declination_deg="2.5")
+        assert ready.state.az_offset_deg == pytest.approx(12.5, abs=0.05)
+        assert ready.file().place.declination_deg == 2.5
+
+    def test_the_declination_comes_from_the_model(self, ready):
+        ready.choose("north", "compass", reading_deg="10")
+        assert ready.state.az_offset_deg == pytest.approx(11.9, abs=0.2)
+        assert ready.file().place.declination_deg is None
+
+    def test_without_a_place_there_is_no_sun_and_no_declination(self, house):
+        assert {choice.name for choice in house.view("north").choices} == {"jog", "compass", "typed"}
+        assert any("step 9" in words for words in house.view("north").words)
+        with pytest.raises(NoSuchChoice, match="declination is not known"):
+            house.setup.choose("north", "compass", {"reading_deg": "10"})
+
+    def test_an_unknown_clock_is_no_clock(self, house):
+        house.setup.choose("place", "typed", PLACE)
+        assert "mark" not in {choice.name for choice in house.view("north").choices}
+        assert any("clock is not known" in words for words in house.view("north").words)
+
+    @pytest.mark.parametrize(
+        ("utc", "words"),
+        [
+            (datetime(2026, 3, 20, 6, 0, tzinfo=UTC), "below the horizon"),
+            (datetime(2026, 3, 20, 13, 30, tzinfo=UTC), "below the dish's floor"),
+            (datetime(2026, 6, 21, 18, 20, tzinfo=UTC), "above the dish's ceiling"),
+            (datetime(1970, 1, 1, 18, 20, tzinfo=UTC), "clock says 1970"),
+        ],
+    )
+    def test_a_sun_that_the_dish_cannot_see_is_no_mark(self, build, utc, words):
+        house = build(utc=utc).up()
+        house.setup.choose("place", "typed", PLACE)
+        house.setup.choose("place", "trust")
+        assert "mark" not in {choice.name for choice in house.view("north").choices}
+        assert any(words in each for each in house.view("north").words)
+
+    def test_an_old_position_is_no_mark(self, ready):
+        assert "mark" in {choice.name for choice in ready.view("north").choices}
+        ready.clock.advance(10.0)
+        assert "mark" not in {choice.name for choice in ready.view("north").choices}
+
+    def test_turns_to_the_sun(self, ready):
+        ready.choose("north", "sun")
+        az_deg, el_deg = sun(ready.clock.utc(), 39.1, -95.7)
+        assert ready.looks_at() == (pytest.approx(az_deg, abs=0.3), pytest.approx(el_deg, abs=0.3))
