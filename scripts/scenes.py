@@ -24,7 +24,7 @@ class Scene:
 
 async def dashboard(on: Stage) -> None:
     """The demo's tour, a minute after its start, in the middle of a slew along the arc."""
-    await on.wait(58.3)
+    await on.wait(60.5)
 
 
 async def control(on: Stage) -> None:

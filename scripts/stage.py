@@ -14,7 +14,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "tui"))
 import picture
 import stand_in
 from birdcage.base.clock import VirtualClock
-from birdcage.base.config import Settings
+from birdcage.base.config import PlaceSettings, Settings
 from birdcage.base.paths import throw_away_paths
 from birdcage.setup.engine import Setup
 from birdcage.station.build import open_session
@@ -28,6 +28,12 @@ from textual.pilot import Pilot
 STEP_S = 0.1
 START = datetime(2026, 3, 20, 15, 30, tzinfo=UTC)
 """When every picture begins: the same sky each time."""
+HERE = Settings(
+    place=PlaceSettings(
+        name=DEMO_PLACE.name, latitude_deg=DEMO_PLACE.latitude_deg, longitude_deg=DEMO_PLACE.longitude_deg
+    )
+)
+"""What the setup of the demo knows of the place."""
 Rows = list[list[tuple[str, object]]]
 
 
@@ -84,7 +90,7 @@ async def demo(size: tuple[int, int], theme: str = "dusk", *, tour: bool = False
             place=DEMO_PLACE,
             tour=tour,
             presets_file=paths.presets_file,
-            setup=lambda: Setup(session, Settings(), paths, environ={}, ports=list, system=SystemFacts),
+            setup=lambda: Setup(session, HERE, paths, environ={}, ports=list, system=SystemFacts),
         )
         app = BirdcageApp(session, settings)
         async with app.run_test(size=size) as pilot:
