@@ -14,8 +14,11 @@ from pathlib import Path
 import pytest
 import serial
 
+# A test may itself run under nohup or in the background of a shell, whose children ignore signals.
 SERVE = """
-import json, pathlib, sys
+import json, pathlib, signal, sys
+signal.signal(signal.SIGHUP, signal.SIG_DFL)
+signal.signal(signal.SIGINT, signal.default_int_handler)
 from birdcage.sim.run import run_simulator
 arguments = json.loads(sys.argv[1])
 if "link" in arguments:
