@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import socket
@@ -85,7 +86,9 @@ def test_status_is_the_report(owner, folder) -> None:
 def test_without_the_token_nothing_happens(owner, folder, line) -> None:
     owner.link(Link.UP)
     found = find_owner(folder, owner.state.port)
-    with socket.create_connection(("127.0.0.1", found.tcp_port), 2) as caller:
+    reply = b""
+    # Who says too much is cut off: whether that is seen while sending, shutting down or reading is the system's affair.
+    with socket.create_connection(("127.0.0.1", found.tcp_port), 2) as caller, contextlib.suppress(OSError):
         caller.sendall(line)
         caller.shutdown(socket.SHUT_WR)
         reply = caller.recv(1000)
