@@ -133,7 +133,7 @@ class Dish:
         """Wait until the dish has told its limits and settings, which it is asked once the line is proven quiet."""
         deadline = self.now + SURVEY_S
         self.station.submit(Watch("birdcage", frozenset({"position"})))
-        while not self.state.readings and self.now < deadline and self.state.link.state is Link.UP:
+        while not self.state.surveyed and self.now < deadline and self.state.link.state is Link.UP:
             self.progress.show("Reading the dish's settings …")
             self.look()
         self.progress.clear()

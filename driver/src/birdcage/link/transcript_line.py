@@ -44,9 +44,14 @@ class Header(Entry):
     __slots__ = ()
 
 
+def printable(data: bytes) -> str:
+    """Return `data` as printable ASCII, for people: a space at the end stays one."""
+    return "".join(_ESCAPED.get(byte) or chr(byte) for byte in data)
+
+
 def escape(data: bytes) -> str:
     r"""Return `data` as printable ASCII; `unescape` gives it back exactly."""
-    text = "".join(_ESCAPED.get(byte) or chr(byte) for byte in data)
+    text = printable(data)
     return text[:-1] + r"\x20" if text.endswith(" ") else text
 
 

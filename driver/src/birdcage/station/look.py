@@ -24,14 +24,13 @@ class Look:
 
     def __init__(self, board: Board, antenna: BirdcageAntenna, settings: StationSettings) -> None:
         self._board, self._antenna, self._settings = board, antenna, settings
-        self._surveyed = False
         self._survey = Survey()
         self.rules: Rules = settings
         """The user's own limits, as they are now."""
 
     def forget_survey(self) -> None:
         """The dish may be another one, or have other settings: read them again when the link comes up."""
-        self._surveyed = False
+        self._board.change(surveyed=False)
         self.note_speeds({})
 
     def forget(self, why: str) -> None:
@@ -97,7 +96,7 @@ class Look:
     @property
     def wants_survey(self) -> bool:
         """Whether identity and limits are to be read, and can be at once."""
-        return self._settings.survey and not self._surveyed and self.may_leave
+        return self._settings.survey and not self._board.state.surveyed and self.may_leave
 
     def survey(self) -> None:
         """Read identity and limits, and come back to the motor menu."""
@@ -116,7 +115,7 @@ class Look:
             search={None: Search.UNKNOWN, True: Search.OFF, False: Search.UNKNOWN}[survey.search_disabled],
         )
         self.limit(survey)
-        self._surveyed = True
+        self._board.change(surveyed=True)
         self._antenna.protocol.enter_motor_menu()
 
     def note_speeds(self, speeds: Mapping[int, float]) -> None:

@@ -5,13 +5,19 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from birdcage.link.transcript_join import LineJoiner
-from birdcage.link.transcript_line import Entry
+from birdcage.link.transcript_line import Direction, Entry, format_line, printable
 from birdcage.protocol.hazard import Grade, Verdict
+from birdcage.station.raw_mark import RawMark, parse_mark
 
-__all__ = ["CONSOLE", "Entry", "Grade", "LineJoiner", "MenuCommand", "RawReply", "Verdict"]
+__all__ = [
+    "CONSOLE", "IDLE_S", "Direction", "Entry", "Grade", "LineJoiner", "MenuCommand", "RawMark", "RawReply", "Verdict",
+    "format_line", "parse_mark", "printable",
+]  # fmt: skip
 
 CONSOLE = "console"
 """The lease holder's name while somebody talks to the firmware."""
+IDLE_S = 30.0
+"""After so long without a line the console is given back."""
 
 
 @dataclass(frozen=True, slots=True)

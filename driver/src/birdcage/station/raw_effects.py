@@ -11,6 +11,7 @@ from birdcage.protocol.types import MOTOR_AZIMUTH, Position
 from birdcage.station.board import Board
 from birdcage.station.events import TranscriptLine
 from birdcage.station.mover import Mover
+from birdcage.station.raw_mark import RawMark
 from birdcage.station.state import RAW_COMMAND, Activity, Search
 
 
@@ -43,13 +44,12 @@ class RawEffects:
 
     def announce(self, line: str, verdict: Verdict, holder: str) -> None:
         """Mark a raw line before its bytes go out."""
-        about = [verdict.grade.name]
-        if verdict.grade > Grade.HARMLESS:
-            about.append("confirmed")
-        if not verdict.listed:
-            about.append("not in the hazard table")
-        notes = ", ".join(about) + (f"; {verdict.limit}" if verdict.limit else "")
-        self.say(f"raw by {holder}: {line or 'Enter'} ({notes})")
+        about = [
+            "confirmed" if verdict.grade > Grade.HARMLESS else "",
+            "" if verdict.listed else "not in the hazard table",
+            verdict.limit,
+        ]
+        self.say(RawMark(holder, line, verdict.grade, "; ".join(filter(None, about))).text)
 
     def modelled(self, verdict: Verdict) -> DishMotion | None:
         """Return the model of the motion that a line begins; None when where it leads cannot be foreseen.

@@ -211,6 +211,8 @@ class StationState:
     """Where `el_min`, `el_max`, `cable_min` and `cable_max` come from."""
     motion_refused_because: str | None = None
     """Why no motion is taken at all (unreadable settings), else None."""
+    surveyed: bool = False
+    """Whether the dish was asked for its identity, limits and settings since the link came up."""
     readings: Mapping[str, Reading] = field(default_factory=lambda: MappingProxyType({}))
     """By feature: `rssi`, `rssi_peak`, `nvs.20`, `antenna_id`, `speed.0` (deg/s, in force until it restarts), …"""
 

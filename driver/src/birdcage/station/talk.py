@@ -16,15 +16,13 @@ from birdcage.station.line_under_way import Line, LineUnderWay
 from birdcage.station.look import Look
 from birdcage.station.menu_commands import MenuCommands
 from birdcage.station.mover import Mover
-from birdcage.station.raw import MenuCommand, RawReply
+from birdcage.station.raw import IDLE_S, MenuCommand, RawMark, RawReply
 from birdcage.station.raw_effects import RawEffects
 from birdcage.station.state import Activity, Link
 from birdcage.station.stopper import Stopper
 from birdcage.station.vigil import Vigil
 from birdcage.station.watches import Watches
 
-IDLE_S = 30.0
-"""After so long without a line the console is given back."""
 LONGEST_LINE = 120
 """Characters. No command that is known needs a third of it, and what a firmware does with more nobody knows."""
 
@@ -108,7 +106,7 @@ class Talk:
             asks = self.menus.asks(menu)
             told: list[str] = []
             for ask_line in asks:
-                self._effects.say(f"raw by {holder}: {ask_line} (HARMLESS; asks for the list of commands)")
+                self._effects.say(RawMark(holder, ask_line, Grade.HARMLESS, "asks for the list of commands").text)
                 try:
                     told += self._protocol.console.exchange(ask_line, permit=lambda: self._permit(None)).lines
                 except CommandRefused:

@@ -11,13 +11,11 @@ from birdcage_tui.console import saying
 from birdcage_tui.console.complete import Completion, matching, named
 from birdcage_tui.console.history import History
 from birdcage_tui.console.lines_sent import LinesSent
-from birdcage_tui.view import View
+from birdcage_tui.view import YOU, View
 
 if TYPE_CHECKING:
     from birdcage.station.station import Station
 
-YOU = "you"
-"""Who moves the dish by hand: the same person, who is not asked whether to take over."""
 KEEP_S = 10.0
 """While somebody types, the lease is asked for again so often."""
 HARMLESS = Verdict(Grade.HARMLESS, "")

@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from datetime import datetime
 from enum import Enum
 
+from birdcage.station.raw import Direction, printable
+
 HEX_WIDTHS = (16, 12, 8, 4)
 """Bytes a row; the first that fits is taken."""
 BY_BIRDCAGE = "   by birdcage"
 """Stands after a line that nobody typed, and that is no mere question."""
-_ESCAPED = {byte: f"\\x{byte:02x}" for byte in range(256) if not 0x20 <= byte < 0x7F}
-_ESCAPED |= {0x0D: r"\r", 0x0A: r"\n", 0x09: r"\t", 0x5C: r"\\"}
 
 
 class Stamps(Enum):
@@ -50,7 +50,7 @@ class Line:
     """One line that passed: `>` to the dish, `<` from it; or a remark, `#`."""
 
     utc: datetime
-    direction: str
+    direction: Direction
     data: bytes
     part: Part = Part.PLAIN
 
@@ -60,7 +60,7 @@ class Line:
         if self.direction == "#":
             return self.data.decode("utf-8", "replace")
         bare = self.data.rstrip(b"\r\n")
-        return escape(bare or self.data)
+        return printable(bare or self.data)
 
     @property
     def is_prompt(self) -> bool:
@@ -88,11 +88,6 @@ class Row:
     glyph: str
     text: str
     ink: str
-
-
-def escape(data: bytes) -> str:
-    """Return bytes as printable ASCII, as the transcript does (`birdcage.link.transcript_line`)."""
-    return "".join(_ESCAPED.get(byte) or chr(byte) for byte in data)
 
 
 def stamp_of(line: Line, before: Line | None, stamps: Stamps) -> str:

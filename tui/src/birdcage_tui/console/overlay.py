@@ -32,8 +32,6 @@ FLUSH_S = 0.1
 """Between two looks at the wire: so many lines a second as there may be, ten pictures of them."""
 HOW = "i or Enter: type a line for the dish. Sending it takes control."
 TYPE = "Enter sends, Tab completes, Esc back to the log. Ctrl+C stops the dish."
-
-
 MOVING = "Enter sends, Tab completes. Esc or Ctrl+C stops the dish, which may move."
 TAKE = "Enter takes it into the line and sends nothing. ^R an older one, Esc leaves."
 PART = "Type a part of a line that you have sent."

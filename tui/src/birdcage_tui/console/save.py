@@ -6,7 +6,9 @@ from collections.abc import Iterable
 from datetime import UTC, datetime
 from pathlib import Path
 
-from birdcage_tui.console.lines import Line, escape
+from birdcage.station.raw import Entry, format_line
+
+from birdcage_tui.console.lines import Line
 
 TRIES = 100
 
@@ -25,17 +27,7 @@ def save(lines: Iterable[Line], folder: Path, now: datetime, title: str) -> Path
         except FileExistsError:
             continue
         with file:
-            file.write(f"{_stamp(now)} # {title}\n")
-            file.writelines(f"{_stamp(line.utc)} {line.direction} {_text(line)}\n" for line in lines)
+            file.write(f"{format_line(Entry(now, '#', title.encode()))}\n")
+            file.writelines(f"{format_line(Entry(line.utc, line.direction, line.data))}\n" for line in lines)
         return path
     raise FileExistsError(17, "there are too many files of this second", str(folder))
-
-
-def _stamp(utc: datetime) -> str:
-    utc = utc.astimezone(UTC)
-    return f"{utc:%Y-%m-%dT%H:%M:%S}.{utc.microsecond // 1000:03d}Z"
-
-
-def _text(line: Line) -> str:
-    text = escape(line.data)
-    return text[:-1] + r"\x20" if text.endswith(" ") else text

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from birdcage.station.raw import CONSOLE, Grade, MenuCommand, Verdict
+from birdcage.station.raw import CONSOLE, IDLE_S, Grade, MenuCommand, Verdict
 from birdcage.station.state import Link
 
 from birdcage_tui.view import View
 from birdcage_tui.words import age_text
-
-IDLE_S = 30.0
-"""After so long without a key or a line, control is given back."""
 
 GRADES = {
     Grade.HARMLESS: ("", ""),

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from dataclasses import replace
+
+from birdcage.station.raw import Grade, parse_mark
 
 from birdcage_tui.console.lines import Line, Part
 
@@ -12,8 +13,6 @@ OnlyAsks = Callable[[str, str], bool]
 """Whether a line at a prompt changes nothing but the menu."""
 ANSWER_S = 2.0
 """What comes later than this is no answer to a poll: a dish that restarts prints for seconds."""
-_MARK = re.compile(r"raw by [^:]+: (?P<line>.*) \((?P<grade>[A-Z]+)\b.*\)", re.DOTALL)
-"""The station's mark before the bytes of a line that somebody typed (`RawEffects.announce`)."""
 
 
 class Sorter:
@@ -41,15 +40,14 @@ class Sorter:
         return replace(line, part=part)
 
     def _remark(self, line: Line) -> Part:
-        mark = _MARK.fullmatch(line.text)
+        mark = parse_mark(line.text)
         if mark is None:
             self._polled = None
             return Part.PLAIN
-        typed = mark["line"]
-        self._typed = "" if typed == "Enter" else typed.strip()
-        if mark["grade"] != "HARMLESS":
+        self._typed = mark.line.strip()
+        if mark.grade > Grade.HARMLESS:
             return Part.WARNING
-        return Part.MARK if line.text.endswith("(HARMLESS)") else Part.PLAIN
+        return Part.PLAIN if mark.about else Part.MARK
 
     def _out(self, line: Line) -> Part:
         self._sent, self._polled = line, None
