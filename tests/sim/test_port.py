@@ -7,8 +7,9 @@ import threading
 
 import pytest
 from birdcage.base.clock import RealClock, ScaledClock, VirtualClock
+from birdcage.sim.g2.knobs import G2Settings
 from birdcage.sim.port import open_port
-from birdcage.sim.settings import CHOICES, Settings, option_names
+from birdcage.sim.settings import option_names
 
 
 def test_the_port(terminal):
@@ -52,9 +53,9 @@ def test_addresses_that_do_not_exist(address, hint):
 
 
 def test_every_choice_opens(terminal):
-    for name, values in CHOICES.items():
-        assert name in option_names()
-        assert getattr(Settings(), name) in values
+    for name, values in G2Settings.choices.items():
+        assert name in option_names(G2Settings)
+        assert getattr(G2Settings(), name) in values
         for value in values:
             assert terminal(f"{name}={value}").ask("").endswith("TRK>")
 

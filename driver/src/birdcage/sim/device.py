@@ -10,9 +10,9 @@ from birdcage.sim.dish import Dish, Truth
 from birdcage.sim.g2.board import Board
 from birdcage.sim.g2.boot import boot_log
 from birdcage.sim.g2.console import menus
+from birdcage.sim.g2.knobs import G2Settings
 from birdcage.sim.g2.tracker import Tracker
 from birdcage.sim.machine import Machine
-from birdcage.sim.settings import Settings
 from birdcage.sim.shell import Shell
 from birdcage.sim.wire import Wire
 
@@ -20,7 +20,7 @@ from birdcage.sim.wire import Wire
 class Device:
     """One dish. Every method may be called from any thread; each brings the dish up to date first."""
 
-    def __init__(self, settings: Settings, clock: Clock) -> None:
+    def __init__(self, settings: G2Settings, clock: Clock) -> None:
         self.settings = settings
         self.lock = threading.RLock()
         self.machine = Machine(clock)

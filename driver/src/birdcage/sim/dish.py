@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from birdcage.base.geometry import wrap_360
 from birdcage.sim.axis import Axis, AxisData
 from birdcage.sim.chance import seeded
-from birdcage.sim.settings import Settings
+from birdcage.sim.g2.knobs import G2Settings
 
 CABLE_LOW_DEG, CABLE_HIGH_DEG = -423.33, 23.33
 """The stops of the cable (reference section 7.4, [S1])."""
@@ -43,7 +43,7 @@ class Truth:
 class Dish:
     """Two axes. All times are seconds of dish time."""
 
-    def __init__(self, settings: Settings, look: Callable[[], Truth]) -> None:
+    def __init__(self, settings: G2Settings, look: Callable[[], Truth]) -> None:
         self._look = look
         self._settings = settings
         rng = seeded("mechanics", settings.seed)

@@ -9,7 +9,8 @@ import threading
 from birdcage.base.clock import Clock
 from birdcage.sim.device import Device
 from birdcage.sim.dish import Dish
-from birdcage.sim.settings import Settings, parse_query
+from birdcage.sim.g2.knobs import G2Settings
+from birdcage.sim.settings import parse_query
 from birdcage.sim.wire import Wire
 
 FIRMWARE = ("g2",)
@@ -130,7 +131,7 @@ def open_device(address: str, *, clock: Clock) -> Device:
         near = difflib.get_close_matches(firmware, FIRMWARE, n=1, cutoff=0.3)
         hint = f"did you mean {near[0]}?" if near else f"there is {', '.join(FIRMWARE)}"
         raise ValueError(f"no simulated dish is called {firmware!r}: {hint}")
-    settings: Settings = parse_query(query)
+    settings = parse_query(query, G2Settings)
     if not settings.id:
         return Device(settings, clock)
     with _named_lock:
