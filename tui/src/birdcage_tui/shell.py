@@ -28,7 +28,7 @@ from birdcage_tui.goto import GotoLine
 from birdcage_tui.messages import StationEvent
 from birdcage_tui.pages.dashboard import DashboardPage
 from birdcage_tui.pages.page import Page
-from birdcage_tui.pages.register import make_page
+from birdcage_tui.paging import Paging
 from birdcage_tui.palette import CommandProvider
 from birdcage_tui.scope import Scope, scopes_of
 from birdcage_tui.settings import AppSettings
@@ -96,7 +96,9 @@ class Shell(Surface):
         self._watching: str | None = None
         self._features: frozenset[str] = frozenset()
         self._pocket: Page | None = None
-        self._folded = False
+        self.folded = False
+        """Whether the pocket view stands in for every page."""
+        self._paging = Paging(self)
         self._frames: Timer | None = None
         self._late = False
 
@@ -132,7 +134,7 @@ class Shell(Surface):
         except BirdcageError as problem:
             self.tap_problem = str(problem)
         self.session.start()
-        self._watch()
+        self.watch_page()
         if self.settings.first_page != "dashboard":
             self.show_page(self.settings.first_page)
         self.paint()
@@ -145,8 +147,6 @@ class Shell(Surface):
         """Hear no more events."""
         if self._unsubscribe is not None:
             self._unsubscribe()
-
-    # What is seen.
 
     def note(self, words: str) -> None:
         """Show what a command did, and keep it with the time; nothing shows nothing, and the same again is one."""
@@ -243,82 +243,27 @@ class Shell(Surface):
 
             self._pocket = PocketPage()
             self.screen_stack[0].mount(self._pocket, before="#stage")
-        if tiny != self._folded:
-            self._folded = tiny
+        if tiny != self.folded:
+            self.folded = tiny
             self.screen_stack[0].set_focus(None)
             if self._unsubscribe is not None:
-                self._watch()
+                self.watch_page()
 
     def _seen(self) -> Page | None:
         """Return the page that is seen; None before one is there, and when the app ends."""
-        if self._folded:
+        if self.folded:
             return self._pocket
         pages = self.screen_stack[0].query_one_optional("#pages")
         found = () if pages is None else pages.children
         return next((page for page in found if isinstance(page, Page) and page.display), None)
 
-    # Pages.
-
     def show_page(self, name: str, then: str | None = None) -> None:
-        """Show a page; it is composed on its first visit. `then` is one of its commands, to be done there."""
-        work = self._show_console(then) if name.partition("-")[0] == "console" else self._show_page(name, then)
-        self.run_worker(work, group="page", exclusive=False)
-
-    async def _show_console(self, then: str | None) -> None:
-        """Slide the console over the page, or away again; with `then`, one of its commands, it stays."""
-        if self._folded:
-            self.note("The console needs 80x24 or more.")
-            self.paint()
-            return
-        if self.sheet is None:
-            from birdcage_tui.console.overlay import ConsoleOverlay
-
-            self.sheet = ConsoleOverlay(self)
-            await self.screen_stack[0].query_one("#stage").mount(self.sheet)
-            self.sheet.open()
-        elif not self.sheet.is_open:
-            self.sheet.open()
-        elif then is None:
-            self.sheet.close()
-            self._arrive(self.screen_stack[0].query_one("#pages", ContentSwitcher))
-        if then is not None:
-            self.sheet.do(then)
-        self.call_after_refresh(self.paint)
+        """Show a page, or slide the console over it; `then` is one of its commands, to be done there."""
+        self.run_worker(self._paging.show(name, then), group="page", exclusive=False)
 
     def soon(self, work: Callable[[], None]) -> None:
         """Do something soon on the app's thread. Any thread; nothing happens once the app has ended."""
         self.call_later(work)
-
-    async def _show_page(self, name: str, then: str | None) -> None:
-        pages = self.screen_stack[0].query_one("#pages", ContentSwitcher)
-        page_id = f"page-{name}"
-        page = next((page for page in pages.children if page.id == page_id), None)
-        if page is None:
-            page = make_page(name)
-            page.display = False
-            await pages.mount(page)
-        if pages.current != page_id:
-            with self.batch_update():  # one repaint, not one of the old layout and another of the new
-                if isinstance(page, Page):
-                    page.show(self.view())  # as it will be seen: else what it showed last would be painted first
-                pages.current = page_id
-                if not self._folded:
-                    self._arrive(pages)
-        if self._folded:
-            self.note("Pages need 80x24 or more.")
-            then = None
-        self._watch()
-        self.call_after_refresh(self.paint)
-        if then is not None:
-            self.page.do(then)
-
-    def _arrive(self, pages: ContentSwitcher) -> None:
-        """Give the focus to what the page wants it on; never to a text field. An open console keeps it."""
-        if self.sheet is not None and self.sheet.is_open:
-            return
-        page = pages.visible_content
-        first = page.FIRST_FOCUS if isinstance(page, Page) else None
-        self.screen_stack[0].set_focus(page.query_one(first) if page is not None and first is not None else None)
 
     @property
     def page(self) -> Page:
@@ -333,13 +278,13 @@ class Shell(Surface):
         if page is None:
             return ()
         focused = self.screen_stack[0].focused
-        if self._folded or self.sheet is None or not self.sheet.is_open:
+        if self.folded or self.sheet is None or not self.sheet.is_open:
             return scopes_of(focused, [page])
         # The console lies over the page, whose keys hold only while something of it has the focus.
         in_page = focused is not None and page in focused.ancestors_with_self
         return scopes_of(focused, [page, self.sheet] if in_page else [self.sheet])
 
-    def _watch(self) -> None:
+    def watch_page(self) -> None:
         """Ask the station to read what the visible page shows, and nothing else."""
         page = self._seen()
         features = page.WATCHES if page is not None else frozenset()
@@ -357,15 +302,13 @@ class Shell(Surface):
     def typing_changed(self) -> None:
         """The console's line has the focus, or no longer (also because the app ends, page by page)."""
         if self.screen_stack and self.screen_stack[0].query("#pages") and self._seen() is not None:
-            self._watch()
+            self.watch_page()
             self.paint()
 
     @property
     def page_names(self) -> tuple[str, ...]:
         """The pages in the order of their keys."""
         return tuple(name for name, _, _ in commands.PAGES)
-
-    # Keys.
 
     def stop_key(self, event: events.Key) -> bool:
         """Stop the dish if this key means STOP now. Any thread; nothing is painted before it."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from birdcage_tui.commands.table import Command
 
-WHERE = ("console",)
+PAGE, WHERE = "console", ("console",)
 LINE = ("console-input",)
 
 CONSOLE: tuple[Command, ...] = (
@@ -49,13 +49,14 @@ CONSOLE: tuple[Command, ...] = (
     Command(
         "console-complete", ("tab",), "Tab", "Complete",
         "A command of the dish's menu; on an empty line the dish is asked for its list.", "Line", where=LINE,
+        page=PAGE,
     ),
-    Command("console-older", ("up",), "↑", "Older line", "What was typed before.", "Line", where=LINE),
-    Command("console-newer", ("down",), "↓", "Newer line", "What was typed after that.", "Line", where=LINE),
+    Command("console-older", ("up",), "↑", "Older line", "What was typed before.", "Line", where=LINE, page=PAGE),
+    Command("console-newer", ("down",), "↓", "Newer line", "What was typed after that.", "Line", where=LINE, page=PAGE),
     Command(
         "console-recall", ("ctrl+r",), "^R", "Search what was typed",
         "Type a part; again for an older one; Enter takes it into the line, and sends nothing.", "Line",
-        where=(*LINE, "console-find"),
+        where=(*LINE, "console-find"), page=PAGE,
     ),
     Command(
         "console-end-line", ("ctrl+g",), "^G", "End what still prints", "Sends a bare Enter to the dish.", "Line",
