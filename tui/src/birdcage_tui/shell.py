@@ -36,7 +36,7 @@ from birdcage_tui.status import BadDayRow, TopRow
 from birdcage_tui.stopping import focused_widget, is_stop_key, stop_first
 from birdcage_tui.surface import Surface
 from birdcage_tui.tour import Tour
-from birdcage_tui.view import Sample, Told, View
+from birdcage_tui.view import YOU, Sample, Told, View
 from birdcage_tui.words import ended_text
 
 if TYPE_CHECKING:
@@ -305,16 +305,11 @@ class Shell(Surface):
             self.watch_page()
             self.paint()
 
-    @property
-    def page_names(self) -> tuple[str, ...]:
-        """The pages in the order of their keys."""
-        return tuple(name for name, _, _ in commands.PAGES)
-
     def stop_key(self, event: events.Key) -> bool:
         """Stop the dish if this key means STOP now. Any thread; nothing is painted before it."""
         if not is_stop_key(event.key, focused_widget(lambda: self.focused), may_move=self.view_may_move()):
             return False
-        self.station.stop("you")
+        self.station.stop(YOU)
         return True
 
     def view_may_move(self) -> bool:
