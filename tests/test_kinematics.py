@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.kinematics import plan_slew, rest_point
+from birdcage.kinematics import plan_slew, plan_timed, rest_point
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -46,3 +46,12 @@ def test_rest_point_lies_ahead(speed, backwards):
     aim = rest_point(100, velocity, 400, 0.1)
     assert (aim - 100) * velocity > 0
     assert abs(aim - 100) == pytest.approx(speed * 0.1 + speed**2 / 800)
+
+
+def test_a_slew_of_known_duration_starts_and_ends_at_rest():
+    slew = plan_timed(10.0, -80.0, 13.5)
+    assert slew.duration_s == pytest.approx(13.5)
+    assert slew.at(0.0) == (10.0, 0.0)
+    assert slew.at(6.75)[0] == pytest.approx(-35.0)
+    assert slew.at(13.5)[0] == pytest.approx(-80.0)
+    assert slew.at(99.0) == (-80.0, 0.0)

@@ -84,6 +84,17 @@ def plan_slew(
     return Slew(end_deg, tuple(segments))
 
 
+def plan_timed(start_deg: float, end_deg: float, duration_s: float) -> Slew:
+    """Plan a slew of which only the duration is known: half of it speeding up, half slowing down."""
+    way = end_deg - start_deg
+    if way == 0.0 or duration_s <= 0.0:
+        return Slew(end_deg, ())
+    half = duration_s / 2
+    acceleration = way / (half * half)
+    first = Segment(half, start_deg, 0.0, acceleration)
+    return Slew(end_deg, (first, Segment(half, *first.at(half), -acceleration)))
+
+
 def rest_point(position_deg: float, velocity_deg_s: float, acceleration_deg_s2: float, latency_s: float) -> float:
     """Return where an axis can come to rest: position + v x latency + v^2/2a, in the direction of travel."""
     return position_deg + velocity_deg_s * latency_s + velocity_deg_s * abs(velocity_deg_s) / (2 * acceleration_deg_s2)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from birdcage.console.dialect import ConsoleDialect
-from birdcage.protocol.model import Axis, CableRange, DishModel, SecondMove, StopMeans, Turn
+from birdcage.protocol.model import Axis, CableRange, DishModel, SearchSwitch, SecondMove, StopMeans, Turn
 
 CARRYOUT_G2 = DishModel(
     name="Carryout G2",
@@ -31,6 +31,8 @@ CARRYOUT_G2 = DishModel(
             needs_consent=True,
         ),
     ),
+    slew=None,
+    search_switch=SearchSwitch.FOR_GOOD,
     homing_s=15.0,
     homing_stoppable=False,
     boot_s=180.0,
@@ -38,7 +40,6 @@ CARRYOUT_G2 = DishModel(
     has_speeds=True,
     has_rssi=True,
     has_nvs=True,
-    has_skew=False,
     has_stow=True,
     position_reported=True,
 )

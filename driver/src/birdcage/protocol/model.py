@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from enum import Enum
 
@@ -22,6 +23,43 @@ class SecondMove(Enum):
     UNKNOWN = "unknown"
 
 
+class SearchSwitch(Enum):
+    """How the firmware's own TV search is switched off."""
+
+    FOR_GOOD = "for good"
+    """By a setting, which holds from the next power-up on."""
+    UNTIL_POWER_UP = "until power-up"
+    """By ending it while it runs; it begins again at each power-up."""
+
+
+@dataclass(frozen=True, slots=True)
+class MeasuredTimes:
+    """How long a move takes by its length, where times were measured and not speeds.
+
+    `steps` are (longest way in degrees, seconds); beyond the last one t = `scale_s` ln(`per_deg` way) - `less_s`, and
+    between the last step and `from_deg` on a straight line.
+    """
+
+    steps: tuple[tuple[float, float], ...]
+    from_deg: float
+    scale_s: float
+    per_deg: float
+    less_s: float
+
+    def seconds(self, way_deg: float) -> float:
+        """Return the time of a move over `way_deg`, from rest to rest; 0 for none at all."""
+        way = abs(way_deg)
+        if way == 0.0:
+            return 0.0
+        for longest, seconds in self.steps:
+            if way <= longest:
+                return seconds
+        law = self.scale_s * math.log(self.per_deg * max(way, self.from_deg)) - self.less_s
+        last_deg, last_s = self.steps[-1]
+        share = min((way - last_deg) / (self.from_deg - last_deg), 1.0)
+        return last_s + (law - last_s) * share
+
+
 @dataclass(frozen=True, slots=True)
 class Axis:
     """One axis in the dish's own frame."""
@@ -35,6 +73,16 @@ class Axis:
     step_deg: float
     overshoot_deg: float = 0.0
     """How far the rest position may lie from the command."""
+    times: MeasuredTimes | None = None
+    """Goes before speed and acceleration, where it is known."""
+
+
+@dataclass(frozen=True, slots=True)
+class SilentSlew:
+    """A combined move that any byte aborts: while it lasts nothing is asked, and the position is modelled."""
+
+    least_deg: float
+    """An axis that has further to go than this is sent by it, as a queued move cannot be called back (SEAMS *STOP*)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +98,7 @@ class StopMeans:
     """One rung of the ladder that STOP climbs, known before each move."""
 
     name: str
-    """`retarget` or `release`."""
+    """`retarget`, `abort` (of a silent slew), `end of move` or `release`."""
     proven: bool
     """Whether a source documents that it works on this firmware."""
     sentence: str
@@ -74,6 +122,9 @@ class DishModel:
     """Whether both axes move at once."""
     second_move: SecondMove
     stop_ladder: tuple[StopMeans, ...]
+    slew: SilentSlew | None
+    """How long ways are gone; None where each axis is always sent by itself."""
+    search_switch: SearchSwitch
     homing_s: float | None
     """The longest that homing one axis takes; None when it homes only by itself."""
     homing_stoppable: bool
@@ -86,10 +137,16 @@ class DishModel:
     """
     has_rssi: bool
     has_nvs: bool
-    has_skew: bool
     has_stow: bool
     position_reported: bool
+    skew: Axis | None = None
+    """The axis that turns the feed about the beam; None where there is none."""
+
+    @property
+    def axes(self) -> tuple[Axis, ...]:
+        """Every axis that it has."""
+        return tuple(axis for axis in (self.azimuth, self.elevation, self.skew) if axis is not None)
 
     def axis(self, index: int) -> Axis:
         """Return the axis that the firmware counts as `index`; KeyError for any other."""
-        return {self.azimuth.index: self.azimuth, self.elevation.index: self.elevation}[index]
+        return {axis.index: axis for axis in self.axes}[index]

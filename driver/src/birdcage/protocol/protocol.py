@@ -147,7 +147,33 @@ class FirmwareProtocol(ABC):
 
     @abstractmethod
     def stop_lines(self, az_deg: float, el_deg: float) -> tuple[str, ...]:
-        """Return the console lines that bring the moving axes to rest at these angles."""
+        """Return the console lines that bring the moving axes to rest at these angles.
+
+        Empty on a firmware that does not take a new target before the move is over.
+        """
+
+    def abort_lines(self) -> tuple[str, ...]:
+        """Return what ends a silent slew at once; empty on a firmware without one."""
+        return ()
+
+    def begin_slew(self, az_deg: float, el_deg: float) -> None:
+        """Send all axes at once, through the gate, in the way that any byte aborts; returns as soon as it is sent.
+
+        Until `slew_is_over` nothing else may be sent, but what aborts it. MotionRefused as `move_motor`;
+        CommandRefused (`unsupported`) on a firmware without such a move.
+        """
+        raise self._lacks(f"a combined move to {az_deg:.2f}°/{el_deg:.2f}°")
+
+    def slew_is_over(self) -> bool:
+        """Return whether the dish has given its prompt back since `begin_slew`. Sends nothing, and does not wait."""
+        return True
+
+    def turn_skew(self, degrees: float) -> None:
+        """Send the skew axis to an angle; MotionRefused (nothing sent) outside its range.
+
+        CommandRefused (`unsupported`) on a dish without one.
+        """
+        raise self._lacks(f"turning its skew to {degrees:g}°")
 
     def judge(self, line: str, menu: str | None, *, homed: bool | None) -> Verdict:
         """Say what a raw line would do in a menu (None: not known). Sends nothing; any thread."""
@@ -216,4 +242,4 @@ class FirmwareProtocol(ABC):
 
     @abstractmethod
     def kill_search(self) -> None:
-        """End the firmware's automatic TV search, as far as this firmware can."""
+        """End the firmware's automatic TV search, as far as this firmware can: see `DishModel.search_switch`."""

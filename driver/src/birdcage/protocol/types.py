@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 MOTOR_AZIMUTH = 0
 MOTOR_ELEVATION = 1
+MOTOR_SKEW = 2
 
 
 @dataclass
