@@ -188,11 +188,11 @@ class BirdcageApp(Shell):
         names = list(LOOKS)
         self.theme = names[(names.index(self.theme) + 1) % len(names)] if self.theme in names else names[0]
 
-    def leave(self) -> None:
+    def leave(self, by: str = YOU, status: int = 0) -> None:
         """STOP first if anything moves; give the terminal back; `main` closes the session."""
         if self.view().moving:
-            self.station.stop(YOU)
-        self.exit()
+            self.station.stop(by)
+        self.exit(return_code=status)
 
     def _catch_signals(self) -> None:
         """SIGTERM and SIGHUP end the app as Ctrl+Q does, with the customary exit status."""
@@ -202,14 +202,9 @@ class BirdcageApp(Shell):
             if number is None:
                 continue
             try:
-                loop.add_signal_handler(number, self._leave_by, int(number))
+                loop.add_signal_handler(number, self.leave, "signal", 128 + int(number))
             except (NotImplementedError, RuntimeError, ValueError):
                 return  # no signal handlers on this platform, or not in the main thread: the default action stays
-
-    def _leave_by(self, number: int) -> None:
-        if self.view().moving:
-            self.station.stop("signal")
-        self.exit(return_code=128 + number)
 
     def on_stop_button_pressed(self) -> None:
         """The mouse stops."""
