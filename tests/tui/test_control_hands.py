@@ -9,6 +9,7 @@ import stand_in
 from birdcage.base.presets import Preset, add_preset
 from birdcage.station.requests import Engage, Goto, Home, Jog, Release, ReleaseMotors, SetSpeed, Stow
 from birdcage.station.state import Reading
+from birdcage_tui.commands import BY_NAME
 from birdcage_tui.control.nudge import AT, STEPS, DigitsPane
 from textual.widgets import Input, Static
 
@@ -216,6 +217,25 @@ def test_what_moves_the_dish_is_not_even_asked_for_while_held_or_lost(key, name,
     screens, note = run(press, name, state={"stow_allowed": True})
     assert screens == 1
     assert says in note
+
+
+@pytest.mark.parametrize(
+    ("name", "allowed", "says"),
+    [
+        ("held", False, "Stow is locked by the feed Ku LNB."),
+        ("fault", False, "Stow is locked by the feed Ku LNB."),
+        ("fault", True, "A fault waits"),
+        ("not-homed", True, "home it first"),
+        ("refused", True, "birdcage.toml line 7"),
+        ("idle", True, None),
+    ],
+)
+def test_what_forbids_stow_for_good_is_said_before_what_enter_mends(name, allowed, says):
+    async def ask(app, pilot):
+        return BY_NAME["stow"].refused(app.view())
+
+    reason = run(ask, name, state={"stow_allowed": allowed})
+    assert reason is None if says is None else says in reason
 
 
 def test_motors_may_be_released_while_held():

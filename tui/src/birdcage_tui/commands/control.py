@@ -35,13 +35,7 @@ def can_stow(view: View) -> str | None:
         return f"The {state.dish.name} has no stow."
     if not state.stow_allowed:
         return f"Stow is locked by the feed {state.feed_name or 'in use'}."
-    if state.fault is not None:
-        return "A fault waits: Enter acknowledges it."
-    if state.held is not None:
-        return "STOP is latched: Enter releases it."
-    if state.position is None:
-        return "The dish does not know where it points: home it first."
-    return state.motion_refused_because
+    return can_move(view)
 
 
 def can_set_speed(view: View) -> str | None:
