@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from birdcage.antenna.motion import start_motion
 from birdcage.kinematics import plan_slew
-from birdcage.protocol.g2_model import CARRYOUT_G2
+from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.types import Position
 from hypothesis import given
 from hypothesis import strategies as st

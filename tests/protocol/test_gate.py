@@ -6,7 +6,7 @@ import math
 
 import pytest
 from birdcage.base.errors import BelowFloor, MotionRefused, PositionUnknown
-from birdcage.protocol.g2_model import CARRYOUT_G2
+from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.gate import MotionGate, Sector
 from birdcage.protocol.types import Position
 from hypothesis import given

@@ -8,7 +8,7 @@ from types import MappingProxyType
 
 import setup_stand_in
 from birdcage.base.clock import VirtualClock
-from birdcage.protocol.g2_model import CARRYOUT_G2
+from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.model import Turn
 from birdcage.protocol.registry import get_protocol
 from birdcage.station.menu_commands import MenuCommands

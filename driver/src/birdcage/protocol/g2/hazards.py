@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from birdcage.protocol.g2_model import DIALECT
+from birdcage.protocol.g2.model import DIALECT
 from birdcage.protocol.hazard import Grade, Hazard, HazardTable
 
 MENUS = frozenset(DIALECT.prompts)

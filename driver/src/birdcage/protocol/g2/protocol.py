@@ -10,9 +10,9 @@ from typing import ClassVar
 from birdcage.base.errors import CommandRefused, MotionRefused, NoReply, PositionUnknown
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.protocol.command_list import CommandDoc
-from birdcage.protocol.g2_commands import COMMANDS
-from birdcage.protocol.g2_hazards import HAZARDS
-from birdcage.protocol.g2_model import CARRYOUT_G2, DIALECT
+from birdcage.protocol.g2.commands import COMMANDS
+from birdcage.protocol.g2.hazards import HAZARDS
+from birdcage.protocol.g2.model import CARRYOUT_G2, DIALECT
 from birdcage.protocol.hazard import HazardTable
 from birdcage.protocol.model import DishModel
 from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, NvsRow, parse_nvs

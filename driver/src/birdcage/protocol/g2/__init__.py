@@ -1,0 +1,7 @@
+"""Winegard Carryout G2, firmware 02.02.48 (reference section 7): a room for each menu, and the dialect over them."""
+
+from __future__ import annotations
+
+from birdcage.protocol.g2.protocol import CarryoutG2Protocol
+
+__all__ = ["CarryoutG2Protocol"]
