@@ -1,0 +1,59 @@
+"""The Winegard Trav'ler with HAL 2.05.003 as data (reference sections 1, 3 and 4)."""
+
+from __future__ import annotations
+
+from birdcage.protocol.model import (
+    Axis,
+    CableRange,
+    DishModel,
+    MeasuredTimes,
+    SearchSwitch,
+    SecondMove,
+    SilentSlew,
+    StopMeans,
+    Turn,
+)
+
+MOVE_TIMES = MeasuredTimes(((0.5, 0.3), (1.0, 0.5)), from_deg=2.0, scale_s=3.23, per_deg=0.84, less_s=0.48)
+"""The measured law of section 3; the same for azimuth and elevation, and taken for the skew as well."""
+
+_SPEED_DEG_S = 20.0
+"""The greatest speed that the times imply, over a full turn; it counts only where times do not."""
+_ACCELERATION_DEG_S2 = 20.0
+_STEP_DEG = 0.01
+
+TRAVLER = DishModel(
+    name="Trav'ler",
+    firmware="hal205",
+    baud=57600,
+    azimuth=Axis(0, "azimuth", 0.0, 360.0, _SPEED_DEG_S, _ACCELERATION_DEG_S2, _STEP_DEG, times=MOVE_TIMES),
+    elevation=Axis(1, "elevation", 15.0, 90.0, _SPEED_DEG_S, _ACCELERATION_DEG_S2, _STEP_DEG, times=MOVE_TIMES),
+    cable=CableRange(0.0, 455.0),
+    turn=Turn.UNKNOWN,
+    axes_together=False,
+    second_move=SecondMove.QUEUE,
+    stop_ladder=(
+        StopMeans("abort", proven=True, sentence="any byte ends a combined move"),
+        StopMeans(
+            "end of move", proven=True, sentence="a move of one axis cannot be called back; it stops at its target"
+        ),
+    ),
+    slew=SilentSlew(5.0),
+    search_switch=SearchSwitch.UNTIL_POWER_UP,
+    homing_s=None,
+    homing_stoppable=False,
+    boot_s=900.0,
+    has_motor_power=False,
+    has_speeds=False,
+    has_rssi=False,
+    has_nvs=True,
+    has_stow=True,
+    position_reported=True,
+    skew=Axis(2, "skew", 0.0, 180.0, _SPEED_DEG_S, _ACCELERATION_DEG_S2, _STEP_DEG, times=MOVE_TIMES),
+)
+"""The Trav'ler LG-2112.
+
+Its cable ends "usually" at 360 or 455 degrees, changes its turn by itself, and is told in no known form: the turn is
+unknown. The range of its skew is documented nowhere: 0 to 180 degrees is an assumption. Its boot is as long as the
+longest of the family (10 to 15 minutes with a search).
+"""
