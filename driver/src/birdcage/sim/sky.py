@@ -51,6 +51,15 @@ class Sky:
         )
         return self.floor(el_deg) + heard
 
+    def strongest(self, az_deg: float, el_deg: float) -> float | None:
+        """Return the slot, in degrees east, that is heard best with the beam at a true direction; None for none."""
+        heard = {
+            slot: counts * _gain(az_deg, el_deg, az, el)
+            for slot, ((az, el), counts) in zip(SLOTS, self.slots, strict=True)
+            if el > 0.0 and separation(az_deg, el_deg, az, el) < REACH_DEG
+        }
+        return max(heard, key=heard.__getitem__, default=None)
+
     def floor(self, el_deg: float) -> float:
         """Return the level of the empty sky."""
         return self._settings.rssi_floor + AIR_COUNTS * (_air(el_deg) - _air(FLOOR_EL_DEG))

@@ -9,6 +9,7 @@ from datetime import timedelta
 from birdcage.sim.dish import Dish
 from birdcage.sim.g2.knobs import G2Settings
 from birdcage.sim.g2.nvram import Nvram
+from birdcage.sim.g2.tuner import Tuner
 from birdcage.sim.machine import Machine
 from birdcage.sim.sky import Sky
 
@@ -27,7 +28,10 @@ class Board:
         self.dish = dish
         self.reboot = reboot
         """Start over, as the command `reboot` does; the running command never returns."""
+        self.at_power_on: list[Callable[[], None]] = []
+        """What forgets as well when the power goes: a menu that keeps something in RAM puts its own in here."""
         self.sky = Sky(settings)
+        self.tuner = Tuner(self)
         self.nvram = Nvram()
         self.nvram.write(20, str(int(settings.nvs20)))
         self.nvram.save()
@@ -49,7 +53,9 @@ class Board:
         self.nvram.power_on()
         row = self.nvram.active
         self.gains = GAINS
-        self.lnb_volts = 18.0
+        self.tuner.power_on()
+        for forget in self.at_power_on:
+            forget()
         self.dish.set_speeds(row[80], row[81], row[85], row[103])
 
 

@@ -11,6 +11,7 @@ from collections.abc import Callable
 from birdcage.sim.chance import seeded
 from birdcage.sim.g2.board import Board
 from birdcage.sim.g2.menu import G2Menu
+from birdcage.sim.g2.tuner import VERTICAL_V
 from birdcage.sim.shell import Listen, Pause, Script
 
 MOST_READS = 1000
@@ -34,7 +35,7 @@ class Dvb(G2Menu):
             "rssi": self._rssi,
             "snr": self._stream(lambda: f"SNR: {self._snr():.1f}"),
         }
-        self._rng = seeded("rssi", board.settings.seed)
+        self._rng = seeded("dvb", board.settings.seed)
 
     def _rssi(self, args: list[str]) -> Script:
         reads = int(args[0]) if len(args) == 1 and args[0].isdecimal() else 0
@@ -49,9 +50,7 @@ class Dvb(G2Menu):
         yield f"{self.board.settings.rssi_lead}\nReads:{reads} RSSI[avg: {average} cur: {values[-1]}]\n"
 
     def _reading(self) -> int:
-        now_s = self.board.now_s
-        level = self.board.level(now_s, *self.board.dish.shafts(now_s))
-        return round(self._rng.gauss(level, self.board.settings.rssi_noise))
+        return self.board.tuner.read(self.board.now_s).rssi
 
     def _stream(self, line: Callable[[], str]) -> Callable[[list[str]], Script]:
         def run(args: list[str]) -> Script:  # noqa: ARG001
@@ -67,7 +66,7 @@ class Dvb(G2Menu):
         return f"RF AGC: {2000 - 4 * above:.0f} IF AGC: {1500 - 2 * above:.0f} SNR: {self._snr():.1f} NID: FFFF"
 
     def _volts(self) -> str:
-        return f"LNB Voltage: {self._rng.gauss(self.board.lnb_volts, 0.05):.1f}"
+        return f"LNB Voltage: {self._rng.gauss(self.board.tuner.lnb_volts, 0.05):.1f}"
 
     def _snr(self) -> float:
         return max(0.0, (self._reading() - self.board.settings.rssi_floor) / SNR_COUNTS)
@@ -76,4 +75,4 @@ class Dvb(G2Menu):
         if args != ["odu"]:
             yield from self.bad_parameter()
             return
-        self.board.lnb_volts = 13.0  # nobody measured what that does to the level, so here it does nothing
+        self.board.tuner.lnb_volts = VERTICAL_V

@@ -1,0 +1,134 @@
+"""The BCM4515 as far as the console shows it: what it is tuned to, what it hears, and what feeds the LNB.
+
+That there are 32 transponders 14.58 MHz apart, odd ones vertical at 13 V and even ones horizontal at 18 V, is the plan
+of DISH with an LO of 11.25 GHz: number 15 comes to the 1178 MHz that document 001 names. [I] The network ids are [I].
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from birdcage.sim.chance import seeded
+
+if TYPE_CHECKING:
+    from birdcage.sim.g2.board import Board
+
+TRANSPONDERS = 32
+FIRST_KHZ, SPACING_KHZ = 974_000, 14_580
+SYMBOL_RATE_KSPS = 20_000
+"""Inside the blind scan's 18000 to 24000 (section 7.2)."""
+HORIZONTAL_V, VERTICAL_V = 18.0, 13.0
+NO_NETWORK = 0xFFFF
+NETWORKS = {
+    -61.5: 0x1003,
+    -72.7: 0x1008,
+    -77.0: 0x1006,
+    -91.0: 0x0100,
+    -110.0: 0x1002,
+    -119.0: 0x1001,
+    -129.0: 0x1004,
+}
+"""Slot in degrees east to the network that it carries; the slots of `sky.SLOTS` left out send none. [I]"""
+
+
+@dataclass(frozen=True, slots=True)
+class Heard:
+    """One look of the tuner."""
+
+    rssi: int
+    """Counts, with the noise of one reading."""
+    locked: bool
+    snr_db: float
+    """0 without lock."""
+
+
+@dataclass(frozen=True, slots=True)
+class Channel:
+    """What the tuner is set to."""
+
+    frequency_khz: int
+    """Behind the LNB."""
+    symbol_rate_ksps: int
+    polarity: str
+    """`H` or `V`."""
+
+    @property
+    def volts(self) -> float:
+        """The LNB voltage that selects its polarity."""
+        return VERTICAL_V if self.polarity == "V" else HORIZONTAL_V
+
+
+def plan(transponder: int) -> Channel:
+    """Return the channel of a transponder, 1 to 32."""
+    frequency = FIRST_KHZ + (transponder - 1) * SPACING_KHZ
+    return Channel(frequency, SYMBOL_RATE_KSPS, "V" if transponder % 2 else "H")
+
+
+class Tuner:
+    """Hears what the dish points at. All times are seconds of dish time."""
+
+    def __init__(self, board: Board) -> None:
+        self._board = board
+        self._rng = seeded("rssi", board.settings.seed)
+        self.power_on()
+
+    def power_on(self) -> None:
+        """Forget what it was told: the first transponder, 18 V, the receiver on."""
+        self.lnb_volts = HORIZONTAL_V
+        self.on = True
+        self.channels = {number: plan(number) for number in range(1, TRANSPONDERS + 1)}
+        self.transponder = min(max(self._board.settings.transponder, 1), TRANSPONDERS)
+
+    @property
+    def channel(self) -> Channel:
+        """What it is tuned to."""
+        return self.channels[self.transponder]
+
+    def select(self, transponder: int) -> None:
+        """Tune to a transponder; the LNB keeps its voltage.
+
+        Raises:
+            ValueError: there is no such transponder.
+
+        """
+        if transponder not in self.channels:
+            raise ValueError(transponder)
+        self.transponder = transponder
+
+    def edit(self, **changes: int | str) -> None:
+        """Change fields of the channel that it is tuned to, until the next power-on or `def`."""
+        self.channels[self.transponder] = replace(self.channel, **changes)  # type: ignore[arg-type]
+
+    def level(self, dish_s: float) -> tuple[float, float]:
+        """Return the counts without noise, and how many of them are above the empty sky."""
+        board = self._board
+        if not self.on:
+            return 0.0, 0.0
+        az, el = board.dish.shafts(dish_s)
+        level = board.level(dish_s, az, el)
+        offset = board.settings.lnb_13v_counts if self.lnb_volts == VERTICAL_V else 0.0
+        return level + offset, level - board.sky.floor(el)
+
+    def read(self, dish_s: float) -> Heard:
+        """Look once."""
+        settings = self._board.settings
+        level, above = self.level(dish_s)
+        noise = self._rng.gauss(0.0, settings.rssi_noise)
+        locked = self.network_in_view(dish_s) is not None and above >= settings.lock_counts and self._fed()
+        snr = max(above + noise, 0.0) / settings.snr_counts if locked else 0.0
+        return Heard(max(round(level + noise), 0) if self.on else 0, locked, snr)
+
+    def network(self, dish_s: float) -> int:
+        """Return the network id that it reads at this moment; FFFF for none."""
+        return (self.network_in_view(dish_s) or NO_NETWORK) if self.read(dish_s).locked else NO_NETWORK
+
+    def network_in_view(self, dish_s: float) -> int | None:
+        """Return the network of the strongest satellite in the beam, 0 if that sends none; None without a satellite."""
+        board = self._board
+        az, el = board.dish.shafts(dish_s)
+        slot = board.sky.strongest(az + board.settings.heading, el)
+        return None if slot is None else NETWORKS.get(slot, 0)
+
+    def _fed(self) -> bool:
+        return not self._board.settings.lock_polarity or self.lnb_volts == self.channel.volts
