@@ -1,24 +1,13 @@
 """The one table: no key means two things in one place, and what a page does is done there."""
 
-import asyncio
-
 import pytest
 import stand_in
 from birdcage.station.requests import Jog
 from birdcage_tui.commands import COMMANDS, PAGES, for_key, in_force
 from birdcage_tui.commands.jog import STEPS_DEG
 from birdcage_tui.jump import targets
+from stage import run
 from textual.widgets import ContentSwitcher, OptionList
-
-
-def run(test, name="idle", size=(80, 24), **options):
-    async def body():
-        app = stand_in.app_in(name, **options)
-        async with app.run_test(size=size) as pilot:
-            await pilot.pause()
-            return await test(app, pilot)
-
-    return asyncio.run(body())
 
 
 def test_no_key_means_two_things_in_one_scope():

@@ -146,17 +146,23 @@ def test_a_harmless_line_goes_out_at_once():
     assert desk(send) == ([("a", Grade.HARMLESS)], "")
 
 
+def waiting_answers(at):
+    """Have the station take its time: the answers to what the console asks from now on, to be given by the test."""
+    answers = []
+
+    def submit(request):
+        at.app.station.asked.append(request)
+        answers.append(Future())
+        return answers[-1]
+
+    at.app.sheet._sent._submit = submit
+    return answers
+
+
 def test_enter_twice_asks_once():
     async def twice(at):
         at.state(menu="mot")
-        took = []
-
-        def submit(request):
-            at.app.station.asked.append(request)
-            took.append(Future())
-            return took[-1]
-
-        at.app.sheet._sent._submit = submit
+        took = waiting_answers(at)
         await at.type("a 0 200")
         await at.press("enter", "enter")
         for future in took:
@@ -186,14 +192,7 @@ def test_the_first_enter_takes_control_and_another_holder_is_named_first():
 def test_a_line_that_waits_for_control_is_not_sent_once_the_console_is_closed():
     async def close(at):
         at.state(menu="mot")
-        waiting = []
-
-        def submit(request):
-            at.app.station.asked.append(request)
-            waiting.append(Future())
-            return waiting[-1]
-
-        at.app.sheet._sent._submit = submit
+        waiting = waiting_answers(at)
         await at.type("a")
         await at.press("enter", "f5")
         for future in waiting:

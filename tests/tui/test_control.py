@@ -1,9 +1,10 @@
 """F2, what is seen: everything lies inside the screen, and says what it should."""
 
-import asyncio
 from dataclasses import replace
+from functools import partial
 
 import pytest
+import stage
 import stand_in
 from birdcage.base.config.sections import NoGoSector
 from birdcage.base.presets import Preset, add_preset
@@ -16,32 +17,14 @@ from birdcage_tui.goto import GotoLine
 from birdcage_tui.pane import Pane
 from birdcage_tui.settings import Place
 from birdcage_tui.status import BadDayRow, StatusLine, StopButton
+from stage import read
 from textual.widgets import Input
 
 SIZES = [(80, 24), (100, 30), (120, 36), (160, 48), (200, 60)]
 PARTS = ["rose", "elevation", "readout", "digits", "jog", "actions", "cable", "last"]
 KEYS = {"home", "engage", "release-motors", "stow", "speeds", "left", "right", "up", "down", "step-up", "step-down"}
 
-
-def run(test, name="idle", size=(80, 24), state=None, **options):
-    async def body():
-        app = stand_in.app_in(name, **options)
-        if state is not None:
-            app.station.state = replace(app.station.state, **state)
-        async with app.run_test(size=size) as pilot:
-            await pilot.pause()
-            await pilot.press("f2")
-            await pilot.pause()
-            await pilot.pause()
-            app.paint()
-            await pilot.pause()
-            return await test(app, pilot)
-
-    return asyncio.run(body())
-
-
-async def read(app, pilot):
-    return stand_in.text_of(app)
+run = partial(stage.run, key="f2")
 
 
 @pytest.fixture

@@ -1,40 +1,23 @@
 """F2, what hands do: steps are steps, questions name consequences, STOP is everywhere."""
 
-import asyncio
 from dataclasses import replace
+from functools import partial
 from types import MappingProxyType
 
 import pytest
+import stage
 import stand_in
 from birdcage.base.presets import Preset, add_preset
 from birdcage.station.requests import Engage, Goto, Home, Jog, Release, ReleaseMotors, SetSpeed, Stow
 from birdcage.station.state import Reading
 from birdcage_tui.commands import BY_NAME
 from birdcage_tui.control.nudge import AT, STEPS, DigitsPane
+from stage import read
 from textual.widgets import Input, Static
 
 SIZES = [(80, 24), (100, 30), (120, 36), (160, 48), (200, 60)]
 
-
-def run(test, name="idle", size=(80, 24), state=None, **options):
-    async def body():
-        app = stand_in.app_in(name, **options)
-        if state is not None:
-            app.station.state = replace(app.station.state, **state)
-        async with app.run_test(size=size) as pilot:
-            await pilot.pause()
-            await pilot.press("f2")
-            await pilot.pause()
-            await pilot.pause()
-            app.paint()
-            await pilot.pause()
-            return await test(app, pilot)
-
-    return asyncio.run(body())
-
-
-async def read(app, pilot):
-    return stand_in.text_of(app)
+run = partial(stage.run, key="f2")
 
 
 @pytest.fixture

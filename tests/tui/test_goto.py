@@ -1,6 +1,5 @@
 """The go-to line: what may be typed, what it means, and what is said before Enter."""
 
-import asyncio
 import re
 from dataclasses import replace
 
@@ -14,6 +13,7 @@ from birdcage_tui.goto import GotoLine, foretell
 from birdcage_tui.goto_text import Aim, Part, Wish, parse, resolve
 from birdcage_tui.settings import AppSettings
 from birdcage_tui.view import View
+from stage import run
 from textual.widgets import Input
 
 PRESETS = (Preset("Wall", 10.0, 20.0), Preset("Astra 28.2E", 151.3, 27.2), Preset("Astra 19.2E", 160.0, 30.0))
@@ -198,16 +198,6 @@ def test_the_long_way_round_is_told_when_the_cable_leaves_no_other():
 @pytest.mark.parametrize("name", ["held", "lost", "not-homed", "fault", "refused"])
 def test_what_forbids_every_motion_is_said_first(name):
     assert "Refused" in foretell("180 40", view_of(stand_in.STATES[name]))[1]
-
-
-def run(test, name="idle", size=(80, 24), **options):
-    async def body():
-        app = stand_in.app_in(name, **options)
-        async with app.run_test(size=size) as pilot:
-            await pilot.pause()
-            return await test(app, pilot)
-
-    return asyncio.run(body())
 
 
 @pytest.mark.parametrize("size", [(80, 24), (120, 36)])

@@ -1,6 +1,5 @@
 """Everything a person needs lies inside the screen, at every size; and says what it should."""
 
-import asyncio
 import re
 from dataclasses import replace
 
@@ -17,26 +16,10 @@ from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.panes.sky import SkyPane
 from birdcage_tui.status import BadDayRow, StatusLine, StopButton
 from birdcage_tui.words import stop_text
+from stage import read, run
 
 SIZES = [(80, 24), (120, 36), (160, 48), (200, 60)]
 ALWAYS = [StatusLine, StopButton, BadDayRow, KeyBar]
-
-
-def run(test, name="idle", size=(80, 24), **options):
-    async def body():
-        app = stand_in.app_in(name, **options)
-        async with app.run_test(size=size) as pilot:
-            await pilot.pause()
-            await pilot.pause()
-            app.paint()
-            await pilot.pause()
-            return await test(app, pilot)
-
-    return asyncio.run(body())
-
-
-async def read(app, pilot):
-    return stand_in.text_of(app)
 
 
 @pytest.mark.parametrize("size", SIZES, ids=str)

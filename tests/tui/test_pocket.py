@@ -1,10 +1,10 @@
 """Below 80x24: everything a person at the dish needs, at every size from 40x12 up; status and STOP even below that."""
 
-import asyncio
 import itertools
 from dataclasses import replace
 
 import pytest
+import stage
 import stand_in
 from birdcage.station.requests import AcknowledgeFault, Goto, Home, Jog, Release
 from birdcage_tui.dialogs import QuestionScreen
@@ -16,24 +16,13 @@ from birdcage_tui.pocket.layout import arrange
 from birdcage_tui.pocket.reading import PocketReading
 from birdcage_tui.status import StatusLine
 from birdcage_tui.words import bad_day
+from stage import read
 
 SIZES = [(40, 12), (40, 23), (50, 20), (60, 40), (79, 23), (79, 12), (120, 20), (160, 12), (43, 60)]
 
 
-def run(look, name="idle", size=(40, 12), **settings):
-    async def main():
-        app = stand_in.app_in(name, **settings)
-        async with app.run_test(size=size) as pilot:
-            await pilot.pause()
-            app.paint()
-            await pilot.pause()
-            return await look(app, pilot)
-
-    return asyncio.run(main())
-
-
-async def read(app, pilot):
-    return stand_in.text_of(app)
+def run(test, name="idle", size=(40, 12), **options):
+    return stage.run(test, name, size, **options)
 
 
 async def press(app, pilot, *keys):

@@ -1,8 +1,7 @@
 """The list of presets on F2: keep, go, edit, delete, undo, filter; and what a damaged file allows."""
 
-import asyncio
-
 import pytest
+import stage
 import stand_in
 from birdcage.base.presets import Preset, add_preset, load_presets
 from birdcage.station.requests import Goto
@@ -24,16 +23,7 @@ def path(tmp_path):
 
 
 def run(test, path, name="idle", size=(120, 36)):
-    async def body():
-        app = stand_in.app_in(name, presets_file=path)
-        async with app.run_test(size=size) as pilot:
-            await pilot.pause()
-            await pilot.press("f2")
-            await pilot.pause()
-            await pilot.pause()
-            return await test(app, pilot)
-
-    return asyncio.run(body())
+    return stage.run(test, name, size, key="f2", presets_file=path)
 
 
 async def settled(app, pilot):

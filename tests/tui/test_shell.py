@@ -1,6 +1,5 @@
 """Pages, tour, watching, palette and help."""
 
-import asyncio
 import itertools
 from dataclasses import replace
 
@@ -12,17 +11,8 @@ from birdcage.station.state import HeldState
 from birdcage_tui.commands import COMMANDS, PAGES, in_force
 from birdcage_tui.messages import StationEvent
 from birdcage_tui.shell import LISTEN_S
+from stage import run
 from textual.widgets import ContentSwitcher, Input
-
-
-def run(test, name="idle", size=(80, 24), **options):
-    async def body():
-        app = stand_in.app_in(name, **options)
-        async with app.run_test(size=size) as pilot:
-            await pilot.pause()
-            return await test(app, pilot)
-
-    return asyncio.run(body())
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,5 @@
 """STOP: every key that means it, from everywhere, before anything else."""
 
-import asyncio
 from dataclasses import replace
 from types import SimpleNamespace
 
@@ -9,19 +8,10 @@ import stand_in
 from birdcage.station.requests import AcknowledgeFault, Goto, Release
 from birdcage_tui.status import BadDayRow, StopButton
 from birdcage_tui.stopping import stop_first
+from stage import run
 from textual.driver import Driver
 from textual.events import Key
 from textual.widgets import Input
-
-
-def run(test, name="idle", **options):
-    async def body():
-        app = stand_in.app_in(name, **options)
-        async with app.run_test(size=(80, 24)) as pilot:
-            await pilot.pause()
-            return await test(app, pilot)
-
-    return asyncio.run(body())
 
 
 def test_space_types_in_a_text_field_and_ctrl_c_stops_there():
