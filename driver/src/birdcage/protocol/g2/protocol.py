@@ -2,39 +2,35 @@
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Callable, Mapping
 from typing import ClassVar
 
-from birdcage.base.errors import CommandRefused, MotionRefused, NoReply, PositionUnknown
+from birdcage.base.errors import CommandRefused, NoReply, PositionUnknown
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.protocol.command_list import CommandDoc
 from birdcage.protocol.g2.commands import COMMANDS
 from birdcage.protocol.g2.hazards import HAZARDS
+from birdcage.protocol.g2.homing import parse_homing
 from birdcage.protocol.g2.model import CARRYOUT_G2, DIALECT
+from birdcage.protocol.g2.motor_values import HomingReport
+from birdcage.protocol.g2.reading import INT_MAX
+from birdcage.protocol.g2.rooms import Rooms
+from birdcage.protocol.g2.survey import survey
 from birdcage.protocol.hazard import HazardTable
 from birdcage.protocol.model import DishModel
-from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, NvsRow, parse_nvs
-from birdcage.protocol.protocol import BOOT_TIMEOUT_S, FirmwareProtocol
+from birdcage.protocol.nvs import DISABLE_TRACKER, NvsRow
+from birdcage.protocol.protocol import BOOT_TIMEOUT_S
 from birdcage.protocol.types import Position, RssiReading, Survey
-
-UNHOMED = 2147483647.0
-"""INT_MAX: what an axis reports until it is homed (section 7.2)."""
 
 _ANGLE = re.compile(r"Angle\[(\d)\]\s*=\s*([-+]?\d+(?:\.\d+)?)")
 _MOVE_TAKEN = re.compile(r"Angle\s*=\s*([-+]?\d+(?:\.\d+)?)")
-_MAX_VEL = re.compile(r"Max Vel\s*\[(\d)\]\s*=\s*(\d+)(?![\d.])")
-_RSSI = re.compile(r"Reads:(\d+)\s+RSSI\[avg:\s*(\d+)\s+cur:\s*(\d+)\]")
-_ID_FIELD = re.compile(r"^\s*([A-Za-z][\w -]*?):\s+(.+?)\s*$")
 _HOMING_S = 15.0
 _STOW_S = 60.0
 """How long `stow` may keep the shell: no source says whether it does. Only a deadline depends on it."""
-_RSSI_READ_S = 0.1
-"""A generous guess of what one read of `rssi n` takes; only a deadline depends on it."""
 
 
-class CarryoutG2Protocol(FirmwareProtocol):
+class CarryoutG2Protocol(Rooms):
     """The Carryout G2's console: prompts `TRK>`, `MOT>`, `DVB>`, …; homing and TV search switched by NVS 20."""
 
     name: ClassVar[str] = "g2"
@@ -86,7 +82,7 @@ class CarryoutG2Protocol(FirmwareProtocol):
         if set(angles) != {0, 1}:
             self.gate.forget("unread")
             raise NoReply(f"The dish answered `a` with {' / '.join(reply.lines)!r}, not two angles.", reason="garbage")
-        if UNHOMED in angles.values():
+        if INT_MAX in angles.values():
             self.gate.forget("unhomed")
             raise PositionUnknown(
                 "The dish is not homed, so it does not know where it is. Home it first.", reason="unhomed"
@@ -124,6 +120,14 @@ class CarryoutG2Protocol(FirmwareProtocol):
         self.console.run("mot", f"h {motor_id}", takes_s=_HOMING_S, permit=self.permit)
         self.gate.found_reference(motor_id)
 
+    def home_motors(self) -> HomingReport:
+        """Find the references of both axes (`h *`, sections 7.4 and 7.9), as `home_motor`; return what it printed."""
+        self.gate.forget("unread")
+        reply = self.console.run("mot", "h *", takes_s=2 * _HOMING_S, permit=self.permit)
+        for axis in (self.model.azimuth, self.model.elevation):
+            self.gate.found_reference(axis.index)
+        return parse_homing(reply.lines)
+
     def release_motors(self, *, permit: Callable[[], None] | None = None) -> None:
         """Take the current off the motors (`r`): the dish may fall, and its position is then unknown."""
 
@@ -148,30 +152,12 @@ class CarryoutG2Protocol(FirmwareProtocol):
         self.console.run(self.dialect.root, "stow", takes_s=_STOW_S, permit=self.permit)
 
     def read_speeds(self) -> dict[int, float]:
-        """Read `step`, `mv`: microsteps/s (section 7.3; 7222 of 40000 a turn are 65 deg/s)."""
-        found = [m for line in self.console.run("step", "mv").lines for m in _MAX_VEL.finditer(line)]
-        axes = {axis.index: axis for axis in (self.model.azimuth, self.model.elevation)}
-        return {int(m[1]): int(m[2]) * axes[int(m[1])].step_deg for m in found if int(m[1]) in axes and int(m[2]) > 0}
+        """Read `step`, `mv` (section 7.3)."""
+        return self.stepper.max_speeds_deg_s()
 
     def set_speed(self, motor_id: int, speed_deg_s: float) -> dict[int, float]:
         """Send `step`, `mv [motor] [ustep/sec]` (section 7.3), and read it back."""
-        axis = self.model.axis(motor_id)
-        if not axis.step_deg <= speed_deg_s <= axis.speed_deg_s:
-            raise MotionRefused(
-                f"The {axis.name} can go at up to {axis.speed_deg_s:g}°/s and more than 0, not at {speed_deg_s:g}°/s. "
-                "Nothing was sent.",
-                reason="speed",
-            )
-        steps = math.floor(speed_deg_s / axis.step_deg + 1e-6)
-        self.console.run("step", f"mv {motor_id} {steps}")
-        speeds = self.read_speeds()
-        now = speeds.get(motor_id)
-        if now is None or abs(now - steps * axis.step_deg) > 1.5 * axis.step_deg:
-            shown = "none" if now is None else f"{now:.2f}°/s"
-            raise CommandRefused(
-                f"The dish was told {speed_deg_s:.2f}°/s for the {axis.name} and shows {shown}.", reason="bad_parameter"
-            )
-        return speeds
+        return self.stepper.set_max_speed(motor_id, speed_deg_s)
 
     def enter_dvb_menu(self) -> None:
         """Enter `dvb`."""
@@ -179,66 +165,31 @@ class CarryoutG2Protocol(FirmwareProtocol):
 
     def enable_lna(self) -> None:
         """Feed the LNB with 13 V (`lnbdc odu`, section 7.6)."""
-        self.console.run("dvb", "lnbdc odu")
+        self.tuner.supply_13_volts()
 
     def get_rssi(self, iterations: int = 10) -> RssiReading:
         """Read the tuner's signal strength, averaged over `iterations` reads (section 7.6). In counts, no unit."""
-        if not 1 <= iterations <= 1000:
-            raise ValueError(f"iterations must lie in 1..1000, not {iterations}")
-        reply = self.console.run("dvb", f"rssi {iterations}", takes_s=iterations * _RSSI_READ_S)
-        for match in map(_RSSI.search, reply.lines):
-            if match:
-                return RssiReading(*(int(number) for number in match.groups()))
-        raise NoReply(f"The dish answered `rssi` with {' / '.join(reply.lines)!r}.", reason="garbage")
+        return self.tuner.rssi(iterations)
 
     def quit_submenu(self) -> None:
         """Leave the present submenu; nothing is sent at the root."""
         self.console.leave()
 
     def survey(self) -> Survey:
-        """Read identity (`os`, `id`: section 7.1), limits and TV search (NVS 101, 102, 20), and speeds (`step`)."""
-        rows = {}
-        for index in (DISABLE_TRACKER, MIN_ELEVATION, MAX_ELEVATION):
-            try:
-                rows[index] = self.read_nvs(index)
-            except NoReply as missing:
-                if missing.reason != "no_row":
-                    raise
-        try:
-            speeds = self.read_speeds()
-        except CommandRefused:
-            speeds = {}  # a G2 with another stepper menu: the model's speeds hold
-        reply = self.console.run("os", "id")
-        identity = {m[1]: m[2] for m in map(_ID_FIELD.match, reply.lines) if m}
-        limits = [_degrees(rows.get(i)) for i in (MIN_ELEVATION, MAX_ELEVATION)]
-        return Survey(
-            identity=identity,
-            version=identity.get("Software"),
-            settings={f"nvs.{index}": row.current for index, row in rows.items()},
-            el_min_deg=limits[0],
-            el_max_deg=limits[1],
-            speeds=speeds,
-            search_disabled=rows[DISABLE_TRACKER].current == "TRUE" if DISABLE_TRACKER in rows else None,
-        )
+        """Read identity, limits, TV search and speeds."""
+        return survey(self.system, self.nvs, self.stepper)
 
     def read_nvs(self, index: int) -> NvsRow:
         """Read one row of the settings memory (section 7.5). NoReply (no_row) when there is no such row."""
-        rows = parse_nvs(self.console.run("nvs", f"d {index}").lines)
-        if index not in rows:
-            raise NoReply(f"The dish showed no NVS row {index}.", reason="no_row")
-        return rows[index]
+        return self.nvs.read(index)
 
     def write_nvs(self, index: int, value: str) -> NvsRow:
         """Write one row in RAM, save it to flash, and read it back. Takes effect after a power cycle."""
-        self.console.run("nvs", f"e {index} {value}")
-        saved = self.console.run("nvs", "s", takes_s=10.0)
-        if not any("Success" in line for line in saved.lines):
-            raise CommandRefused(f"The dish did not save: {' / '.join(saved.lines)!r}.", reason="bad_parameter")
-        return self.read_nvs(index)
+        return self.nvs.write(index, value)
 
     def settings_table(self) -> tuple[str, ...]:
         """Read the whole settings memory with `nvs`, `d`, as printed."""
-        return self.console.run("nvs", "d", takes_s=10.0).lines
+        return self.nvs.printed()
 
     def kill_search(self) -> None:
         """Switch the TV search off for good: NVS 20 TRUE, saved (section 7.5).
@@ -252,16 +203,3 @@ class CarryoutG2Protocol(FirmwareProtocol):
         """Walk `kill_search` back: NVS 20 FALSE, saved. Takes effect after a power cycle."""
         if self.read_nvs(DISABLE_TRACKER).saved != "FALSE":
             self.write_nvs(DISABLE_TRACKER, "0")
-
-
-def _degrees(row: NvsRow | None) -> float | None:
-    """Return the angle in force of a setting; None when there is no such row. NoReply when it is not a number."""
-    if row is None:
-        return None
-    try:
-        value = float(row.current)
-    except ValueError:
-        value = math.nan
-    if not math.isfinite(value):
-        raise NoReply(f"The dish showed {row.current!r} in NVS row {row.index}, which is no angle.", reason="garbage")
-    return value

@@ -1,0 +1,85 @@
+"""DiSEqC 2.x, in the tuner's menu (reference section 7.3, source document 001): LNB and switches on the cable."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import ClassVar
+
+from birdcage.protocol.g2.reading import find, only_whole, search
+from birdcage.protocol.g2.room import Room
+
+LONGEST = 6
+"""Bytes of a DiSEqC message that the dish takes."""
+
+_HEX = re.compile(r"0x([0-9A-Fa-f]{1,2})\b")
+_MS = re.compile(r"(?<![\w.])(\d+)\s*ms\b", re.IGNORECASE)
+_TIMEOUT = re.compile("RxReplyTimeout", re.IGNORECASE)
+_BUS_S = 2.0
+"""How long a message and its answer may take beside the time for replies; only a deadline depends on it."""
+
+
+@dataclass(frozen=True, slots=True)
+class DiseqcReply:
+    """What an LNB or switch answered. No source documents the fields of an answer."""
+
+    timed_out: bool
+    """Nobody answered: no switch or LNB that speaks DiSEqC 2.x."""
+    lines: tuple[str, ...]
+    """As printed; `di2conf` has shown `3 21180544 238 <4.5`."""
+
+
+class Diseqc(Room):
+    """Settings of the bus, questions to an LNB, and messages of one's own."""
+
+    menu: ClassVar[str] = "dvb"
+
+    def address(self) -> int:
+        """Read whom it talks to (`ovraddr`): 0x11 is the first LNB."""
+        return int(find(self._run("ovraddr"), _HEX)[1], 16)
+
+    def pre_transmit_ms(self) -> int:
+        """Read the silence before a message in ms (`pretx`: 15)."""
+        return self._milliseconds("pretx")
+
+    def reply_timeout_ms(self) -> int:
+        """Read how long it waits for an answer in ms (`rrto`: 210)."""
+        return self._milliseconds("rrto")
+
+    def tone_threshold_counts(self) -> int:
+        """Read from which level on 22 kHz counts as a tone (`tdthresh`: 110 counts, of 0.16 a millivolt)."""
+        return only_whole(self._run("tdthresh"))
+
+    def lnb_config(self) -> DiseqcReply:
+        """Ask the LNB for its configuration (`di2conf`)."""
+        return self._ask("di2conf")
+
+    def lnb_identity(self) -> DiseqcReply:
+        """Ask the LNB what it is (`di2id`)."""
+        return self._ask("di2id")
+
+    def lnb_status(self) -> DiseqcReply:
+        """Ask the LNB for its status flags (`di2stat`)."""
+        return self._ask("di2stat")
+
+    def switch_status(self) -> DiseqcReply:
+        """Ask for the state of the committed switch (`di2rcs`)."""
+        return self._ask("di2rcs")
+
+    def send(self, message: bytes) -> DiseqcReply:
+        """Send 1 to 6 bytes: `E0 10 38 F0` chooses the first port of a switch. ValueError for more, or none.
+
+        Polarisation or input may change.
+        """
+        if not 1 <= len(message) <= LONGEST:
+            raise ValueError(f"a DiSEqC message has 1 to {LONGEST} bytes, not {len(message)}")
+        return self._ask(f"send {message.hex(' ').upper()}")
+
+    def _ask(self, line: str) -> DiseqcReply:
+        reply = self._run(line, takes_s=_BUS_S)
+        return DiseqcReply(search(reply, _TIMEOUT) is not None, reply.lines)
+
+    def _milliseconds(self, line: str) -> int:
+        reply = self._run(line)
+        named = search(reply, _MS)
+        return int(named[1]) if named else only_whole(reply)

@@ -1,0 +1,27 @@
+"""The processor's own memory, `EE>` (reference section 7.3). The firmware keeps its settings in `NVS>` instead."""
+
+from __future__ import annotations
+
+import re
+from typing import ClassVar
+
+from birdcage.protocol.g2.reading import garbage, search
+from birdcage.protocol.g2.room import Room
+
+_READ = re.compile(r"Index:\s*(\d+)\s+Read value\s*=\s*([-+]?\d+)\b")
+_UNWRITTEN = re.compile(r"Failed to read eeprom index:\s*(\d+)\s+val:\s*65793\b")
+
+
+class Eeprom(Room):
+    """Reads entries. Writing and `inv`, which loses one for good, are not here."""
+
+    menu: ClassVar[str] = "eeprom"
+
+    def read(self, index: int) -> int | None:
+        """Read one entry (`ee <index>`); None when it was never written (`val:65793`)."""
+        reply = self._run(f"ee {index}")
+        unwritten, match = search(reply, _UNWRITTEN), search(reply, _READ)
+        answered = unwritten or match
+        if answered is None or int(answered[1]) != index:
+            raise garbage(reply)
+        return None if match is None else int(match[2])

@@ -1,0 +1,23 @@
+"""What the G2 prints when it homes (reference sections 7.4 and 7.9)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from birdcage.protocol.g2.motor_values import HomingReport
+
+_WRAP = re.compile(r"wrap_min:\s*([-+]?\d+)\s+wrap_max:\s*([-+]?\d+)\b")
+_END = re.compile(r"\bAZ\s*-\s*Angle:\s*([-+]?\d+)\s+Wrap:\s*([-+]?\d+)\b")
+
+
+def parse_homing(lines: Iterable[str]) -> HomingReport:
+    """Read `wrap_min:-42333 wrap_max:2333` (centidegrees) and `AZ - Angle: 1 Wrap: 0`, wherever they stand."""
+    text = "\n".join(lines)
+    wrap, end = _WRAP.search(text), _END.search(text)
+    return HomingReport(
+        wrap_min_deg=int(wrap[1]) / 100.0 if wrap else None,
+        wrap_max_deg=int(wrap[2]) / 100.0 if wrap else None,
+        az_deg=float(end[1]) if end else None,
+        turn=int(end[2]) if end else None,
+    )

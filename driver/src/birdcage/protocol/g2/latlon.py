@@ -1,0 +1,42 @@
+"""The calculator of the dish's place, `LATLON>` (reference section 7.3)."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import ClassVar
+
+from birdcage.protocol.g2.reading import find, search
+from birdcage.protocol.g2.room import Room
+
+_CALCULATE_S = 5.0
+_PLACE = re.compile(r"\bLat\s*=\s*([-+]?\d+)\s+Lon\s*=\s*([-+]?\d+)\b")
+_ENTERED = re.compile(r"anglesentered\s*=\s*([-+]?\d+)\s+([-+]?\d+)\s+([-+]?\d+)\s+([-+]?\d+)\b")
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where the dish takes itself to be; `angles_deg` are the four that it took, None when it did not say."""
+
+    lat_deg: float
+    lon_deg: float
+    angles_deg: tuple[float, ...] | None
+
+
+class LatLon(Room):
+    """Works out a place from the look angles of two geostationary satellites. Sets nothing."""
+
+    menu: ClassVar[str] = "latlon"
+
+    def triangulate(self, p1: float, p2: float, p3: float, p4: float) -> Place:
+        """Send four angles in degrees (`l`) and return the place.
+
+        What the four are is not certain: azimuth and elevation of one satellite, then of the other, most likely.
+        """
+        reply = self._run("l " + " ".join(f"{angle:.2f}" for angle in (p1, p2, p3, p4)), takes_s=_CALCULATE_S)
+        place, entered = find(reply, _PLACE), search(reply, _ENTERED)
+        return Place(
+            int(place[1]) / 100.0,
+            int(place[2]) / 100.0,
+            tuple(int(text) / 100.0 for text in entered.groups()) if entered else None,
+        )

@@ -1,0 +1,103 @@
+"""The motor menu, `MOT>`: what it tells (reference sections 7.3 and 7.4). Moving is the dialect's, through the gate.
+
+Only `elminmaxhome`, `mv` and the names of `l` are quoted. `p`, `v` and `ma` are read as `mv` is printed, by motor
+number; a number with decimals is taken for degrees, as those of `a` and the settings memory are.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import ClassVar
+
+from birdcage.protocol.g2.gains import read_gains
+from birdcage.protocol.g2.motor_values import Accelerations, ElevationLimits, Gains, MotorEntry, Speeds, StepCounts
+from birdcage.protocol.g2.reading import INT_MAX, NUMBER, by_motor, find, garbage, only_number, only_whole, search
+from birdcage.protocol.g2.room import Room
+
+_LIMITS = re.compile(rf"Min:\s*({NUMBER})\s+Max:\s*({NUMBER})\s+Home:\s*({NUMBER})")
+_MOTOR = re.compile(r"(?<!\w)([01])\s*[=:)]\s*(AZIMUTH|ELEVATION)\b[ ,:-]*([^\n]*?)(?=\s+[01]\s*[=:)]|\s*$)")
+_STEPS = re.compile(r"\bsteps?\s*[=:]\s*([-+]?\d+)\b", re.IGNORECASE)
+_ANGLE = re.compile(rf"\bangle\s*[=:]\s*({NUMBER})", re.IGNORECASE)
+_OVERFLOW = re.compile(r"\boverflow", re.IGNORECASE)
+_STEEPEST_DEG = 180.0
+"""More than any elevation setting: what is printed then is in no unit known here."""
+
+
+class Motors(Room):
+    """Reads the state of both motors."""
+
+    menu: ClassVar[str] = "mot"
+
+    def list(self) -> tuple[MotorEntry, ...]:
+        """List the motors with what they do (`l`: `0=AZIMUTH`, `1=ELEVATION`)."""
+        reply = self._run("l")
+        found = tuple(
+            MotorEntry(int(m[1]), m[2], m[3].strip() or None) for line in reply.lines for m in _MOTOR.finditer(line)
+        )
+        if not found:
+            raise garbage(reply)
+        return found
+
+    def steps(self) -> StepCounts:
+        """Read the raw positions in microsteps (`p`)."""
+        reply = self._run("p")
+        raw = by_motor(reply)
+        if "." in raw.azimuth + raw.elevation:
+            raise garbage(reply)
+        return StepCounts(*(None if int(text) == INT_MAX else int(text) for text in (raw.azimuth, raw.elevation)))
+
+    def velocities(self) -> Speeds:
+        """Read how fast the axes turn now (`v`)."""
+        raw = by_motor(self._run("v"))
+        return Speeds(_degrees(raw.azimuth), _degrees(raw.elevation))
+
+    def max_velocities(self) -> Speeds:
+        """Read the greatest speeds (`mv`); those of `stepper`, in microsteps, are quoted with numbers."""
+        raw = by_motor(self._run("mv"))
+        return Speeds(_degrees(raw.azimuth), _degrees(raw.elevation))
+
+    def max_accelerations(self) -> Accelerations:
+        """Read the greatest accelerations (`ma`)."""
+        raw = by_motor(self._run("ma"))
+        return Accelerations(_degrees(raw.azimuth), _degrees(raw.elevation))
+
+    def gains(self) -> tuple[Gains, ...]:
+        """Read the gains of the control loops (`pid`)."""
+        return read_gains(self._run("pid"))
+
+    def life(self) -> tuple[str, ...]:
+        """Read what use the motors have seen (`life`), as printed."""
+        return self._run("life").lines
+
+    def life_details(self) -> tuple[str, ...]:
+        """Read what use the motors have seen, in detail (`motorlife`), as printed."""
+        return self._run("motorlife").lines
+
+    def elevation_limits(self) -> ElevationLimits:
+        """Read the firmware's elevation limits and home in degrees (`elminmaxhome`)."""
+        reply = self._run("elminmaxhome")
+        low, high, home = (float(text) for text in find(reply, _LIMITS).groups())
+        if not -_STEEPEST_DEG < low < high < _STEEPEST_DEG:
+            raise garbage(reply)
+        return ElevationLimits(low, high, home)
+
+    def elevation_to_steps(self, angle_deg: float) -> int:
+        """Ask how many microsteps an elevation is (`ela2s`)."""
+        reply = self._run(f"ela2s {angle_deg:.2f}")
+        named = search(reply, _STEPS)
+        return int(named[1]) if named else only_whole(reply)
+
+    def steps_to_elevation(self, steps: int) -> float | None:
+        """Ask which elevation in degrees a count of microsteps is (`els2a`); None when the dish says overflow."""
+        reply = self._run(f"els2a {steps}")
+        if search(reply, _OVERFLOW):
+            return None
+        named = search(reply, _ANGLE)
+        angle = _degrees(named[1]) if named else only_number(reply)
+        if angle is None or abs(angle) > _STEEPEST_DEG:
+            raise garbage(reply)
+        return angle
+
+
+def _degrees(text: str) -> float | None:
+    return float(text) if "." in text else None

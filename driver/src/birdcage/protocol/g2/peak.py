@@ -1,0 +1,44 @@
+"""The menu of peaking and switches, `PEAK>` (reference section 7.3)."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import ClassVar
+
+from birdcage.protocol.g2.reading import find, garbage
+from birdcage.protocol.g2.room import Room
+
+_SIGNALS = re.compile(r"Even_sig\s*=\s*(\d+)\s*,?\s*Odd_sig\s*=\s*(\d+)\b")
+_SWITCH = re.compile(r"SW Status:\s*0b([01]+)\s+(\d+)\b")
+_TOGGLE_S = 10.0
+
+
+@dataclass(frozen=True, slots=True)
+class PolarisedRssi:
+    """The level in both polarisations, in counts; an empty sky has shown 489 and 235."""
+
+    even_counts: int
+    """Horizontal, 18 V: even transponders."""
+    odd_counts: int
+    """Vertical, 13 V: odd transponders."""
+
+
+class Peak(Room):
+    """Levels and switch. `pw`, `pxy1` and perhaps `psnr` move the dish and are not here, nor is `stb`."""
+
+    menu: ClassVar[str] = "peak"
+
+    def rssi(self) -> PolarisedRssi:
+        """Read the level in both polarisations (`rssits`): switches the LNB's supply between 18 V and 13 V."""
+        match = find(self._run("rssits", takes_s=_TOGGLE_S), _SIGNALS)
+        return PolarisedRssi(int(match[1]), int(match[2]))
+
+    def switch_status(self) -> int:
+        """Read the four bits of an EchoStar switch (`ts`); 0 when there is none."""
+        reply = self._run("ts")
+        match = find(reply, _SWITCH)
+        status = int(match[1], 2)
+        if status != int(match[2]):
+            raise garbage(reply)
+        return status

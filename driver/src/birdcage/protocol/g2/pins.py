@@ -1,0 +1,85 @@
+"""The processor's pins, `GPIO>`, and the DIP switches, `DIPSWITCH>` (reference section 7.3, source document 001)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import ClassVar
+
+from birdcage.protocol.g2.reading import find, garbage, only_whole, search
+from birdcage.protocol.g2.room import Room
+
+_PIN = re.compile(r"[A-E]\d{1,2}")
+_DIRECTION = re.compile(r"\b(INPUT|OUTPUT)\b")
+_STATE = re.compile(r"\b([A-E]\d{1,2})\b\s*[:= ]\s*([01])\b")
+_UNKNOWN = re.compile(r"Unknown bit\s+([A-E]\d{1,2})\b", re.IGNORECASE)
+_RAW = re.compile(r"(?<!\w)val:\s*(?:0x)?([0-9A-Fa-f]{8})\b")
+_CODE = re.compile(r"app_dipswitch:\s*(\d+)\b")
+_REGS_S = 5.0
+
+
+@dataclass(frozen=True, slots=True)
+class PinStates:
+    """All pins that `regs` names, as `B0`; None for one that the dish calls unknown."""
+
+    states: Mapping[str, int | None]
+    lines: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Dipswitch:
+    """The DIP switches: the pins as they stand, and the satellites that the firmware makes of them."""
+
+    raw: int
+    """0xFFFFFF01 is all up."""
+    code: int
+    """101 is DISH 110, 119 and 129 W."""
+
+
+class Gpio(Room):
+    """Reads pins. `w`, which drives one, is not here: it can destroy what hangs on it."""
+
+    menu: ClassVar[str] = "gpio"
+
+    def direction(self, pin: str) -> str:
+        """Read which way a pin goes: `INPUT` or `OUTPUT`; says little of one that serves a peripheral."""
+        return find(self._run(f"dir {_checked(pin)}"), _DIRECTION)[1]
+
+    def read(self, pin: str) -> int:
+        """Read a pin: 0 or 1."""
+        reply = self._run(f"r {_checked(pin)}")
+        named = search(reply, _STATE)
+        if named is not None and named[1] != pin:
+            raise garbage(reply)
+        state = int(named[2]) if named else only_whole(reply)
+        if state not in (0, 1):
+            raise garbage(reply)
+        return state
+
+    def registers(self) -> PinStates:
+        """Read all pins (`regs`: 92, of ports A to E)."""
+        reply = self._run("regs", takes_s=_REGS_S)
+        text = "\n".join(reply.lines)
+        states: dict[str, int | None] = {m[1]: int(m[2]) for m in _STATE.finditer(text)}
+        states |= {m[1]: None for m in _UNKNOWN.finditer(text)}
+        if not states:
+            raise garbage(reply)
+        return PinStates(states, reply.lines)
+
+
+class Dipswitches(Room):
+    """The switches under the cover."""
+
+    menu: ClassVar[str] = "dipswitch"
+
+    def read(self) -> Dipswitch:
+        """Read `dipswitch`."""
+        reply = self._run("dipswitch")
+        return Dipswitch(int(find(reply, _RAW)[1], 16), int(find(reply, _CODE)[1]))
+
+
+def _checked(pin: str) -> str:
+    if not _PIN.fullmatch(pin):
+        raise ValueError(f"a pin is called `B0` or `E12`, not {pin!r}")
+    return pin

@@ -1,0 +1,93 @@
+"""Reads values out of replies by their names. Numbers are never counted: unquoted texts may hold more of them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Generic, TypeVar
+
+from birdcage.base.errors import NoReply
+from birdcage.console.events import Reply
+
+NUMBER = r"[-+]?\d+(?:\.\d+)?(?![\dxX]|\.\d)"
+INT_MAX = 2147483647
+"""What an axis reports until it is homed (section 7.2)."""
+
+_NUMBER = re.compile(rf"(?<![\w.]){NUMBER}")
+_BY_MOTOR = re.compile(rf"\[\s*([01])\s*\]\s*[=:]\s*({NUMBER})")
+_IN_BRACKETS = re.compile(r"\([^)]*\)")
+_BOTH = re.compile(r"\bAZ\s*/\s*EL\b(.*)")
+_AZ = re.compile(r"\bAZ\w*\b(.*?)(?=\bEL\w*\b|$)")
+_EL = re.compile(r"\bEL\w*\b(.*?)(?=\bAZ\w*\b|$)")
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True, slots=True)
+class PerAxis(Generic[T]):
+    """One value for each axis."""
+
+    azimuth: T
+    elevation: T
+
+
+def garbage(reply: Reply) -> NoReply:
+    """Return the error for a reply that makes no sense."""
+    printed = " / ".join(reply.lines) or "nothing"
+    return NoReply(f"The dish answered `{reply.command}` with {printed!r}, which makes no sense.", reason="garbage")
+
+
+def search(reply: Reply, pattern: re.Pattern[str]) -> re.Match[str] | None:
+    """Return the first match in a line of the reply."""
+    return next((m for m in map(pattern.search, reply.lines) if m), None)
+
+
+def find(reply: Reply, pattern: re.Pattern[str]) -> re.Match[str]:
+    """Return the first match in a line of the reply; NoReply (garbage) when there is none."""
+    found = search(reply, pattern)
+    if found is None:
+        raise garbage(reply)
+    return found
+
+
+def only_number(reply: Reply) -> float:
+    """Return the number of a reply that holds a single one, remarks in brackets aside; NoReply (garbage) otherwise."""
+    numbers = [text for line in reply.lines for text in _NUMBER.findall(_IN_BRACKETS.sub("", line))]
+    if len(numbers) != 1:
+        raise garbage(reply)
+    return float(numbers[0])
+
+
+def only_whole(reply: Reply) -> int:
+    """Return the whole number of a reply that holds a single number; NoReply (garbage) otherwise."""
+    value = only_number(reply)
+    if value != int(value):
+        raise garbage(reply)
+    return int(value)
+
+
+def by_motor(reply: Reply) -> PerAxis[str]:
+    """Read `Name[0] = 1` and `Name[1] = 2`, on one line or two; NoReply (garbage) unless both are there."""
+    found = {m[1]: m[2] for line in reply.lines for m in _BY_MOTOR.finditer(line)}
+    if set(found) != {"0", "1"}:
+        raise garbage(reply)
+    return PerAxis(found["0"], found["1"])
+
+
+def by_axis(reply: Reply, words: Mapping[str, T]) -> PerAxis[T]:
+    """Read one of some words after `AZ` and one after `EL` (`AZ DIAG: OK EL DIAG: OK`), or after `AZ/EL` for both.
+
+    NoReply (garbage) unless both are there.
+    """
+    text = " ".join(reply.lines)
+    both = _BOTH.search(text)
+    found = [_word(part[1], words) if part else None for part in (both or _AZ.search(text), both or _EL.search(text))]
+    if found[0] is None or found[1] is None:
+        raise garbage(reply)
+    return PerAxis(words[found[0]], words[found[1]])
+
+
+def _word(text: str, words: Mapping[str, T]) -> str | None:
+    spelt = {word.lower(): word for word in words}
+    return next((spelt[word.lower()] for word in re.findall(r"\w+", text) if word.lower() in spelt), None)

@@ -1,0 +1,52 @@
+"""What the rooms of the G2's console share: one menu each, over an open console."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import ClassVar, TypeVar
+
+from birdcage.base.errors import NoReply
+from birdcage.console.events import Reply
+from birdcage.console.session import Console
+
+LINE_S = 0.6
+"""About how far apart the lines of a stream are: no source says. Only a stream's length depends on it."""
+_SLICE_S = 0.1
+
+T = TypeVar("T")
+
+
+class Room:
+    """One menu. Every method raises what `Console` raises, and NoReply (garbage) for a reply that makes no sense."""
+
+    menu: ClassVar[str]
+
+    def __init__(self, console: Console) -> None:
+        self.console = console
+
+    def _run(self, line: str, *, takes_s: float = 0.0) -> Reply:
+        return self.console.run(self.menu, line, takes_s=takes_s)
+
+    def _sample(self, line: str, read: Callable[[str], T | None], samples: int, within_s: float) -> tuple[T, ...]:
+        """Run a command that prints until a key, and end it when `samples` of its lines could be read.
+
+        It runs in slices, and for `within_s` in all at most; what came until then is returned. NoReply (garbage) when
+        that is nothing.
+        """
+        if samples < 1:
+            raise ValueError(f"samples must be at least 1, not {samples}")
+        lines: list[str] = []
+        found: list[T] = []
+        clock = self.console.clock
+        self.console.enter(self.menu)
+        until = clock.monotonic() + within_s
+        while (missing := samples - len(found)) > 0 and clock.monotonic() < until:
+            part: list[str] = []
+            end = min(until, clock.monotonic() + (missing - 1) * LINE_S + _SLICE_S)
+            self.console.stream(line, part.append, end)
+            found += [value for value in map(read, part) if value is not None]
+            lines += part
+        if not found:
+            printed = " / ".join(lines[:4]) or "nothing"
+            raise NoReply(f"In {within_s:g} s of `{line}` the dish printed {printed!r}.", reason="garbage")
+        return tuple(found[:samples])

@@ -1,0 +1,64 @@
+"""The settings memory, `NVS>` (reference section 7.5, a verbatim session)."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from birdcage.base.errors import CommandRefused, NoReply
+from birdcage.protocol.g2.room import Room
+from birdcage.protocol.nvs import NvsRow, parse_edit, parse_nvs
+
+UNITS = {
+    27: "rpm",
+    38: "s",
+    41: "deg/s",
+    80: "deg/s",
+    81: "deg/s²",
+    83: "steps/turn",
+    85: "deg/s",
+    88: "steps/turn",
+    101: "deg",
+    102: "deg",
+    103: "deg",
+}
+"""Units of the rows whose unit a source tells (section 7.5, source document 001)."""
+
+_TABLE_S = _SAVE_S = 10.0
+"""How long the whole table and a write to flash may take: no source says. Only a deadline depends on it."""
+
+
+class SettingsMemory(Room):
+    """Reads and writes settings: `nvs.read(101).value` is the elevation floor in degrees (see `UNITS`)."""
+
+    menu: ClassVar[str] = "nvs"
+
+    def read(self, index: int) -> NvsRow:
+        """Read one row. NoReply (no_row) when there is no such row."""
+        rows = parse_nvs(self._run(f"d {index}").lines)
+        if index not in rows:
+            raise NoReply(f"The dish showed no NVS row {index}.", reason="no_row")
+        return rows[index]
+
+    def table(self) -> dict[int, NvsRow]:
+        """Read all rows, by index; there are holes."""
+        return parse_nvs(self.printed())
+
+    def printed(self) -> tuple[str, ...]:
+        """Read all rows, as printed."""
+        return self._run("d", takes_s=_TABLE_S).lines
+
+    def write(self, index: int, value: str) -> NvsRow:
+        """Write one row in RAM, save all that RAM holds to flash, and read the row back.
+
+        In force after a power cycle. CommandRefused (`bad_parameter`) when the dish edits another row or does not say
+        that it saved.
+        """
+        edit = parse_edit(self._run(f"e {index} {value}").lines)
+        if edit is not None and edit.index != index:
+            raise CommandRefused(
+                f"Told to change NVS row {index}, the dish changed {edit.index}.", reason="bad_parameter"
+            )
+        saved = self._run("s", takes_s=_SAVE_S)
+        if not any("Success" in line for line in saved.lines):
+            raise CommandRefused(f"The dish did not save: {' / '.join(saved.lines)!r}.", reason="bad_parameter")
+        return self.read(index)

@@ -1,0 +1,67 @@
+"""The stepper menu, `STEP>`: motors in microsteps (reference section 7.3). Its `p` and `v` move and are not here."""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import ClassVar
+
+from birdcage.base.errors import CommandRefused, MotionRefused
+from birdcage.console.events import Reply
+from birdcage.protocol.g2.gains import read_gains
+from birdcage.protocol.g2.model import CARRYOUT_G2
+from birdcage.protocol.g2.motor_values import Accelerations, Gains
+from birdcage.protocol.g2.reading import by_motor
+from birdcage.protocol.g2.room import Room
+
+_MAX_VEL = re.compile(r"Max Vel\s*\[(\d)\]\s*=\s*(\d+)(?![\d.])")
+_AXES = {axis.index: axis for axis in (CARRYOUT_G2.azimuth, CARRYOUT_G2.elevation)}
+
+
+class Stepper(Room):
+    """Speeds, accelerations and gains below the angles."""
+
+    menu: ClassVar[str] = "step"
+
+    def max_speeds_deg_s(self) -> dict[int, float]:
+        """Read the greatest speeds in force by motor number (`mv`; 7222 of 40000 microsteps a turn are 65 deg/s)."""
+        return _speeds(self._run("mv"))
+
+    def set_max_speed(self, motor: int, speed_deg_s: float) -> dict[int, float]:
+        """Set the greatest speed of one motor until the dish restarts (`mv <motor> <ustep/s>`), and read it back.
+
+        MotionRefused (`speed`, nothing sent) outside the axis' range, CommandRefused when it shows another speed then.
+        """
+        axis = _AXES[motor]
+        if not axis.step_deg <= speed_deg_s <= axis.speed_deg_s:
+            raise MotionRefused(
+                f"The {axis.name} can go at up to {axis.speed_deg_s:g}°/s and more than 0, not at {speed_deg_s:g}°/s. "
+                "Nothing was sent.",
+                reason="speed",
+            )
+        steps = math.floor(speed_deg_s / axis.step_deg + 1e-6)
+        self._run(f"mv {motor} {steps}")
+        speeds = self.max_speeds_deg_s()
+        now = speeds.get(motor)
+        if now is None or abs(now - steps * axis.step_deg) > 1.5 * axis.step_deg:
+            shown = "none" if now is None else f"{now:.2f}°/s"
+            raise CommandRefused(
+                f"The dish was told {speed_deg_s:.2f}°/s for the {axis.name} and shows {shown}.", reason="bad_parameter"
+            )
+        return speeds
+
+    def max_accelerations(self) -> Accelerations:
+        """Read the greatest accelerations (`ma`, in microsteps/s/ms: 44 are 396 deg/s²)."""
+        raw = by_motor(self._run("ma"))
+        return Accelerations(
+            *(float(text) * 1000.0 * _AXES[i].step_deg for i, text in enumerate((raw.azimuth, raw.elevation)))
+        )
+
+    def gains(self) -> tuple[Gains, ...]:
+        """Read the gains (`pid`: `Kp=250 Kv=50`)."""
+        return read_gains(self._run("pid"))
+
+
+def _speeds(reply: Reply) -> dict[int, float]:
+    found = [m for line in reply.lines for m in _MAX_VEL.finditer(line)]
+    return {int(m[1]): int(m[2]) * _AXES[int(m[1])].step_deg for m in found if int(m[1]) in _AXES and int(m[2]) > 0}
