@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 import random
+from collections.abc import Callable
 from dataclasses import dataclass
 
+from birdcage.sim.gear import Gear
 from birdcage.sim.motion import Motion, at_rest, plan, stopping_point
 
 OVERSHOOT_FORWARD_DEG = (0.01, 0.05)
@@ -48,13 +50,20 @@ class Axis:
         self.released = False
         self.orders = 0
         """How many motions it was given."""
+        self.homings = 0
+        """How often it began to look for its reference."""
+        self.slips_at_stop = False
+        """Whether the count goes on when the shaft is at a stop; else the motion ends there."""
+        self.on_strike: Callable[[float], None] | None = None
+        """Told when a motion is ordered that will end at a stop, and when that will be."""
         self._slips = False
         self._rng = rng
         self._count: list[Motion] = [at_rest(0.0, position_deg)]
         self._target_deg: float | None = None
-        self._error_deg = 0.0
+        self._gear = Gear(data.low_deg, data.high_deg, data.backlash_deg, position_deg)
         self._shaft: list[Motion] | None = None
-        self._play_deg = position_deg
+        self._worn = (0.0, 0.0)
+        self._worn_at_s = -math.inf
 
     @property
     def step_deg(self) -> float:
@@ -70,7 +79,7 @@ class Axis:
         """Return where the axis really is."""
         if self._shaft is not None:
             return _along(self._shaft, now_s)[0]
-        return self._loose(now_s) + self._error_deg
+        return self._gear.shaft(self._count, now_s)
 
     def moving(self, now_s: float) -> bool:
         """Whether the motor turns."""
@@ -79,6 +88,12 @@ class Axis:
     def end_s(self) -> float:
         """When the last motion that was ordered ends."""
         return self._count[-1].end_s
+
+    def wear(self, now_s: float) -> tuple[float, float]:
+        """Return how many degrees it has really turned, to and fro, and for how many seconds, homing included."""
+        motions = self._count if self._shaft is None else self._shaft
+        turned = [motion.travelled(self._worn_at_s, now_s) for motion in motions]
+        return self._worn[0] + sum(deg for deg, _ in turned), self._worn[1] + sum(seconds for _, seconds in turned)
 
     def ordered_deg(self) -> float:
         """Return where it will come to rest."""
@@ -92,7 +107,7 @@ class Axis:
         if target_deg == self._target_deg and not self.stalled:
             return
         position, rate = _along(self._count, now_s)
-        self._settle_play(now_s)
+        self._settle(now_s)
         self._count = []
         self._append(now_s, position, rate, target_deg, rate_deg_s)
 
@@ -105,19 +120,21 @@ class Axis:
         """Go to another target after those already ordered."""
         if target_deg == self._target_deg and not self.stalled:
             return
-        self._settle_play(now_s)
+        self._settle(now_s)
         self._count = [motion for motion in self._count if motion.end_s > now_s] or self._count[-1:]
         self._append(max(now_s, self.end_s()), self.ordered_deg(), 0.0, target_deg)
 
     def halt(self, now_s: float) -> None:
         """Lose all motion at once, as when the motor's current is cut or the rotor is blocked."""
         where = self.shaft(now_s)
-        count = self.count(now_s)[0]
-        self._count = [at_rest(now_s, count)]
-        self._target_deg = None
+        self._stand(now_s, self.count(now_s)[0], where)
         self._shaft = [at_rest(now_s, where)] if self.stalled else None
-        self._play_deg = count
-        self._error_deg = where - count
+
+    def redefine(self, now_s: float, count_deg: float) -> None:
+        """Stop, and believe from now on that this is where it stands; the shaft stays where it is."""
+        where = self.shaft(now_s)
+        self.halt(now_s)
+        self._stand(now_s, round(count_deg / self.step_deg) * self.step_deg, where)
 
     def fall(self, now_s: float, by_deg: float, rate_deg_s: float) -> None:
         """Let the shaft sink towards its lower stop while the count stands still."""
@@ -131,6 +148,7 @@ class Axis:
         where = self.shaft(now_s)
         if not slips:
             self.halt(now_s)
+        self._settle(now_s)
         self.stalled = True
         self._slips = slips
         self._shaft = [at_rest(now_s, where)]
@@ -145,6 +163,7 @@ class Axis:
         """Run into the stop, back off to the home position, and return when that is done."""
         self.halt(now_s)
         self.homed = False
+        self.homings += 1
         data = self.data
         where = self.shaft(now_s)
         if self.stalled:
@@ -160,11 +179,8 @@ class Axis:
         """Take the reference if the stop was found; return whether it was."""
         if self.stalled:
             return False
+        self._stand(now_s, self.data.home_deg, self.data.home_deg)
         self._shaft = None
-        self._error_deg = 0.0
-        self._count = [at_rest(now_s, self.data.home_deg)]
-        self._target_deg = None
-        self._play_deg = self.data.home_deg
         self.homed = True
         return True
 
@@ -179,39 +195,37 @@ class Axis:
         data = self.data
         ahead = target_deg - stopping_point(position, rate, data.accel_deg_s2)
         rest = self._rest(target_deg, 1 if ahead > 0 else -1)
-        self._count.append(plan(start_s, position, rate, rest, highest_deg_s or data.max_rate_deg_s, data.accel_deg_s2))
+        motion = plan(start_s, position, rate, rest, highest_deg_s or data.max_rate_deg_s, data.accel_deg_s2)
+        struck = None if self.slips_at_stop or self.stalled else self._gear.strike(motion)
+        self._count.append(struck or motion)
+        if struck is not None:
+            self._target_deg = None  # ordered again, it tries again
+            if self.on_strike is not None:
+                self.on_strike(struck.end_s)
 
     def _rest(self, target_deg: float, direction: int) -> float:
-        """Choose the step it comes to rest on: past the target, inside the stops."""
+        """Choose the step it comes to rest on: past the target; inside the stops if the target is."""
         near, far = OVERSHOOT_FORWARD_DEG if direction > 0 else OVERSHOOT_BACK_DEG
         step = self.step_deg
         first = math.ceil((target_deg * direction + near * self.data.overshoot) / step)
         last = math.floor((target_deg * direction + far * self.data.overshoot) / step)
         steps = self._rng.randint(first, last) if self.data.overshoot and last >= first else None
         rest = round(target_deg / step) if steps is None else steps * direction
+        if not self.data.low_deg <= target_deg <= self.data.high_deg:
+            return rest * step
         low, high = math.ceil(self.data.low_deg / step), math.floor(self.data.high_deg / step)
         return min(max(rest, low), high) * step
 
-    def _settle_play(self, now_s: float) -> None:
-        self._play_deg = self._loose(now_s)
+    def _settle(self, now_s: float) -> None:
+        """Go on from here: remember what matters of the motions until now."""
+        self._worn, self._worn_at_s = self.wear(now_s), now_s
+        self._gear.settle(self._count, now_s)
 
-    def _loose(self, now_s: float) -> float:
-        """Follow the count with the backlash of the gear: the shaft moves only once the play is taken up."""
-        if not self.data.backlash_deg:
-            return _along(self._count, now_s)[0]
-        out = self._play_deg
-        for motion in self._count:
-            turn = motion.turning_point()
-            if turn is not None and turn[0] <= now_s:
-                out = self._take_up(out, turn[1])
-            out = self._take_up(out, motion.at(max(now_s, motion.start_s))[0])
-            if now_s < motion.end_s:
-                break
-        return out
-
-    def _take_up(self, out: float, position: float) -> float:
-        half = self.data.backlash_deg / 2
-        return min(max(out, position - half), position + half)
+    def _stand(self, now_s: float, count_deg: float, shaft_deg: float) -> None:
+        self._worn, self._worn_at_s = self.wear(now_s), now_s
+        self._count = [at_rest(now_s, count_deg)]
+        self._target_deg = None
+        self._gear.place(count_deg, shaft_deg)
 
 
 def _along(motions: list[Motion], now_s: float) -> tuple[float, float]:

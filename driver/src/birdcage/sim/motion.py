@@ -5,8 +5,12 @@ Nothing here ticks. A motion is planned once; where the axis is at an instant is
 
 from __future__ import annotations
 
+import itertools
 import math
 from dataclasses import dataclass
+
+TOUCH_DEG = 1e-9
+"""An axis that comes to rest at a position does not go beyond it, whatever the last digit says."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +59,48 @@ class Motion:
         if first.rate_deg_s * self.direction >= 0.0 or first.accel_deg_s2 == 0.0:
             return None
         elapsed = -first.rate_deg_s / first.accel_deg_s2
+        if first.start_s + elapsed >= self.end_s:
+            return None
         return first.start_s + elapsed, first.position_deg + first.rate_deg_s * elapsed / 2
+
+    def passes(self, position_deg: float, direction: int) -> float | None:
+        """Return when it first goes beyond a position in a direction (+1 or -1); None when it never does."""
+        ends = [*(leg.start_s for leg in self.legs[1:]), self.end_s]
+        for leg, end_s in zip(self.legs, ends, strict=False):
+            ahead = (position_deg - leg.position_deg) * direction + TOUCH_DEG
+            rate, accel = leg.rate_deg_s * direction, leg.accel_deg_s2 * direction
+            after = _crossing(ahead, rate, accel)
+            if after is not None and leg.start_s + after < end_s:
+                return leg.start_s + after
+        return None
+
+    def cut(self, time_s: float, position_deg: float, direction: int) -> Motion:
+        """Return it as it ends when it runs into something."""
+        return Motion(tuple(leg for leg in self.legs if leg.start_s < time_s), time_s, position_deg, direction)
+
+    def travelled(self, from_s: float, to_s: float) -> tuple[float, float]:
+        """Return how many degrees it turned, to and fro, and for how many seconds, between two instants."""
+        start, end = max(from_s, self.start_s), min(to_s, self.end_s)
+        if end <= start:
+            return 0.0, 0.0
+        places = [self.at(start)[0], self.at(end)[0]]
+        turn = self.turning_point()
+        if turn is not None and start < turn[0] < end:
+            places.insert(1, turn[1])
+        return sum(abs(b - a) for a, b in itertools.pairwise(places)), end - start
+
+
+def _crossing(ahead_deg: float, rate_deg_s: float, accel_deg_s2: float) -> float | None:
+    """Return the time after which something `ahead_deg` away is passed, going outward; None for never."""
+    if ahead_deg <= 0.0 and (rate_deg_s > 0.0 or (rate_deg_s == 0.0 and accel_deg_s2 > 0.0)):
+        return 0.0
+    if accel_deg_s2 == 0.0:
+        return ahead_deg / rate_deg_s if rate_deg_s > 0.0 else None
+    square = rate_deg_s**2 + 2 * accel_deg_s2 * ahead_deg
+    if square < 0.0 and accel_deg_s2 < 0.0:
+        return None
+    after = (math.sqrt(max(square, 0.0)) - rate_deg_s) / accel_deg_s2
+    return after if after >= 0.0 else None
 
 
 def at_rest(time_s: float, position_deg: float) -> Motion:
