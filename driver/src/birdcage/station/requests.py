@@ -39,6 +39,17 @@ class Jog:
 
 
 @dataclass(frozen=True, slots=True)
+class TurnSkew:
+    """Turn the feed about the beam to this angle of the dish's skew axis. Its future resolves at arrival.
+
+    MotionRefused (`unsupported`) on a dish without that axis (`StationState.dish.skew` is None).
+    """
+
+    deg: float
+    holder: str
+
+
+@dataclass(frozen=True, slots=True)
 class Stop:
     """Stop everything and hold. `Station.stop` sends its first bytes from the caller's own thread."""
 
@@ -136,9 +147,11 @@ class ApplySettings:
 
 @dataclass(frozen=True, slots=True)
 class SetSearch:
-    """Switch the firmware's own TV search off for good, or walk that back, after a backup of the dish's settings.
+    """Switch the firmware's own TV search off, or walk that back (see `DishModel.search_switch`).
 
-    Takes effect after a power cycle. Its future resolves with the path of the backup.
+    By a setting: for good, after a backup of the dish's settings, with effect from the next power cycle on; its future
+    resolves with the path of the backup. Where it can only be ended while it runs, that is done at once, and the future
+    resolves with None; giving it back is then MotionRefused (`unsupported`): it begins by itself at power-up.
     """
 
     holder: str
@@ -194,6 +207,7 @@ Request = (
     Goto
     | Follow
     | Jog
+    | TurnSkew
     | Stop
     | Release
     | Home

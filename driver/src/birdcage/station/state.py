@@ -96,6 +96,18 @@ class Pointing:
     utc: datetime
     cable_deg: float | None = None
     """Turn of the cable, when it is known."""
+    skew_deg: float | None = None
+    """The dish's skew; None on a dish without that axis."""
+    modelled: bool = False
+    """Computed and not read: nothing can be asked while a silent slew lasts. `at` is then when it was computed, and
+    `read_at` when the dish last said where it was."""
+    read_at: float | None = None
+    """Monotonic seconds of the last reading, where `modelled`; None where `at` is that."""
+
+    @property
+    def told_at(self) -> float:
+        """Monotonic seconds of when the dish last said where it was: what an age is counted from."""
+        return self.at if self.read_at is None else self.read_at
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,9 +123,16 @@ class Motion:
     eta: float
     """Monotonic seconds at which it should have arrived."""
     stop_power_s: float | None
-    """How long a stop takes from top speed; None when nothing stops this motion."""
+    """How long a stop takes from top speed; None when nothing stops this motion.
+
+    With `end of move`, how long the move of one axis takes that is under way, as a whole; `rests_at` tells when it ends.
+    """
     stop_means: str
-    """`retarget`, `release`, `none`."""
+    """`retarget`, `abort` (any byte ends a silent slew), `end of move`, `release`, `none`."""
+    to_skew_deg: float | None = None
+    """Where the skew is sent; None in a motion of azimuth and elevation, whose own angles then do not change."""
+    rests_at: float | None = None
+    """Monotonic seconds at which the move of one axis that is under way should end; None where STOP need not wait."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,7 +170,9 @@ class StopReport:
     by: str
     at: float
     means: str
-    """`retarget`, `release`, `look` (the console is in another menu), `nothing moved`, `none`, `no link`."""
+    """What stops, or was done: `retarget`, `abort` (a byte that ends a silent slew), `end of move` (nothing calls the
+    move of one axis back), `search` (the TV search was ended), `release`, `look` (the console is in another menu),
+    `nothing moved`, `none`, `no link`."""
     confirmed: bool | None
     """None while it is not known yet."""
     sentence: str
@@ -181,6 +202,7 @@ class StationState:
     """Why the last position no longer holds (`released`, `unhomed`, `raw command`), else None."""
     target_az_deg: float | None = None
     target_el_deg: float | None = None
+    target_skew_deg: float | None = None
     motion: Motion | None = None
     activity: Activity = Activity.UNKNOWN
     activity_since: float = 0.0
