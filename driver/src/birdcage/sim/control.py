@@ -5,6 +5,9 @@
     {"do": "fault", "lane": "to_host", "drop": 0.01}     fields of `Lane`; without "lane" both directions
     {"do": "echo_loss", "on": true}
     {"do": "stall", "axis": 0} {"do": "free", "axis": 0}
+    {"do": "wander", "axis": 0, "by_deg": 20}            a motor runs though nobody asked
+    {"do": "say", "text": "Hello"}                       the dish prints a line that nobody asked for
+    {"do": "brown_out", "quiet": false}                  the processor restarts, forgets homing and does not home
     {"do": "reboot"} {"do": "power_off"} {"do": "power_on"} {"do": "power_cycle", "off_s": 2}
     {"do": "deadlock"} {"do": "unplug"} {"do": "plug"}
 
@@ -33,6 +36,11 @@ LANE_FIELDS = {
     "delay_max_s": float,
     "pace_baud": int,
 }
+OTHERS = (
+    "brown_out", "echo_loss", "fault", "free", "plug", "power_cycle", "received", "say", "stall", "truth", "unplug",
+    "wander",
+)  # fmt: skip
+AXES = "0 (azimuth)", "1 (elevation)", "2 (skew)"
 LONGEST_LINE = 65536
 
 
@@ -61,17 +69,27 @@ def obey(device: Device, request: dict[str, Any]) -> dict[str, Any]:
     elif what == "echo_loss":
         device.wire.echo_loss = bool(request.get("on", True))
     elif what in ("stall", "free"):
-        if request.get("axis") not in (0, 1):
-            raise ValueError("axis is 0 (azimuth) or 1 (elevation)")
-        device.stall(request["axis"], blocked=what == "stall")
+        device.stall(_axis(device, request.get("axis")), blocked=what == "stall")
+    elif what == "wander":
+        device.wander(_axis(device, request.get("axis", 0)), float(request.get("by_deg", 20.0)))
+    elif what == "brown_out":
+        device.brown_out(quiet=bool(request.get("quiet", False)))
+    elif what == "say":
+        device.say(f"{request.get('text', '')}\n")
     elif what == "power_cycle":
         device.power_cycle(float(request.get("off_s", 2.0)))
     elif what in simple:
         simple[what]()
     else:
-        known = sorted([*simple, "truth", "received", "fault", "echo_loss", "stall", "free", "power_cycle"])
-        raise ValueError(f"unknown request {what!r}: there are {', '.join([*known, 'unplug', 'plug'])}")
+        raise ValueError(f"unknown request {what!r}: there are {', '.join(sorted([*simple, *OTHERS]))}")
     return {}
+
+
+def _axis(device: Device, axis: object) -> int:
+    there = range(len(device.dish.axes))
+    if not isinstance(axis, int) or axis not in there:
+        raise ValueError(f"axis is {' or '.join(AXES[: len(there)])}")
+    return axis
 
 
 def _fault(device: Device, request: dict[str, Any]) -> None:

@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import threading
 from collections import deque
+from collections.abc import Callable
 
 from birdcage.base.clock import Clock
-from birdcage.sim.dish import Dish, Truth
-from birdcage.sim.g2.board import Board
-from birdcage.sim.g2.boot import boot_log
-from birdcage.sim.g2.console import menus
-from birdcage.sim.g2.knobs import G2Settings
-from birdcage.sim.g2.tracker import Tracker
+from birdcage.sim.dish import Truth
+from birdcage.sim.firmware import Firmware, Host
 from birdcage.sim.machine import Machine
+from birdcage.sim.settings import Settings
 from birdcage.sim.shell import Shell
 from birdcage.sim.wire import Wire
 
@@ -20,22 +18,24 @@ from birdcage.sim.wire import Wire
 class Device:
     """One dish. Every method may be called from any thread; each brings the dish up to date first."""
 
-    def __init__(self, settings: G2Settings, clock: Clock) -> None:
+    def __init__(self, settings: Settings, clock: Clock, build: Callable[[Host], Firmware]) -> None:
         self.settings = settings
         self.lock = threading.RLock()
         self.machine = Machine(clock)
-        self.wire = Wire(settings)
-        self.dish = Dish(settings, self.truth)
         self.powered = True
         self.inbox: deque[tuple[float, bytes]] = deque()
         """What is on its way to the program, and when each piece arrives."""
         self.session = 0
         """Counts how often the adapter was pulled out: a port of an earlier session is dead for good."""
-        self.board = Board(settings, self.machine, self.dish, self._restart)
-        self.tracker = Tracker(self.board)
-        self.shell = Shell(self.machine, settings, menus(self.board), self._send, self._echo)
+        self.firmware = build(self)
+        self.board = self.firmware.board
+        self.dish = self.firmware.dish
+        self.wire = Wire(settings, self.firmware.baud)
+        self.shell = Shell(self.machine, settings, self.firmware.menus, self._send, self._echo)
         if settings.boot:
-            self.shell.play(boot_log(self.board, self.tracker))
+            self.shell.play(self.firmware.boot())
+        else:
+            self.firmware.resume()
 
     def truth(self) -> Truth:
         """Return what the dish really does at this moment."""
@@ -57,7 +57,22 @@ class Device:
         """Reset the processor in the middle of whatever it does: motion ends, RAM and homing are lost."""
         with self.lock:
             self.machine.run()
-            self._restart()
+            self.restart()
+
+    def restart(self) -> None:
+        """Start over at this very instant: for a firmware, whose script has brought the dish up to date."""
+        self._stop()
+        self._start()
+
+    def brown_out(self, *, quiet: bool = False) -> None:
+        """Restart the processor as a dip of its supply does: homing is forgotten, and nothing homes by itself.
+
+        `quiet`: without the boot log.
+        """
+        with self.lock:
+            self.machine.run()
+            self._stop()
+            self._start(home=False, quiet=quiet)
 
     def power_off(self) -> None:
         """Cut the power: the shell falls silent and the motors let go."""
@@ -68,11 +83,11 @@ class Device:
             self.shell.reset(alive=False)
 
     def power_on(self) -> None:
-        """Give power: the boot log runs, and homing with it unless NVS 20 is TRUE."""
+        """Give power: the boot log runs, and homing with it where the firmware homes by itself."""
         with self.lock:
             self.machine.run()
             self.powered = True
-            self._restart()
+            self.restart()
 
     def power_cycle(self, off_s: float = 2.0) -> None:
         """Cut the power for `off_s` seconds of dish time."""
@@ -87,7 +102,7 @@ class Device:
             self.shell.reset(alive=False)
 
     def stall(self, axis: int, *, blocked: bool = True) -> None:
-        """Block or free an axis (0 azimuth, 1 elevation); setting `stall` says whether the firmware notices."""
+        """Block or free an axis (0 azimuth, 1 elevation, 2 skew); setting `stall`: whether the firmware notices."""
         with self.lock:
             self.machine.run()
             motor = self.dish.axes[axis]
@@ -97,8 +112,25 @@ class Device:
                 return
             slips = self.settings.stall == "slip"
             motor.block(self.machine.dish_s, slips=slips)
-            if was_moving and not slips and self.shell.alive:
-                self.shell.say(f"{motor.data.name} MOTOR STALLED\n")
+            if was_moving and not slips:
+                self.firmware.stalled(motor)
+
+    def wander(self, axis: int = 0, by_deg: float = 20.0) -> None:
+        """Have a motor run though nobody asked; the other way where its range ends first."""
+        with self.lock:
+            self.machine.run()
+            motor, now = self.dish.axes[axis], self.machine.dish_s
+            goal = motor.count(now)[0] + by_deg
+            if not motor.data.low_deg <= goal <= motor.data.high_deg:
+                goal -= 2 * by_deg
+            motor.retarget(now, min(max(goal, motor.data.low_deg), motor.data.high_deg))
+
+    def say(self, text: str) -> None:
+        """Print something that nobody asked for, if the shell lives."""
+        with self.lock:
+            self.machine.run()
+            if self.shell.alive:
+                self.shell.say(text)
 
     def unplug(self) -> None:
         """Pull the adapter out: ports raise `ConnectionError`; the dish goes on by itself."""
@@ -129,11 +161,11 @@ class Device:
             self._send(data)
 
     def _stop(self) -> None:
-        self.tracker.stop()
+        self.firmware.halt()
         self.dish.power_on(self.machine.dish_s)
 
-    def _restart(self) -> None:
-        self._stop()
-        self.board.power_on()
+    def _start(self, *, home: bool = True, quiet: bool = False) -> None:
+        log = self.firmware.boot(home=home)
         self.shell.reset()
-        self.shell.play(boot_log(self.board, self.tracker))
+        if not quiet:
+            self.shell.play(log)

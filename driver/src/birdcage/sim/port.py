@@ -5,15 +5,30 @@ from __future__ import annotations
 import difflib
 import math
 import threading
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Generic
 
 from birdcage.base.clock import Clock
 from birdcage.sim.device import Device
 from birdcage.sim.dish import Dish
+from birdcage.sim.firmware import Firmware, Host
+from birdcage.sim.g2.firmware import G2Firmware
 from birdcage.sim.g2.knobs import G2Settings
-from birdcage.sim.settings import parse_query
+from birdcage.sim.settings import AnySettings, parse_query
 from birdcage.sim.wire import Wire
 
-FIRMWARE = ("g2",)
+
+@dataclass(frozen=True, slots=True)
+class Kind(Generic[AnySettings]):
+    """A firmware: the knobs that it has, and how it is built into a device."""
+
+    settings: type[AnySettings]
+    build: Callable[[AnySettings, Host], Firmware]
+
+
+FIRMWARE: dict[str, Kind[Any]] = {"g2": Kind(G2Settings, G2Firmware)}
+"""Every simulated firmware by the name that follows `sim:`."""
 
 _named: dict[str, Device] = {}
 _named_lock = threading.Lock()
@@ -131,12 +146,17 @@ def open_device(address: str, *, clock: Clock) -> Device:
         near = difflib.get_close_matches(firmware, FIRMWARE, n=1, cutoff=0.3)
         hint = f"did you mean {near[0]}?" if near else f"there is {', '.join(FIRMWARE)}"
         raise ValueError(f"no simulated dish is called {firmware!r}: {hint}")
-    settings = parse_query(query, G2Settings)
+    kind = FIRMWARE[firmware]
+    settings = parse_query(query, kind.settings)
+
+    def make() -> Device:
+        return Device(settings, clock, lambda host: kind.build(settings, host))
+
     if not settings.id:
-        return Device(settings, clock)
+        return make()
     with _named_lock:
         if settings.id not in _named:
-            _named[settings.id] = Device(settings, clock)
+            _named[settings.id] = make()
         return _named[settings.id]
 
 

@@ -23,11 +23,13 @@ UNUSUAL_BAUD = 0
 class PtyChannel:
     """A raw pty whose slave side is held open, so that programs may come and go.
 
-    With `link`, a symbolic link of that name points at it while it is there; it survives re-plugging.
+    With `link`, a symbolic link of that name points at it while it is there; it survives re-plugging. It starts at
+    `baud`, the dish's own.
     """
 
-    def __init__(self, link: Path | None = None) -> None:
+    def __init__(self, link: Path | None = None, baud: int = 115200) -> None:
         self.path = ""
+        self._speed = getattr(termios, f"B{baud}")
         self._link = link
         self._master = -1
         self._slave = -1
@@ -44,7 +46,7 @@ class PtyChannel:
         tty.setraw(self._slave)
         # A program that sets no rate (`cat`, a script) meets the dish at the dish's own.
         modes = termios.tcgetattr(self._slave)
-        modes[4] = modes[5] = termios.B115200
+        modes[4] = modes[5] = self._speed
         termios.tcsetattr(self._slave, termios.TCSANOW, modes)
         os.set_blocking(self._master, False)
         self.path = os.ttyname(self._slave)

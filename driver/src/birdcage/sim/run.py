@@ -39,16 +39,17 @@ def run_simulator(
     """Serve a dish until SIGINT, SIGTERM or SIGHUP, and return the exit status, 0.
 
     Args:
-        firmware: `g2`.
+        firmware: `g2` or `hal205`.
         speed: how many times faster than real time its mechanics and its UTC run.
         seed: of every random figure.
-        unhomed: start with neither axis homed.
+        unhomed: start with no axis homed.
         boot: start at power-on.
         pace_baud: bytes cross the wire at this rate; 0 for at once.
         link: a symbolic link that points at the pty while there is one.
         tcp: serve on 127.0.0.1 instead of a pty.
         json: print one line `{"port": …, "firmware": …, "control": …}` instead of sentences.
-        options: further settings by name, as in `birdcage.sim.settings`; they go before the arguments above.
+        options: further settings by name (`birdcage.sim.settings` and the firmware's own); they go before the
+            arguments above.
         out: where to print; standard output when left out.
         stop: ends it instead of signals (for a caller that is not the main thread).
 
@@ -63,14 +64,14 @@ def run_simulator(
     with ExitStack() as stack:
         if stop is None:
             stop = _stopped_by_signals(stack)
-        server = Server(device, _channel(link, tcp=tcp), f"sim:{firmware}")
+        server = Server(device, _channel(link, device.firmware.baud, tcp=tcp), f"sim:{firmware}")
         stack.callback(server.close)
         _announce(server, firmware, link, json=json, out=out or sys.stdout)
         server.serve(stop)
     return 0
 
 
-def _channel(link: Path | None, *, tcp: bool) -> Channel:
+def _channel(link: Path | None, baud: int, *, tcp: bool) -> Channel:
     if tcp:
         if link is not None:
             raise ValueError("--link names a pty: leave it out with --tcp")
@@ -81,7 +82,7 @@ def _channel(link: Path | None, *, tcp: bool) -> Channel:
         raise ValueError("Windows has no pseudo-terminals: use --tcp and open socket://127.0.0.1:PORT")
     from birdcage.sim.pty import PtyChannel
 
-    return PtyChannel(link)
+    return PtyChannel(link, baud)
 
 
 def _announce(server: Server, firmware: str, link: Path | None, *, json: bool, out: TextIO) -> None:

@@ -22,9 +22,6 @@ class Byte:
     """Bytes that arrive before it."""
 
 
-DISH_BAUD = 115200
-"""The rate at which the dish speaks (reference section 7.2)."""
-
 PASS, DROP, DOUBLE = Byte(), Byte(drop=True), Byte(double=True)
 Plan = Iterable[Byte] | Callable[[int], Byte]
 """Actions byte by byte (when it runs out, bytes pass), or a function of the byte's value."""
@@ -97,7 +94,8 @@ class Lane:
 class Wire:
     """Both directions. Only data: the device reads it whenever a byte is sent."""
 
-    def __init__(self, settings: Settings) -> None:
+    def __init__(self, settings: Settings, dish_baud: int) -> None:
+        self._dish_baud = dish_baud
         self.to_dish = Lane(seeded("to dish", settings.seed))
         self.to_host = Lane(seeded("to host", settings.seed))
         for lane in self.lanes:
@@ -114,7 +112,7 @@ class Wire:
 
     def carry(self, lane: Lane, now: float, data: bytes) -> list[tuple[float, bytes]]:
         """Return what arrives of `data`, sent at `now`, and when; nothing sensible at a wrong rate."""
-        if self.baud not in (None, DISH_BAUD):
+        if self.baud not in (None, self._dish_baud):
             if self._wrong_baud == "silent":
                 return []
             data = bytes(self._noise.randrange(256) for _ in data)

@@ -6,8 +6,8 @@ import math
 from collections.abc import Callable
 from datetime import timedelta
 
-from birdcage.sim.dish import Dish
 from birdcage.sim.g2.knobs import G2Settings
+from birdcage.sim.g2.mechanics import G2Dish
 from birdcage.sim.g2.nvram import Nvram
 from birdcage.sim.g2.tuner import Tuner
 from birdcage.sim.machine import Machine
@@ -22,7 +22,7 @@ GAINS = 250.0, 50.0
 class Board:
     """The G2's processor board, as far as its console shows it."""
 
-    def __init__(self, settings: G2Settings, machine: Machine, dish: Dish, reboot: Callable[[], None]) -> None:
+    def __init__(self, settings: G2Settings, machine: Machine, dish: G2Dish, reboot: Callable[[], None]) -> None:
         self.settings = settings
         self.machine = machine
         self.dish = dish

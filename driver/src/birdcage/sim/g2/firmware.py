@@ -1,0 +1,50 @@
+"""The firmware of a Carryout G2, put together."""
+
+from __future__ import annotations
+
+from birdcage.sim.axis import Axis
+from birdcage.sim.firmware import Host
+from birdcage.sim.g2.board import Board
+from birdcage.sim.g2.boot import BEFORE_HOMING, boot_log
+from birdcage.sim.g2.console import menus
+from birdcage.sim.g2.knobs import G2Settings
+from birdcage.sim.g2.mechanics import G2Dish
+from birdcage.sim.g2.tracker import Tracker
+from birdcage.sim.shell import Pause, Script
+
+
+class G2Firmware:
+    """Version 02.02.48 (reference section 7)."""
+
+    baud = 115200
+    """Reference section 7.2."""
+
+    def __init__(self, settings: G2Settings, host: Host) -> None:
+        self.dish = G2Dish(settings, host.truth)
+        self.board = Board(settings, host.machine, self.dish, host.restart)
+        self.tracker = Tracker(self.board)
+        self.menus = menus(self.board)
+        self._host = host
+
+    def resume(self) -> None:
+        """Stand still: one whose search is on has found its satellite."""
+
+    def halt(self) -> None:
+        """Give up the TV search."""
+        self.tracker.stop()
+
+    def boot(self, *, home: bool = True) -> Script:
+        """Read the settings memory, and return the boot log."""
+        self.board.power_on()
+        return boot_log(self.board, self.tracker) if home else _restart_log()
+
+    def stalled(self, axis: Axis) -> None:
+        """Say so ([S0], seen on another dish of this maker)."""
+        self._host.say(f"{axis.data.name} MOTOR STALLED\n")
+
+
+def _restart_log() -> Script:
+    for seconds, line in BEFORE_HOMING:
+        yield Pause(seconds)
+        yield f"{line}\n"
+    yield "Boot Complete\n"
