@@ -3,4 +3,16 @@
 import sys
 from pathlib import Path
 
+import pytest
+from birdcage.base.presets import Preset, add_preset
+
 sys.path.insert(0, str(Path(__file__).parent))
+
+
+@pytest.fixture
+def kept(tmp_path):
+    """The path of a presets file with twelve directions in it."""
+    path = tmp_path / "presets.toml"
+    for index in range(12):
+        add_preset(path, Preset(f"Direction {index}", 30.0 * index, 20.0 + index, "a note" if index % 2 else ""))
+    return path

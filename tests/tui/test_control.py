@@ -7,7 +7,6 @@ import pytest
 import stage
 import stand_in
 from birdcage.base.config.sections import NoGoSector
-from birdcage.base.presets import Preset, add_preset
 from birdcage.station.events import End, MoveEnded
 from birdcage.station.requests import Goto
 from birdcage_tui.control.layout import sizes
@@ -25,14 +24,6 @@ PARTS = ["rose", "elevation", "readout", "digits", "jog", "actions", "cable", "l
 KEYS = {"home", "engage", "release-motors", "stow", "speeds", "left", "right", "up", "down", "step-up", "step-down"}
 
 run = partial(stage.run, key="f2")
-
-
-@pytest.fixture
-def kept(tmp_path):
-    path = tmp_path / "presets.toml"
-    for index in range(12):
-        add_preset(path, Preset(f"Direction {index}", 30.0 * index, 20.0 + index, "a note" if index % 2 else ""))
-    return path
 
 
 @pytest.mark.parametrize("size", SIZES, ids=str)

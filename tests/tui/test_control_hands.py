@@ -7,7 +7,6 @@ from types import MappingProxyType
 import pytest
 import stage
 import stand_in
-from birdcage.base.presets import Preset, add_preset
 from birdcage.station.requests import Engage, Goto, Home, Jog, Release, ReleaseMotors, SetSpeed, Stow
 from birdcage.station.state import Reading
 from birdcage_tui.commands import BY_NAME
@@ -18,14 +17,6 @@ from textual.widgets import Input, Static
 SIZES = [(80, 24), (100, 30), (120, 36), (160, 48), (200, 60)]
 
 run = partial(stage.run, key="f2")
-
-
-@pytest.fixture
-def kept(tmp_path):
-    path = tmp_path / "presets.toml"
-    for index in range(12):
-        add_preset(path, Preset(f"Direction {index}", 30.0 * index, 20.0 + index, "a note" if index % 2 else ""))
-    return path
 
 
 @pytest.mark.parametrize("key", ["left", "h"])
