@@ -43,10 +43,10 @@ def test_unknown_command_text_is_a_setting(terminal):
     assert terminal("unknown_command=What%3F").ask("xyz") == "xyz\r\nWhat?\r\nTRK>"
 
 
-def test_commands_of_no_known_reply_are_unknown(terminal):
+def test_a_word_that_no_menu_knows(terminal):
     dish = terminal()
     dish.ask("mot")
-    assert "Invalid command." in dish.ask("azscanwxp 0 10 100 3")
+    assert dish.ask("azscanwxpq 0 10 100 3") == "azscanwxpq 0 10 100 3\r\nInvalid command.\r\nMOT>"
 
 
 def test_homing_blocks_the_shell(terminal):

@@ -8,13 +8,15 @@ from typing import Any, Protocol
 from birdcage.sim.axis import Axis
 from birdcage.sim.dish import Dish, Truth
 from birdcage.sim.machine import Machine
-from birdcage.sim.shell import Menu, Script
+from birdcage.sim.shell import Menu, Script, Shell
 
 
 class Host(Protocol):
     """The device that a firmware runs in."""
 
     machine: Machine
+    shell: Shell
+    """There once the firmware is built."""
 
     def truth(self) -> Truth:
         """Return what the dish really does at this moment."""

@@ -70,6 +70,8 @@ class Shell:
     ) -> None:
         self.menu = "root"
         self.alive = True
+        self.hears: Callable[[bytes], bytes] = bytes
+        """What gets through of what comes off the wire: a firmware that falls asleep puts its own here."""
         self.received: deque[tuple[float, str]] = deque(maxlen=LONGEST_MEMORY)
         self._machine = machine
         self._settings = settings
@@ -87,7 +89,7 @@ class Shell:
     def feed(self, data: bytes) -> None:
         """Take bytes off the wire."""
         if self.alive:
-            self._input += data
+            self._input += self.hears(data)
             self._read()
 
     def say(self, text: str) -> None:
@@ -110,6 +112,9 @@ class Shell:
         self.alive = alive
 
     def _read(self) -> None:
+        if self._listening and self._input[:1] == b"\n" and self._after_cr and self._settings.lf_after_cr == "ignore":
+            del self._input[0]  # the rest of the line end that started the stream
+            self._after_cr = False
         if self._listening and self._input:
             self._end_stream()
         while self._input and self._script is None and self.alive:

@@ -6,17 +6,19 @@ import math
 from collections.abc import Callable
 from datetime import timedelta
 
+from birdcage.sim.chance import seeded
 from birdcage.sim.g2.knobs import G2Settings
 from birdcage.sim.g2.mechanics import G2Dish
-from birdcage.sim.g2.nvram import Nvram
+from birdcage.sim.g2.nvram import AZ_GAINS, EL_GAINS, Nvram
+from birdcage.sim.g2.sleep import Sleep
 from birdcage.sim.g2.tuner import Tuner
 from birdcage.sim.machine import Machine
 from birdcage.sim.sky import Sky
 
 INT_MAX = 2147483647
 """What an axis reports, and `scan` aims at, until it is homed (section 7.2, [S1])."""
-GAINS = 250.0, 50.0
-"""Kp and Kv of the stepper menu after power-on (section 7.3, [S1])."""
+ADC_NOISE_COUNTS = 1.5
+"""Standard deviation of one raw reading: 233 to 238 over the empty sky (section 7.3, [S1])."""
 
 
 class Board:
@@ -32,9 +34,9 @@ class Board:
         """What forgets as well when the power goes: a menu that keeps something in RAM puts its own in here."""
         self.sky = Sky(settings)
         self.tuner = Tuner(self)
-        self.nvram = Nvram()
-        self.nvram.write(20, str(int(settings.nvs20)))
-        self.nvram.save()
+        self._adc_rng = seeded("adc", settings.seed)
+        self.nvram = Nvram(self._own_values())
+        self.sleep = Sleep(self)
         self.power_on()
 
     @property
@@ -48,15 +50,38 @@ class Board:
         when = clock.utc() + timedelta(seconds=dish_s - clock.monotonic() * clock.rate)
         return self.sky.level(when, az_deg + self.settings.heading, el_deg)
 
+    def adc_counts(self) -> int:
+        """Return one reading of the analogue menu."""
+        above = self.tuner.level(self.now_s)[1]
+        settings = self.settings
+        return round(self._adc_rng.gauss(settings.adc_floor + above * settings.adc_scale, ADC_NOISE_COUNTS))
+
     def power_on(self) -> None:
-        """Read the settings memory and go by it from now on."""
+        """Read the settings memory and go by it from now on; what was only in RAM is gone."""
         self.nvram.power_on()
         row = self.nvram.active
-        self.gains = GAINS
+        self.gains = [[row[first + index] for index in range(3)] for first in (AZ_GAINS, EL_GAINS)]
+        """Kp, Kv and Ki of each motor. What they do to its motion is not modelled."""
+        self.wrap_managed = [True, True]
+        """Whether the firmware keeps the limit of the cable (command `w`)."""
+        self.wrap_shift_deg = [0.0, 0.0]
+        """What is added to the count of an axis for its place on the cable (command `sw`)."""
         self.tuner.power_on()
+        self.sleep.power_on()
         for forget in self.at_power_on:
             forget()
         self.dish.set_speeds(row[80], row[81], row[85], row[103])
+        for axis in self.dish.axes:
+            if not axis.homed:
+                axis.redefine(self.now_s, 0.0)  # the step counter starts from nothing
+
+    def _own_values(self) -> dict[int, float]:
+        """Return what this dish has saved otherwise than the factory did."""
+        settings = self.settings
+        gains = settings.pid_kp, settings.pid_kv, settings.pid_ki
+        return {20: float(settings.nvs20)} | {
+            first + index: gain for first in (AZ_GAINS, EL_GAINS) for index, gain in enumerate(gains)
+        }
 
 
 def number(text: str) -> float | None:

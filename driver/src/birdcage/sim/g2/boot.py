@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from birdcage.sim.g2.board import Board
-from birdcage.sim.g2.mot import home
+from birdcage.sim.g2.mot_reference import home
 from birdcage.sim.g2.tracker import Tracker
 from birdcage.sim.shell import Pause, Script
 

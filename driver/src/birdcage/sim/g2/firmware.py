@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from birdcage.sim.axis import Axis
 from birdcage.sim.firmware import Host
 from birdcage.sim.g2.board import Board
@@ -25,9 +27,13 @@ class G2Firmware:
         self.tracker = Tracker(self.board)
         self.menus = menus(self.board)
         self._host = host
+        for axis in self.dish.axes:
+            axis.slips_at_stop = settings.stall == "slip"
+            axis.on_strike = partial(self._strikes, axis)
 
     def resume(self) -> None:
         """Stand still: one whose search is on has found its satellite."""
+        self._host.shell.hears = self.board.sleep.hears
 
     def halt(self) -> None:
         """Give up the TV search."""
@@ -35,12 +41,22 @@ class G2Firmware:
 
     def boot(self, *, home: bool = True) -> Script:
         """Read the settings memory, and return the boot log."""
+        self._host.shell.hears = self.board.sleep.hears
         self.board.power_on()
         return boot_log(self.board, self.tracker) if home else _restart_log()
 
     def stalled(self, axis: Axis) -> None:
         """Say so ([S0], seen on another dish of this maker)."""
         self._host.say(f"{axis.data.name} MOTOR STALLED\n")
+
+    def _strikes(self, axis: Axis, end_s: float) -> None:
+        """Foresee that a motion will end at a stop: the firmware says so then, unless it ended otherwise."""
+
+        def struck() -> None:
+            if axis.end_s() == end_s:
+                self.stalled(axis)
+
+        self._host.machine.at_dish(end_s, struck)
 
 
 def _restart_log() -> Script:

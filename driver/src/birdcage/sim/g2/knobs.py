@@ -9,16 +9,16 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from birdcage.sim.g2.board_knobs import BoardSettings
+from birdcage.sim.g2.motor_knobs import MotorSettings
 
 
 @dataclass(frozen=True, slots=True)
-class G2Settings(BoardSettings):
+class G2Settings(MotorSettings):
     """The knobs of one simulated G2. Angles in degrees, times in seconds of dish time."""
 
     firmware: ClassVar[str] = "g2"
     choices: ClassVar[Mapping[str, tuple[str, ...]]] = {
-        **BoardSettings.choices,
+        **MotorSettings.choices,
         "second_move": ("retarget", "queue", "refuse", "block"),
         "az_map": ("nearest", "home", "literal"),
         "az_print": ("wrapped", "cable"),

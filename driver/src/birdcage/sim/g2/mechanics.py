@@ -45,18 +45,6 @@ class G2Dish(Dish):
         el.max_rate_deg_s = self._settings.el_speed or el_deg_s
         el.home_deg = min(home_el_deg, EL_STOP_HIGH_DEG)
 
-    def cable_target(self, now_s: float, az_deg: float) -> float | None:
-        """Return the cable angle that serves an azimuth (setting `az_map`); None when none fits."""
-        if self._settings.az_map == "literal":
-            turns = [az_deg]
-        elif self._settings.az_map == "home":
-            turns = [-((-az_deg) % 360.0)]
-        else:
-            turns = [az_deg % 360.0 + 360.0 * turn for turn in (-2, -1, 0)]
-        fitting = [turn for turn in turns if CABLE_LOW_DEG <= turn <= CABLE_HIGH_DEG]
-        here = self.axes[0].count(now_s)[0]
-        return min(fitting, key=lambda turn: abs(turn - here), default=None)
-
     def release(self, now_s: float) -> None:
         """Cut the current of both motors: the elevation sinks, and the position may be forgotten."""
         az, el = self.axes

@@ -5,6 +5,8 @@ Only the rows that a source quotes are here; the others are holes, as an index t
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
@@ -56,14 +58,28 @@ ROWS: dict[int, Row] = {
     103: Row("Elevation Home Angle", "fixed", 65),
     112: Row("Disable Dipswitch?", "bool", 0),
     113: Row("Dipswitch Value", "int", 101),
+    128: Row("AZ Kp", "fixed", 250),
+    129: Row("AZ Kv", "fixed", 50),
+    130: Row("AZ Ki", "fixed", 0),
+    131: Row("EL Kp", "fixed", 250),
+    132: Row("EL Kv", "fixed", 50),
+    133: Row("EL Ki", "fixed", 0),
 }
+"""Only 20, 38, 41, 80, 81, 85, 101 to 103 and 128 to 133 change what this dish does; the others are kept and shown.
+
+That 128 to 133 are the gains is [S1]; their order, names, kind and values are [I] (settings `pid_kp`, `pid_kv`,
+`pid_ki`).
+"""
+AZ_GAINS, EL_GAINS = 128, 131
+"""Their first rows: Kp, Kv and Ki follow each other."""
 
 
 class Nvram:
     """RAM and flash. `active` is what the firmware read at power-on and goes by until the next one ([V] for 20)."""
 
-    def __init__(self) -> None:
-        self.flash = {index: row.default for index, row in ROWS.items()}
+    def __init__(self, saved: Mapping[int, float]) -> None:
+        """Hold the factory's values, but for those `saved` before."""
+        self.flash = {index: row.default for index, row in ROWS.items()} | dict(saved)
         self.ram = dict(self.flash)
         self.active = dict(self.flash)
 
@@ -83,14 +99,25 @@ class Nvram:
             ValueError: the text is no value of this row's kind.
 
         """
-        kind = ROWS[index].kind
-        if kind == "bool":
-            words = {"0": 0, "1": 1, "FALSE": 0, "TRUE": 1}
-            if text.upper() not in words:
-                raise ValueError(text)
-            self.ram[index] = words[text.upper()]
-        else:
-            self.ram[index] = float(text) if kind == "fixed" else int(text, 0)
+        self.ram[index] = _value(ROWS[index].kind, text)
+
+
+def _value(kind: Kind, text: str) -> float:
+    if kind == "bool":
+        words = {"0": 0, "1": 1, "FALSE": 0, "TRUE": 1}
+        if text.upper() not in words:
+            raise ValueError(text)
+        return words[text.upper()]
+    if kind == "fixed":
+        value = float(text)
+        if not math.isfinite(value):
+            raise ValueError(text)
+        return value
+    base = 16 if text.lower().startswith("0x") else 10
+    whole = int(text, base)
+    if not -(2**31) <= whole < 2**32:
+        raise ValueError(text)
+    return whole
 
 
 def render(index: int, value: float) -> str:
@@ -100,4 +127,6 @@ def render(index: int, value: float) -> str:
         return "TRUE" if value else "FALSE"
     if kind == "fixed":
         return f"{value:.2f}"
-    return f"0x{int(value):08X}" if kind == "hex" else f"{int(value):+d}" if kind == "signed" else f"{int(value)}"
+    if kind == "hex":
+        return f"0x{int(value) & 0xFFFFFFFF:08X}"
+    return f"{int(value):+d}" if kind == "signed" else f"{int(value)}"

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import math
+
 from birdcage.sim.axis import Axis
 from birdcage.sim.g2.board import Board, number
 from birdcage.sim.g2.menu import G2Menu
+from birdcage.sim.g2.mot_limits import motor as motor_number
+from birdcage.sim.g2.mot_moves import FAR_DEG
 from birdcage.sim.shell import Script
 
 
@@ -14,14 +18,14 @@ class Step(G2Menu):
     prompt = "STEP>"
     help_lines = (
         "help [<command>]",
-        "e",
-        "ma [<motor> <ustep/sec/ms>]",
-        "mv [<motor> <ustep/sec>]",
-        "p <motor> <steps>",
-        "pid [<motor> <Kp> <Kv>]",
+        "e - Engage motors",
+        "ma [motor] [ustep/sec/msec] - Max acceleration",
+        "mv [motor] [ustep/sec] - Max velocity",
+        "p [motor] [steps] - Go to position",
+        "pid [motor] [Kp] [Kv] - PID values",
         "q",
-        "r",
-        "v <motor> <ustep/sec>",
+        "r - Release motors",
+        "v [motor] [ustep/sec] - Go to velocity",
     )
 
     def __init__(self, board: Board) -> None:
@@ -73,36 +77,33 @@ class Step(G2Menu):
             yield from self.bad_parameter()
             return
         axis, steps = motor
-        axis.retarget(self.board.now_s, _between_stops(axis, steps * axis.step_deg))
+        axis.retarget(self.board.now_s, steps * axis.step_deg)
 
     def _spin(self, args: list[str]) -> Script:
+        """Turn for ever: nothing but the mechanical stop ends it."""
         motor = self._motor(args)
         if motor is None:
             yield from self.bad_parameter()
             return
         axis, rate = motor[0], motor[1] * motor[0].step_deg
-        now = self.board.now_s
         if rate == 0:
-            axis.brake(now)
+            axis.brake(self.board.now_s)
         else:
-            end = axis.data.high_deg if rate > 0 else axis.data.low_deg
-            axis.retarget(now, end, rate_deg_s=abs(rate))
+            axis.retarget(self.board.now_s, math.copysign(FAR_DEG, rate), rate_deg_s=abs(rate))
 
     def _gains(self, args: list[str]) -> Script:
-        if args:
-            if len(args) != 3 or args[0] not in ("0", "1") or None in (number(args[1]), number(args[2])):
-                yield from self.bad_parameter()
-                return
-            self.board.gains = float(args[1]), float(args[2])  # what they do to the motion is not modelled
-        yield "Kp={:g} Kv={:g}\n".format(*self.board.gains)
+        """No Ki at this level ([S1]); both motors have the same unless they were told otherwise."""
+        index = motor_number(args[0]) if args else 0
+        values = [number(text) for text in args[1:]]
+        if index is None or len(args) not in (0, 1, 3) or None in values:
+            yield from self.bad_parameter()
+            return
+        if values:
+            self.board.gains[index][:2] = [value for value in values if value is not None]
+        yield "Kp={:g} Kv={:g}\n".format(*self.board.gains[index][:2])
 
     def _motor(self, args: list[str]) -> tuple[Axis, float] | None:
         """Return the axis and the number of `<motor> <number>`; None when it is not that."""
         value = number(args[1]) if len(args) == 2 else None
-        if value is None or args[0] not in ("0", "1"):
-            return None
-        return self.board.dish.axes[int(args[0])], value
-
-
-def _between_stops(axis: Axis, angle_deg: float) -> float:
-    return min(max(angle_deg, axis.data.low_deg), axis.data.high_deg)
+        index = motor_number(args[0]) if args else None
+        return None if value is None or index is None else (self.board.dish.axes[index], value)

@@ -1,0 +1,66 @@
+"""Where the motor menu lets an axis go: the wrap manager of the cable, and the elevation limits of the NVS."""
+
+from __future__ import annotations
+
+import math
+
+from birdcage.base.geometry import shortest_turn
+from birdcage.sim.axis import Axis
+from birdcage.sim.g2.board import INT_MAX, Board
+from birdcage.sim.shell import Die, Script
+
+
+def motor(text: str) -> int | None:
+    """Read a motor's number; None when there is no such motor."""
+    return int(text) if text in ("0", "1") else None
+
+
+def bounds(board: Board, index: int) -> tuple[float, float]:
+    """Return the lowest and highest count that the firmware allows, in degrees."""
+    if index == 1:
+        return board.nvram.active[101], board.nvram.active[102]
+    if not board.wrap_managed[0]:
+        return -math.inf, math.inf
+    data, shift = board.dish.axes[0].data, board.wrap_shift_deg[0]
+    return data.low_deg - shift, data.high_deg - shift
+
+
+def target(board: Board, index: int, wanted: float) -> float | None:
+    """Return the count that an angle means; None when it is out of range (setting `out_of_range`)."""
+    settings = board.settings
+    low, high = bounds(board, index)
+    if index == 0:
+        if not settings.az_outside and not 0.0 <= wanted <= 360.0:
+            return None
+        return _cable_target(board, wanted, low, high)
+    if low <= wanted <= high:
+        return wanted
+    return min(max(wanted, low), high) if settings.out_of_range == "clamp" else None
+
+
+def _cable_target(board: Board, az_deg: float, low: float, high: float) -> float | None:
+    """Choose the turn of the cable (setting `az_map`); without the wrap manager the shortest way, wherever it leads."""
+    here = board.dish.axes[0].count(board.now_s)[0]
+    if board.settings.az_map == "literal":
+        turns = [az_deg]
+    elif low == -math.inf:
+        turns = [here + shortest_turn(here, az_deg)]
+    elif board.settings.az_map == "home":
+        turns = [-((-az_deg) % 360.0)]
+    else:
+        first = math.floor((low - az_deg) / 360.0)
+        turns = [az_deg + 360.0 * turn for turn in range(first, first + 4)]
+    fitting = [turn for turn in turns if low <= turn <= high]
+    return min(fitting, key=lambda turn: abs(turn - here), default=None)
+
+
+def angle_error(axis: Axis) -> str:
+    """What it says of an axis that does not know where it is ([S1], for the elevation)."""
+    return f"Step to Position {axis.data.name} angle error: {INT_MAX}\n"
+
+
+def unhomed(board: Board, axis: Axis) -> Script:
+    """Refuse a move of an unhomed axis, or hang (setting `unhomed_move`)."""
+    if board.settings.unhomed_move == "deadlock":
+        yield Die()
+    yield angle_error(axis)
