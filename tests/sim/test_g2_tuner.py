@@ -33,7 +33,7 @@ def test_an_empty_sky_locks_nothing(terminal):
     assert statistics.fmean(one.rssi for one in heard) == pytest.approx(400, abs=0.5)
     assert 0.5 < statistics.pstdev(one.rssi for one in heard) < 2.0
     assert {(one.locked, one.snr_db) for one in heard} == {(False, 0.0)}
-    assert board.tuner.network(board.now_s) == 0xFFFF
+    assert board.tuner.read(board.now_s).network == 0xFFFF
 
 
 def test_a_satellite_locks_at_the_voltage_of_the_transponder(terminal):
@@ -45,9 +45,9 @@ def test_a_satellite_locks_at_the_voltage_of_the_transponder(terminal):
     assert heard.locked
     assert heard.rssi > 520
     assert heard.snr_db == pytest.approx((heard.rssi - 401) / 15, abs=0.2)
-    assert board.tuner.network(board.now_s) == NETWORKS[-119.0]
+    assert board.tuner.read(board.now_s).network == NETWORKS[-119.0]
     board.tuner.lnb_volts = 13.0
-    assert board.tuner.network(board.now_s) == 0xFFFF
+    assert board.tuner.read(board.now_s).network == 0xFFFF
     board.tuner.select(15)
     assert board.tuner.read(board.now_s).locked
 
@@ -60,7 +60,7 @@ def test_lock_may_not_care_for_the_voltage(terminal):
 def test_a_slot_without_network_locks_all_the_same(terminal):
     board = pointed(terminal, -101.0, "lock_polarity=0")
     assert board.tuner.read(board.now_s).locked
-    assert board.tuner.network(board.now_s) == 0xFFFF
+    assert board.tuner.read(board.now_s).network == 0xFFFF
 
 
 def test_the_same_seed_hears_the_same(terminal):
@@ -99,3 +99,30 @@ def test_13_volts_may_shift_the_level_but_not_the_satellite(terminal):
     before = board.tuner.read(board.now_s).rssi
     board.tuner.lnb_volts = 13.0
     assert board.tuner.read(board.now_s).rssi == before - 50
+
+
+@pytest.mark.parametrize(
+    ("change", "locks"),
+    [({"frequency_khz": 1_180_000}, True), ({"frequency_khz": 1_185_000}, False), ({"symbol_rate_ksps": 21_500}, False)],
+)
+def test_a_channel_beside_the_transponder_does_not_lock(terminal, change, locks):
+    board = pointed(terminal, -119.0, "lock_polarity=0")
+    board.tuner.edit(**change)
+    assert board.tuner.read(board.now_s).locked is locks
+
+
+def test_it_counts_what_it_reads(terminal):
+    board = pointed(terminal, -119.0)
+    board.tuner.lnb_volts = 13.0
+    board.tuner.read(board.now_s)
+    board.tuner.lnb_volts = 18.0
+    board.tuner.read(board.now_s)
+    tally = board.tuner.tally
+    assert (tally.reads, tally.no_signal, tally.glitches) == (2, 1, 1)
+    assert tally.networks == {NETWORKS[-119.0]: 1}
+
+
+def test_a_survey_looks_at_the_voltage_of_the_transponder_and_goes_back(terminal):
+    board = pointed(terminal, -119.0)
+    assert all(board.tuner.survey(number, board.now_s).locked for number in (1, 2, 31, 32))
+    assert (board.tuner.transponder, board.tuner.lnb_volts) == (15, 18.0)

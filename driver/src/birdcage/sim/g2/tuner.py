@@ -6,7 +6,7 @@ of DISH with an LO of 11.25 GHz: number 15 comes to the 1178 MHz that document 0
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from birdcage.sim.chance import seeded
@@ -18,6 +18,8 @@ TRANSPONDERS = 32
 FIRST_KHZ, SPACING_KHZ = 974_000, 14_580
 SYMBOL_RATE_KSPS = 20_000
 """Inside the blind scan's 18000 to 24000 (section 7.2)."""
+PULL_IN_KHZ = 3_000
+"""So far off it still locks. [I]"""
 HORIZONTAL_V, VERTICAL_V = 18.0, 13.0
 NO_NETWORK = 0xFFFF
 NETWORKS = {
@@ -41,6 +43,8 @@ class Heard:
     locked: bool
     snr_db: float
     """0 without lock."""
+    network: int = NO_NETWORK
+    """The network id that it reads; FFFF for none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,6 +69,31 @@ def plan(transponder: int) -> Channel:
     return Channel(frequency, SYMBOL_RATE_KSPS, "V" if transponder % 2 else "H")
 
 
+@dataclass(slots=True)
+class Tally:
+    """What the tuner counts from power-on or `def` on."""
+
+    reads: int = 0
+    no_signal: int = 0
+    glitches: int = 0
+    """Locks that were lost from one read to the next."""
+    locked: bool = False
+    lowest: int = 0
+    highest: int = 0
+    networks: dict[int, int] = field(default_factory=dict)
+
+    def count(self, heard: Heard) -> None:
+        """Take one look into account."""
+        self.lowest = min(self.lowest, heard.rssi) if self.reads else heard.rssi
+        self.highest = max(self.highest, heard.rssi)
+        self.reads += 1
+        self.no_signal += not heard.locked
+        self.glitches += self.locked and not heard.locked
+        self.locked = heard.locked
+        if heard.network != NO_NETWORK:
+            self.networks[heard.network] = self.networks.get(heard.network, 0) + 1
+
+
 class Tuner:
     """Hears what the dish points at. All times are seconds of dish time."""
 
@@ -74,11 +103,18 @@ class Tuner:
         self.power_on()
 
     def power_on(self) -> None:
-        """Forget what it was told: the first transponder, 18 V, the receiver on."""
+        """Forget what it was told: 18 V, the receiver on, the channels of the factory."""
         self.lnb_volts = HORIZONTAL_V
         self.on = True
+        self.restore()
+
+    def restore(self) -> None:
+        """Put the channels back to the factory's and begin to count anew."""
         self.channels = {number: plan(number) for number in range(1, TRANSPONDERS + 1)}
+        self.order = list(self.channels)
+        """The transponders as the table goes through them."""
         self.transponder = min(max(self._board.settings.transponder, 1), TRANSPONDERS)
+        self.tally = Tally()
 
     @property
     def channel(self) -> Channel:
@@ -115,20 +151,37 @@ class Tuner:
         settings = self._board.settings
         level, above = self.level(dish_s)
         noise = self._rng.gauss(0.0, settings.rssi_noise)
-        locked = self.network_in_view(dish_s) is not None and above >= settings.lock_counts and self._fed()
+        network = self._network_in_view(dish_s)
+        locked = network is not None and above >= settings.lock_counts and self._tuned()
+        rssi = max(round(level + noise), 0) if self.on else 0
         snr = max(above + noise, 0.0) / settings.snr_counts if locked else 0.0
-        return Heard(max(round(level + noise), 0) if self.on else 0, locked, snr)
+        heard = Heard(rssi, locked, snr, (network or NO_NETWORK) if locked else NO_NETWORK)
+        self.tally.count(heard)
+        return heard
 
-    def network(self, dish_s: float) -> int:
-        """Return the network id that it reads at this moment; FFFF for none."""
-        return (self.network_in_view(dish_s) or NO_NETWORK) if self.read(dish_s).locked else NO_NETWORK
+    def survey(self, transponder: int, dish_s: float) -> Heard:
+        """Look at a transponder with the LNB at its voltage, then go back to what was set."""
+        before = self.transponder, self.lnb_volts
+        self.select(transponder)
+        self.lnb_volts = self.channel.volts
+        heard = self.read(dish_s)
+        self.transponder, self.lnb_volts = before
+        return heard
 
-    def network_in_view(self, dish_s: float) -> int | None:
+    def _network_in_view(self, dish_s: float) -> int | None:
         """Return the network of the strongest satellite in the beam, 0 if that sends none; None without a satellite."""
         board = self._board
         az, el = board.dish.shafts(dish_s)
         slot = board.sky.strongest(az + board.settings.heading, el)
         return None if slot is None else NETWORKS.get(slot, 0)
 
-    def _fed(self) -> bool:
-        return not self._board.settings.lock_polarity or self.lnb_volts == self.channel.volts
+    def _tuned(self) -> bool:
+        """Whether channel and LNB fit a transponder that is sent."""
+        channel = self.channel
+        number = min(max(round((channel.frequency_khz - FIRST_KHZ) / SPACING_KHZ) + 1, 1), TRANSPONDERS)
+        sent = plan(number)
+        return (
+            abs(channel.frequency_khz - sent.frequency_khz) <= PULL_IN_KHZ
+            and channel.symbol_rate_ksps == sent.symbol_rate_ksps
+            and (not self._board.settings.lock_polarity or self.lnb_volts == sent.volts)
+        )
