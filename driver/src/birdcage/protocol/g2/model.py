@@ -68,6 +68,9 @@ DIALECT = ConsoleDialect(
             "bad_parameter",
         ),
         (re.compile(r"\b(out of range|outside|limit exceeded)\b", re.IGNORECASE), "bad_parameter"),
-        (re.compile(r"^\s*(error|failed)\b|\bSTALLED\b|\bHome Failure\b", re.IGNORECASE), "failed"),
+        (
+            re.compile(r"^\s*(error|failed)\b(?! to read eeprom index)|\bSTALLED\b|\bHome Failure\b", re.IGNORECASE),
+            "failed",
+        ),
     ),
 )

@@ -11,11 +11,11 @@ from typing import ClassVar
 
 from birdcage.protocol.g2.gains import read_gains
 from birdcage.protocol.g2.motor_values import Accelerations, ElevationLimits, Gains, MotorEntry, Speeds, StepCounts
-from birdcage.protocol.g2.reading import INT_MAX, NUMBER, by_motor, find, garbage, only_number, only_whole, search
+from birdcage.protocol.g2.reading import INT_MAX, NUMBER, by_motor, find, garbage, only_text, only_whole, search
 from birdcage.protocol.g2.room import Room
 
 _LIMITS = re.compile(rf"Min:\s*({NUMBER})\s+Max:\s*({NUMBER})\s+Home:\s*({NUMBER})")
-_MOTOR = re.compile(r"(?<!\w)([01])\s*[=:)]\s*(AZIMUTH|ELEVATION)\b[ ,:-]*([^\n]*?)(?=\s+[01]\s*[=:)]|\s*$)")
+_MOTOR = re.compile(r"(?<!\w)([01])\s*[=:)]\s*(AZIMUTH|ELEVATION)\b")
 _STEPS = re.compile(r"\bsteps?\s*[=:]\s*([-+]?\d+)\b", re.IGNORECASE)
 _ANGLE = re.compile(rf"\bangle\s*[=:]\s*({NUMBER})", re.IGNORECASE)
 _OVERFLOW = re.compile(r"\boverflow", re.IGNORECASE)
@@ -31,12 +31,15 @@ class Motors(Room):
     def list(self) -> tuple[MotorEntry, ...]:
         """List the motors with what they do (`l`: `0=AZIMUTH`, `1=ELEVATION`)."""
         reply = self._run("l")
-        found = tuple(
-            MotorEntry(int(m[1]), m[2], m[3].strip() or None) for line in reply.lines for m in _MOTOR.finditer(line)
-        )
-        if not found:
+        text = "\n".join(reply.lines)
+        heads = list(_MOTOR.finditer(text))
+        if not heads:
             raise garbage(reply)
-        return found
+        ends = [head.start() for head in heads[1:]] + [len(text)]
+        return tuple(
+            MotorEntry(int(head[1]), head[2], text[head.end() : end].strip(" ,:-\n") or None)
+            for head, end in zip(heads, ends, strict=True)
+        )
 
     def steps(self) -> StepCounts:
         """Read the raw positions in microsteps (`p`)."""
@@ -93,7 +96,7 @@ class Motors(Room):
         if search(reply, _OVERFLOW):
             return None
         named = search(reply, _ANGLE)
-        angle = _degrees(named[1]) if named else only_number(reply)
+        angle = _degrees(named[1] if named else only_text(reply))
         if angle is None or abs(angle) > _STEEPEST_DEG:
             raise garbage(reply)
         return angle

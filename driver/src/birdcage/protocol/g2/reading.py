@@ -51,20 +51,20 @@ def find(reply: Reply, pattern: re.Pattern[str]) -> re.Match[str]:
     return found
 
 
-def only_number(reply: Reply) -> float:
+def only_text(reply: Reply) -> str:
     """Return the number of a reply that holds a single one, remarks in brackets aside; NoReply (garbage) otherwise."""
-    numbers = [text for line in reply.lines for text in _NUMBER.findall(_IN_BRACKETS.sub("", line))]
+    numbers: list[str] = [text for line in reply.lines for text in _NUMBER.findall(_IN_BRACKETS.sub("", line))]
     if len(numbers) != 1:
         raise garbage(reply)
-    return float(numbers[0])
+    return numbers[0]
 
 
 def only_whole(reply: Reply) -> int:
-    """Return the whole number of a reply that holds a single number; NoReply (garbage) otherwise."""
-    value = only_number(reply)
-    if value != int(value):
+    """Return the number of a reply that holds a single, whole one; NoReply (garbage) otherwise."""
+    text = only_text(reply)
+    if "." in text:
         raise garbage(reply)
-    return int(value)
+    return int(text)
 
 
 def by_motor(reply: Reply) -> PerAxis[str]:

@@ -11,7 +11,8 @@ from birdcage.console.session import Console
 
 LINE_S = 0.6
 """About how far apart the lines of a stream are: no source says. Only a stream's length depends on it."""
-_SLICE_S = 0.1
+_FIRST_S = 0.1
+"""How long to wait for the first line of a stream; twice as long as it is between two, when none could be read."""
 
 T = TypeVar("T")
 
@@ -30,8 +31,8 @@ class Room:
     def _sample(self, line: str, read: Callable[[str], T | None], samples: int, within_s: float) -> tuple[T, ...]:
         """Run a command that prints until a key, and end it when `samples` of its lines could be read.
 
-        It runs in slices, and for `within_s` in all at most; what came until then is returned. NoReply (garbage) when
-        that is nothing.
+        It runs in slices, longer ones when one was in vain, and for `within_s` in all at most; what came until then
+        is returned. NoReply (garbage) when that is nothing.
         """
         if samples < 1:
             raise ValueError(f"samples must be at least 1, not {samples}")
@@ -39,12 +40,14 @@ class Room:
         found: list[T] = []
         clock = self.console.clock
         self.console.enter(self.menu)
-        until = clock.monotonic() + within_s
+        until, first_s = clock.monotonic() + within_s, _FIRST_S
         while (missing := samples - len(found)) > 0 and clock.monotonic() < until:
             part: list[str] = []
-            end = min(until, clock.monotonic() + (missing - 1) * LINE_S + _SLICE_S)
+            end = min(until, clock.monotonic() + (missing - 1) * LINE_S + first_s)
             self.console.stream(line, part.append, end)
-            found += [value for value in map(read, part) if value is not None]
+            values = [value for value in map(read, part) if value is not None]
+            first_s = _FIRST_S if values else first_s + 2 * LINE_S
+            found += values
             lines += part
         if not found:
             printed = " / ".join(lines[:4]) or "nothing"
