@@ -38,9 +38,11 @@ class Codec:
 
     def __init__(self, dialect: ConsoleDialect) -> None:
         """Read consoles of `dialect`; ValueError when two menus share one token."""
-        self._menus = {token: menu for menu, token in dialect.prompts.items()}
-        if len(self._menus) != len(dialect.prompts):
-            raise ValueError("two menus share one prompt token")
+        self._menus: dict[str, str] = {}
+        if not dialect.learnt:
+            self._menus = {token: menu for menu, token in dialect.prompts.items()}
+            if len(self._menus) != len(dialect.prompts):
+                raise ValueError("two menus share one prompt token")
         self._echo = dialect.echo
         self._owed: deque[_Owed] = deque()
         self._tickets = 0
@@ -53,6 +55,35 @@ class Codec:
     def owed(self) -> int:
         """How many commands still lack their prompt."""
         return len(self._owed)
+
+    @property
+    def unfinished(self) -> str:
+        """What stands at the end, after the echo of what was sent, without a line end: perhaps an unknown prompt."""
+        waits = not self._owed or self._owed[0].echoed
+        return self._text.rstrip() if waits and not self._after_prompt else ""
+
+    @property
+    def knows_prompts(self) -> bool:
+        """Whether any prompt token is known."""
+        return bool(self._menus)
+
+    @property
+    def owes_only_keys(self) -> bool:
+        """Whether every line that lacks its prompt is a bare Enter, and a prompt came since each was sent."""
+        return bool(self._owed) and all(owed.prompted and not owed.command for owed in self._owed)
+
+    def learn(self, token: str) -> list[Event]:
+        """Know a prompt token from now on, whatever menu shows it; what is unfinished may end by it."""
+        self._menus[token] = ""
+        events: list[Event] = []
+        if self.unfinished == token:
+            self._text = token
+            self._prompt("", events)
+        return events
+
+    def unlearn(self) -> None:
+        """Know no learnt prompt token any more."""
+        self._menus.clear()
 
     def expect(self, command: str) -> int:
         """Note that `command` was sent (without its line end), and return the ticket of its reply."""

@@ -6,13 +6,19 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+UNKNOWN_TOKEN = ""
+"""Stands for a prompt that no source tells: it is learnt from the dish (decision 0010)."""
+
 
 @dataclass(frozen=True, slots=True)
 class ConsoleDialect:
     """The grammar of one firmware's console."""
 
     prompts: Mapping[str, str]
-    """Menu name to prompt token: `{"root": "TRK>", "mot": "MOT>"}`. Submenus are entered by their name."""
+    """Menu name to prompt token: `{"root": "TRK>", "mot": "MOT>"}`. Submenus are entered by their name.
+
+    All tokens are known, or all are `UNKNOWN_TOKEN`: then they are learnt, and may be alike.
+    """
     root: str = "root"
     leave: str = "q"
     """Leaves a submenu. At the root it may kill the shell until a power cycle: see `Console.leave`."""
@@ -20,3 +26,19 @@ class ConsoleDialect:
     echo: bool = True
     refusals: tuple[tuple[re.Pattern[str], str], ...] = ()
     """Reply lines that mean that nothing was done, each with the `CommandRefused` reason it stands for."""
+    root_marks: frozenset[str] = frozenset()
+    """Commands that the root's help lists and no submenu's does. They tell menus apart whose prompts are learnt."""
+    stranger_marks: frozenset[str] = frozenset()
+    """Commands in a menu's help that show, where no root mark stands beside them, that this is another firmware."""
+    stranger: str = ""
+    """What to say to a person whose dish is another firmware; `{prompt}` is what it shows."""
+
+    @property
+    def learnt(self) -> bool:
+        """Whether its prompts are learnt from the dish."""
+        return UNKNOWN_TOKEN in self.prompts.values()
+
+    def may_leave(self, line: str) -> bool:
+        """Return whether `line`, whole or with bytes lost, could leave a menu."""
+        letters = iter(line.lower())
+        return all(letter in letters for letter in self.leave.lower())

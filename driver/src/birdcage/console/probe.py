@@ -66,7 +66,7 @@ def judge(heard: bytes, tokens: Iterable[str] = ()) -> Saw:
         return Saw.ECHO
     text = heard.decode("latin-1")
     starts = [line.lstrip() for line in re.split(r"[\r\n]", text)]
-    if any(line.startswith(token) for line in starts for token in tokens):
+    if any(line.startswith(token) for line in starts for token in tokens if token):
         return Saw.PROMPT
     if is_garbage(heard):
         return Saw.GARBAGE

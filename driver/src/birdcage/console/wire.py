@@ -8,16 +8,15 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 from birdcage.base.clock import Clock, Outcome
 from birdcage.base.wake import Wake
 from birdcage.console.codec import Codec
 from birdcage.console.diagnosis import KEPT
 from birdcage.console.dialect import ConsoleDialect
-from birdcage.console.events import Event, Line, Reply, Stray, StrayPrompt
+from birdcage.console.events import Event, Line, LineSink, Reply, Stray, StrayPrompt, tell
 from birdcage.link.port import Port
-
-LineSink = Callable[[str], None]
 
 
 class Wire:
@@ -47,6 +46,9 @@ class Wire:
         self._sent_at: dict[int, float] = {}
         self._interjected: list[int] = []
         self.menu: str | None = None
+        """Where learnt prompts name no menu, this is what the session has proven, until something makes it doubtful."""
+        self.token = ""
+        """The prompt that last answered."""
         self.lost = True
         """Whether a reply is missing, so that the next exchange first has to find its feet again."""
         self.last_reply: float | None = None
@@ -65,10 +67,15 @@ class Wire:
         """How many lines still lack their prompt."""
         return self._codec.owed
 
-    def is_hazard(self, line: str) -> bool:
-        """Return whether `line`, whole or with bytes lost, could leave a menu."""
-        letters = iter(line.lower())
-        return all(letter in letters for letter in self.dialect.leave.lower())
+    @property
+    def codec(self) -> Codec:
+        """What reads the stream; for looking at, and for `learn`."""
+        return self._codec
+
+    def learn(self, token: str) -> None:
+        """Know a prompt token from now on."""
+        with self._lock:
+            self._note(self._codec.learn(token))
 
     def send(self, line: str, takes_s: float = 0.0, permit: Callable[[], None] | None = None) -> int:
         """Write one line at once and return the ticket of its reply.
@@ -81,7 +88,7 @@ class Wire:
                 permit()
             now = self.clock.monotonic()
             self.seen.clear()
-            if self.is_hazard(line):
+            if self.dialect.may_leave(line):
                 self.doubt(now + takes_s + 2 * self.delay_s)
                 self._hazard_doubt = self.doubt_until
             return self._write([line], now, takes_s)[0]
@@ -192,14 +199,14 @@ class Wire:
                 self.stray_bytes += self._codec.noise - noise
                 self.doubt(self.last_received + 2 * self.delay_s)
             self._note(events)
-        self._tell(events, ticket, on_line)
+        tell(events, ticket, on_line, self._on_line)
 
     def idle(self, ticket: int = 0, on_line: LineSink | None = None) -> None:
         """Let the codec know that a deadline passed with nothing arriving."""
         with self._lock:
             events = self._codec.idle()
             self._note(events)
-        self._tell(events, ticket, on_line)
+        tell(events, ticket, on_line, self._on_line)
 
     def _note(self, events: Sequence[Event]) -> None:
         now = self.clock.monotonic()
@@ -213,24 +220,29 @@ class Wire:
                         self.lost = False
                     if not self._codec.owed:
                         self.busy_until = self.last_sent
-                    self.menu = event.menu
-                    self._replies[event.ticket] = event
+                    self._replies[event.ticket] = self._placed(event)
                 case StrayPrompt():
-                    if event.menu != self.menu:
+                    if self.dialect.learnt:
+                        self.menu = None
+                    elif event.menu != self.menu:
                         self.menu, self.lost = None, True
                     self.busy_until = self.last_sent
                     self.doubt(now + 2 * self.delay_s)
                 case Stray():
                     self.stray_bytes += len(event.text)
+                    self.menu = None if self.dialect.learnt else self.menu
                     self.doubt(now + 2 * self.delay_s)
                     continue
                 case Line():
                     pass
             self.last_reply = now
 
-    def _tell(self, events: Sequence[Event], ticket: int, on_line: LineSink | None) -> None:
-        for event in events:
-            if isinstance(event, Stray) and self._on_line is not None:
-                self._on_line(event.text)
-            elif isinstance(event, Line) and event.ticket == ticket and on_line is not None:
-                on_line(event.text)
+    def _placed(self, reply: Reply) -> Reply:
+        """Take in the menu that a prompt names; a learnt one names none, and only says whether it is still the same."""
+        if not self.dialect.learnt:
+            self.menu = reply.menu
+            return reply
+        if reply.token != self.token:
+            self.menu = None
+        self.token = reply.token
+        return replace(reply, menu=self.menu or "")

@@ -1,0 +1,72 @@
+"""Learns prompts that no source tells: what stands without a line end, twice the same (decision 0010)."""
+
+from __future__ import annotations
+
+import re
+
+from birdcage.console.diagnosis import no_reply
+from birdcage.console.events import LineSink, Reply
+from birdcage.console.wire import Wire
+
+SETTLE_S = 0.3
+"""How long the line must be quiet for what stands there to count as a prompt. Too short only costs another look."""
+_SHOWS = 4
+"""How often Enter is pressed for the same prompt to show twice in a row."""
+_SHAPE = re.compile(r"\S.{0,31}(?<=[>#$%:\]])")
+"""What a prompt looks like: all that are known of these and like dishes end in a sign, not in a letter."""
+
+
+class Learner:
+    """Sends lines after which an unknown prompt may stand, and learns it. The owner's thread only."""
+
+    def __init__(self, wire: Wire, delay_s: float, on_line: LineSink | None) -> None:
+        self._wire, self._delay_s, self._on_line = wire, delay_s, on_line
+
+    def ask(self, line: str, limit: float | None) -> Reply:
+        """Send a line and return its reply, which a known prompt ends at once, and a new one when it showed twice.
+
+        Nothing is waited for beyond `limit` (monotonic seconds). NoReply when no prompt came.
+        """
+        wire, began = self._wire, self._wire.clock.monotonic()
+        tickets, shown = [wire.send(line)], [""]
+
+        def hear(text: str) -> None:
+            if not line and self._on_line is not None and text not in shown:
+                self._on_line(text)
+
+        try:
+            while (stands := self._await(tickets, limit, hear)) is not None:
+                if stands and stands == shown[-1]:
+                    wire.learn(stands)
+                    wire.idle()
+                    break
+                if not stands or len(tickets) > _SHOWS:
+                    raise no_reply(wire.link.name, line, bytes(wire.seen), wire.clock.monotonic() - began)
+                shown.append(stands)
+                tickets.append(wire.send(""))
+            reply, *_ = [wire.taken(ticket) for ticket in tickets]
+            if reply is None:
+                raise no_reply(wire.link.name, line, bytes(wire.seen), wire.clock.monotonic() - began)
+        finally:
+            for ticket in tickets:
+                wire.taken(ticket)
+                wire.forget(ticket)
+        lines = tuple(text for text in reply.lines if text not in shown)
+        return Reply(reply.command, lines, reply.menu, reply.token, reply.ticket)
+
+    def _await(self, tickets: list[int], limit: float | None, hear: LineSink) -> str | None:
+        """Wait until all is answered (None), or something that looks like a prompt stands; empty when nothing does."""
+        wire, codec = self._wire, self._wire.codec
+        deadline = wire.clock.monotonic() + self._delay_s
+        if limit is not None:
+            deadline = min(deadline, limit)
+        while any(wire.codec.owes(ticket) for ticket in tickets):
+            # Nothing of what came before the last Enter counts: `seen` begins with it.
+            stands = codec.unfinished if wire.seen and _SHAPE.fullmatch(codec.unfinished) else ""
+            settled = max(wire.last_received, wire.last_sent) + SETTLE_S
+            until = min(deadline, settled) if stands or codec.owes_only_keys else deadline
+            if wire.clock.monotonic() >= until:
+                wire.idle()
+                return stands if any(wire.codec.owes(ticket) for ticket in tickets) else None
+            wire.pump(until, tickets[0], hear)
+        return None

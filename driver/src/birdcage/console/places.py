@@ -1,0 +1,103 @@
+"""Which menu a dish is in when its prompts don't tell: by what its help lists (decision 0010)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from birdcage.console.dialect import ConsoleDialect
+
+SUBMENU = "submenu"
+"""A menu that is surely not the root, and that nobody has entered yet under its name."""
+
+_ENTER = re.compile(r"\s*enter\s*<(\w+)>", re.IGNORECASE)
+_EXPLAINED = re.compile(r"\s-|[:<\[(]")
+_WORD = re.compile(r"[a-z0-9_]+")
+_LEAST_SHARE = 0.5
+"""A help that shares more of its words with the root's may be the root's with bytes lost."""
+
+
+def commands(lines: Iterable[str]) -> frozenset[str]:
+    """Return the commands that help lines list: `Enter <dvb> - …`, `a [<motor>] - …`, or bare words in columns."""
+    found: set[str] = set()
+    for line in lines:
+        words = _WORD.findall(line.lower())
+        if enter := _ENTER.match(line):
+            found.add(enter[1].lower())
+        else:
+            found.update(words[:1] if _EXPLAINED.search(line) else words)
+    return frozenset(found)
+
+
+class Places:
+    """What each menu of one dish listed, on one connection. Pure."""
+
+    def __init__(self, dialect: ConsoleDialect) -> None:
+        self._dialect = dialect
+        self._listed: dict[str, frozenset[str]] = {}
+        self._tokens: dict[str, str] = {}
+        self._unsure: frozenset[str] = frozenset()
+
+    def judge(self, lines: tuple[str, ...]) -> str | None:
+        """Return the menu whose help this is; None when it does not tell, or not yet: then it is asked for again.
+
+        A menu that was not seen before must show the same twice.
+        """
+        words = frozenset(_WORD.findall(" ".join(lines).lower()))
+        before, self._unsure = self._unsure, frozenset()
+        dialect = self._dialect
+        listed = commands(lines)
+        if dialect.root_marks <= listed:
+            self._listed[dialect.root] = words
+            return dialect.root
+        if self._may_be_root(words, listed) or not self._is_list(lines, listed):
+            return None
+        known = [menu for menu, seen in self._listed.items() if menu != dialect.root and seen <= words]
+        if known:
+            return max(known, key=lambda menu: len(self._listed[menu]))
+        common = words & before
+        if 2 * len(common) > len(words):
+            self._listed[SUBMENU] = common
+            return SUBMENU
+        self._unsure = words
+        return None
+
+    def is_stranger(self, lines: tuple[str, ...]) -> bool:
+        """Return whether this help is plainly another firmware's."""
+        listed = commands(lines)
+        return bool(self._dialect.stranger_marks & listed) and not self._dialect.root_marks & listed
+
+    def entered(self, menu: str, token: str) -> None:
+        """Take in that the submenu that was just judged is `menu`, and shows this prompt."""
+        if SUBMENU in self._listed:
+            self._listed[menu] = self._listed.pop(SUBMENU)
+        self._tokens[menu] = token
+
+    def at_root(self, token: str) -> None:
+        """Take in which prompt the root shows."""
+        self._tokens[self._dialect.root] = token
+
+    def is_told_by(self, token: str, menu: str) -> bool:
+        """Return whether this prompt is the one of `menu`, and surely not the root's."""
+        root = self._tokens.get(self._dialect.root)
+        return root is not None and token != root and self._tokens.get(menu) == token
+
+    def _may_be_root(self, words: frozenset[str], listed: frozenset[str]) -> bool:
+        root = self._listed.get(self._dialect.root)
+        if root is not None:
+            return len(words & root) > _LEAST_SHARE * len(root)
+        return any(_alike(mark, word) for mark in self._dialect.root_marks for word in listed)
+
+    def _is_list(self, lines: tuple[str, ...], listed: frozenset[str]) -> bool:
+        """Return whether this is a list of commands, and not an error in words that nobody knows."""
+        if any(pattern.search(line) for line in lines for pattern, _ in self._dialect.refusals):
+            return False
+        return len(lines) > 1 or self._dialect.leave in listed
+
+
+def _alike(mark: str, word: str) -> bool:
+    """Return whether `word` may be `mark` with one byte lost, doubled or spoilt."""
+    if abs(len(mark) - len(word)) > 1:
+        return False
+    start = next((i for i, (a, b) in enumerate(zip(mark, word, strict=False)) if a != b), min(len(mark), len(word)))
+    return any(mark[start + i :] == word[start + j :] for i, j in ((0, 0), (1, 0), (0, 1), (1, 1)))

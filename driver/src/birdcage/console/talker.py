@@ -1,0 +1,235 @@
+"""How a session finds its feet: what is missing, how quiet the line is, which menu a fresh prompt shows."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from birdcage.base.clock import Clock
+from birdcage.base.errors import CommandRefused, NoReply
+from birdcage.base.wake import Wake
+from birdcage.console.diagnosis import no_reply
+from birdcage.console.dialect import ConsoleDialect
+from birdcage.console.events import LineSink, Reply
+from birdcage.console.learner import Learner
+from birdcage.console.places import SUBMENU, Places
+from birdcage.console.wire import Wire
+from birdcage.link.port import Port
+
+HELP = "?"
+"""Lists the commands of a menu, on all of these consoles, and does nothing else (reference section 2.1)."""
+_LOOKS = 4
+"""How often help is asked for in a row: a menu that was not seen before takes two."""
+_PROOFS = 3
+"""How often a submenu is looked for before `leave` gives up."""
+
+
+class Talker:
+    """The part of a `Console` that its public methods stand on; nothing here is called from outside."""
+
+    def __init__(
+        self,
+        link: Port,
+        clock: Clock,
+        dialect: ConsoleDialect,
+        *,
+        delay_s: float = 2.0,
+        wake: Wake | None = None,
+        on_wake: Callable[[], None] | None = None,
+        on_line: LineSink | None = None,
+    ) -> None:
+        self.clock = clock
+        self.dialect = dialect
+        self.delay_s = delay_s
+        self._on_line = on_line
+        self._wire = Wire(link, clock, dialect, delay_s, wake, on_wake, on_line)
+        self._learner = Learner(self._wire, delay_s, on_line)
+        self._places = Places(dialect)
+        self._new = True
+        self._limit: float | None = None
+        self._round_trip_s: float | None = None
+
+    @property
+    def menu(self) -> str | None:
+        """The menu that the last fresh prompt named; None when it is not known."""
+        return self._wire.menu
+
+    @property
+    def in_step(self) -> bool:
+        """Whether all that was sent is accounted for and nothing came unasked since the last proof."""
+        wire = self._wire
+        return not wire.lost and wire.doubt_until is None and not wire.owed and wire.menu is not None
+
+    def refusal(self, reply: Reply) -> CommandRefused | None:
+        """Return what the firmware's error in `reply` means, or None when it holds none."""
+        for line in reply.lines:
+            for pattern, reason in self.dialect.refusals:
+                if pattern.search(line):
+                    return CommandRefused(
+                        f"The dish refused `{reply.command}` in menu `{reply.menu}`: {line.strip()}", reason=reason
+                    )
+        return None
+
+    def _root_hazard(self, line: str) -> CommandRefused:
+        return CommandRefused(
+            f"`{line}` was not sent: the dish is at its root menu, where a `{self.dialect.leave}` may end "
+            "its shell until a power cycle.",
+            reason="wrong_menu",
+        )
+
+    def _check(self, line: str) -> None:
+        if not (line.isascii() and line.isprintable()):
+            raise ValueError(f"a console line holds printable ASCII only, not {line!r}")
+
+    def _resume(self) -> None:
+        """Make sure that nothing is missing, so that a reply can be told from an older one."""
+        self._wire.take_in()
+        if self._wire.lost or self.menu is None:
+            self._resynchronize()
+
+    def _resynchronize(self) -> str:
+        if self._new:
+            # Nothing of ours is under way yet: look at once. A `q` waits until `doubt_until` all the same.
+            self._new = False
+        elif self.dialect.learnt and not self._wire.lost:
+            pass  # no reply is missing: only the menu is in doubt
+        elif not self._quiet(strictly=False):
+            # It talks on: perhaps a stream, which any key ends.
+            self._wire.press_enter()
+            self._quiet(strictly=False)
+        return self._probe()
+
+    def _quiet(self, *, strictly: bool) -> bool:
+        """Wait until all that was sent has had its time, both ways, and D passed without a byte.
+
+        Not `strictly`, a prompt that came late counts as the end of what kept the dish busy. False when it never
+        fell quiet.
+        """
+        wire, delay = self._wire, self.delay_s
+        give_up = max(wire.quiet_at(strictly=strictly), self.clock.monotonic()) + 4 * delay
+        if self._limit is not None:
+            give_up = min(give_up, self._limit)
+        while True:
+            goal = wire.quiet_at(strictly=strictly)
+            now = self.clock.monotonic()
+            if now >= goal:
+                wire.forget_all()
+                return True
+            if now >= give_up:
+                return False
+            wire.pump(min(goal, give_up))
+
+    def _probe(self) -> str:
+        """Ask for the menu and return it: by a bare Enter and the prompt that it brings, or by help.
+
+        Lines before the prompt are nobody's: boot text.
+        """
+        if not self.dialect.learnt:
+            return self._transact("", on_line=self._on_line).menu
+        if self._wire.lost:
+            self._wire.codec.unlearn()  # a prompt learnt wrong may be why a reply is missing
+        if not self._wire.codec.knows_prompts:
+            self._learner.ask("", self._limit)
+        return self._look()
+
+    def _look(self) -> str:
+        """Return the menu that the dish's help tells."""
+        wire, places = self._wire, self._places
+        for _ in range(_LOOKS):
+            reply = self._learner.ask(HELP, self._limit)
+            menu = places.judge(reply.lines)
+            if menu is None and places.is_stranger(reply.lines):
+                raise NoReply(self.dialect.stranger.format(prompt=reply.token), reason="wrong_firmware")
+            if menu is not None:
+                if menu == self.dialect.root:
+                    places.at_root(reply.token)
+                wire.menu = menu
+                return menu
+        raise NoReply(
+            f"The dish answers, but `{HELP}` does not tell which menu it is in: another firmware, or bytes are lost. "
+            "Nothing else was sent.",
+            reason="garbage",
+        )
+
+    def _go(self, menu: str) -> None:
+        """Go from the root to a submenu, and make sure of it."""
+        reply = self._learner.ask(menu, self._limit) if self.dialect.learnt else self._transact(menu)
+        refusal = self.refusal(reply)
+        if refusal is not None:
+            raise refusal
+        now = reply.menu
+        if self.dialect.learnt:
+            if not self._places.is_told_by(reply.token, menu):
+                self._wire.menu = None
+                now = self._look()
+                if now == SUBMENU:
+                    self._places.entered(menu, reply.token)
+                    now = menu
+            else:
+                now = menu
+            self._wire.menu = now
+        if now != menu:
+            raise CommandRefused(f"The dish did not go to menu `{menu}`; it is in `{now}`.", reason="wrong_menu")
+
+    def _quit(self) -> str:
+        """Leave a proven submenu, and return the menu that the dish is in then."""
+        if not self.dialect.learnt:
+            return self._transact(self.dialect.leave).menu
+        self._learner.ask(self.dialect.leave, self._limit)
+        self._wire.menu = None
+        return self._look()
+
+    def _may_change_menu(self, line: str) -> bool:
+        """Return whether after this line only help tells the menu, as prompts may be alike."""
+        if not self.dialect.learnt:
+            return False
+        return self.dialect.may_leave(line) or (self.menu == self.dialect.root and line.strip() not in ("", HELP))
+
+    def _prove_submenu(self) -> str:
+        """Return the menu that a fresh prompt names, with nothing unaccounted for under way, either way."""
+        root = self.dialect.root
+        self._resume()
+        for _ in range(_PROOFS):
+            before = self.menu
+            if not self.in_step and not self._quiet(strictly=True):
+                break
+            now = self._probe()
+            if now == root or (now == before and self.in_step):
+                return now
+        raise NoReply(
+            f"The line to the dish does not fall quiet, so `{self.dialect.leave}` was not sent: it could reach the "
+            "root menu. Check the cable; a power cycle brings the dish back to its root menu.",
+            reason="garbage",
+        )
+
+    def _transact(
+        self,
+        line: str,
+        takes_s: float = 0.0,
+        on_line: LineSink | None = None,
+        permit: Callable[[], None] | None = None,
+    ) -> Reply:
+        sent = self.clock.monotonic()
+        ticket = self._wire.send(line, takes_s, permit)
+        reply = self._await(line, ticket, takes_s + self.delay_s, on_line)
+        if not takes_s:
+            self._round_trip_s = self.clock.monotonic() - sent
+        return reply
+
+    def _await(self, line: str, ticket: int, timeout_s: float, on_line: LineSink | None) -> Reply:
+        wire = self._wire
+        deadline = self.clock.monotonic() + timeout_s
+        if self._limit is not None:
+            deadline = min(deadline, self._limit)
+        try:
+            while (reply := wire.taken(ticket)) is None and wire.pump(deadline, ticket, on_line):
+                pass
+            if reply is None:
+                wire.idle(ticket, on_line)
+                reply = wire.taken(ticket)
+        except BaseException:
+            wire.forget(ticket)
+            raise
+        if reply is None:
+            wire.forget(ticket)
+            raise no_reply(wire.link.name, line, bytes(wire.seen), timeout_s)
+        return reply
