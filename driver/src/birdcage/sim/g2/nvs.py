@@ -21,11 +21,22 @@ class Nvs(G2Menu):
     """Shows, edits and saves settings. Words it does not know read the next row: no error is ever printed ([S1])."""
 
     prompt = "NVS>"
-    help_lines = ("help [<command>]", "d [<index>]", "e <index> [<value>]", "q", "s")
+    help_lines = (
+        "help [<command>]",
+        "d [<idx>] - Dump all values, or one",
+        "e <idx> [<value>] - Read or edit a value",
+        "q",
+        "s - Save to flash",
+    )
 
     def __init__(self, board: Board) -> None:
         super().__init__(board)
         self.commands |= {"d": self._dump, "e": self._edit, "s": self._save}
+        self._begin()
+        board.at_power_on.append(self._begin)
+
+    def _begin(self) -> None:
+        """Let the next word that it does not know read the first row."""
         self._next = 0
 
     def unknown(self, words: list[str]) -> Script:  # noqa: ARG002

@@ -28,7 +28,7 @@ class System(G2Menu):
     """Identity and reboot."""
 
     prompt = "OS>"
-    help_lines = ("help [<command>]", "id", "q", "reboot")
+    help_lines = ("help [<command>]", "id - Identification", "q", "reboot - Reboot the processor")
 
     def __init__(self, board: Board) -> None:
         super().__init__(board)
