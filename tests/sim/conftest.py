@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 import pytest
 from birdcage.base.clock import Outcome, VirtualClock
@@ -10,10 +11,10 @@ from birdcage.sim.port import SimPort, open_port
 
 
 class Terminal:
-    def __init__(self, options: str = "", *, rate: float = 1.0) -> None:
+    def __init__(self, options: str = "", *, rate: float = 1.0, firmware: str = "g2") -> None:
         self.clock = VirtualClock()
         self.clock.rate = rate
-        self.port: SimPort = open_port(f"g2?{options}" if options else "g2", clock=self.clock)
+        self.port: SimPort = open_port(f"{firmware}?{options}" if options else firmware, clock=self.clock)
         self.device = self.port.device
 
     def listen(self, seconds: float) -> str:
@@ -51,3 +52,9 @@ class Terminal:
 @pytest.fixture
 def terminal() -> Callable[..., Terminal]:
     return Terminal
+
+
+@pytest.fixture
+def hal() -> Callable[..., Terminal]:
+    """A terminal of a simulated Trav'ler with HAL 2.05."""
+    return partial(Terminal, firmware="hal205")

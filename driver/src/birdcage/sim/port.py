@@ -15,6 +15,8 @@ from birdcage.sim.dish import Dish
 from birdcage.sim.firmware import Firmware, Host
 from birdcage.sim.g2.firmware import G2Firmware
 from birdcage.sim.g2.knobs import G2Settings
+from birdcage.sim.hal.firmware import Hal205Firmware
+from birdcage.sim.hal.knobs import HalSettings
 from birdcage.sim.settings import AnySettings, parse_query
 from birdcage.sim.wire import Wire
 
@@ -27,7 +29,10 @@ class Kind(Generic[AnySettings]):
     build: Callable[[AnySettings, Host], Firmware]
 
 
-FIRMWARE: dict[str, Kind[Any]] = {"g2": Kind(G2Settings, G2Firmware)}
+FIRMWARE: dict[str, Kind[Any]] = {
+    "g2": Kind(G2Settings, G2Firmware),
+    "hal205": Kind(HalSettings, Hal205Firmware),
+}
 """Every simulated firmware by the name that follows `sim:`."""
 
 _named: dict[str, Device] = {}

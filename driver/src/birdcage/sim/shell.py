@@ -24,9 +24,11 @@ class Pause:
 
 @dataclass(frozen=True, slots=True)
 class Listen:
-    """A stream waits for a key, `seconds` of dish time at most; the script is told whether one came."""
+    """A command waits for a key, `seconds` of dish time at most; the script is told whether one came."""
 
     seconds: float
+    takes: bytes | None = None
+    """Which keys are gone once they were noticed; any other begins the next command. None: as for a stream."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,7 +85,7 @@ class Shell:
         self._line = bytearray()
         self._after_cr = False
         self._script: Script | None = None
-        self._listening = False
+        self._listening: Listen | None = None
         self._run = 0
 
     def feed(self, data: bytes) -> None:
@@ -106,7 +108,7 @@ class Shell:
         self._input.clear()
         self._line.clear()
         self._after_cr = False
-        self._script, self._listening = None, False
+        self._script, self._listening = None, None
         self._run += 1
         self.menu = "root"
         self.alive = alive
@@ -115,8 +117,8 @@ class Shell:
         if self._listening and self._input[:1] == b"\n" and self._after_cr and self._settings.lf_after_cr == "ignore":
             del self._input[0]  # the rest of the line end that started the stream
             self._after_cr = False
-        if self._listening and self._input:
-            self._end_stream()
+        if self._listening is not None and self._input:
+            self._end_wait(self._listening)
         while self._input and self._script is None and self.alive:
             byte = self._input.pop(0)
             after_cr, self._after_cr = self._after_cr, byte == 0x0D
@@ -129,10 +131,13 @@ class Shell:
                 self._line.append(byte)
                 self._echo(bytes((byte,)))
 
-    def _end_stream(self) -> None:
-        if self._input[0] in KEYS_THAT_END and self._settings.stream_key == "swallow":
+    def _end_wait(self, wait: Listen) -> None:
+        takes = wait.takes
+        if takes is None:
+            takes = KEYS_THAT_END if self._settings.stream_key == "swallow" else b""
+        if self._input[0] in takes:
             self._after_cr = self._input.pop(0) == 0x0D
-        self._listening = False
+        self._listening = None
         self._run += 1
         self._advance(key=True)
 
@@ -169,7 +174,7 @@ class Shell:
             else:
                 self._resume_in(step.seconds)
                 if isinstance(step, Listen):
-                    self._listening = True
+                    self._listening = step
                     self._read()
                 return
 
@@ -178,7 +183,7 @@ class Shell:
 
         def resume() -> None:
             if run == self._run:
-                self._listening = False
+                self._listening = None
                 self._advance()
                 self._read()
 

@@ -1,0 +1,126 @@
+"""What the menus of a Trav'ler share: the dish, its motors' queues, the settings memory and the time."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from datetime import timedelta
+
+from birdcage.sim.axis import STALL_DWELL_S, Axis
+from birdcage.sim.chance import seeded
+from birdcage.sim.firmware import Host
+from birdcage.sim.hal.knobs import HalSettings
+from birdcage.sim.hal.lane import Lane
+from birdcage.sim.hal.mechanics import SKEW_DEG, HalDish
+from birdcage.sim.hal.memory import SAFE_MINIMUM, Memory
+from birdcage.sim.sky import Sky
+
+
+class HalBoard:
+    """The processor board, as far as its console shows it."""
+
+    def __init__(self, settings: HalSettings, host: Host, dish: HalDish) -> None:
+        self.settings = settings
+        self.host = host
+        self.machine = host.machine
+        self.dish = dish
+        self.memory = Memory()
+        az, el, skew = dish.axes
+        self.turn = Lane(host.machine, (az, el), self._started)
+        """Azimuth and elevation exclude each other."""
+        self.skew = Lane(host.machine, (skew,), self._started)
+        self._sky = Sky(settings)
+        self._rng = seeded("floor", settings.seed)
+        for axis in dish.axes:
+            axis.on_strike = self._strikes(axis)
+
+    @property
+    def now_s(self) -> float:
+        """Dish time."""
+        return self.machine.dish_s
+
+    @property
+    def lanes(self) -> tuple[Lane, Lane]:
+        """Both queues of moves."""
+        return self.turn, self.skew
+
+    def lane(self, index: int) -> Lane:
+        """Return the queue that an axis stands in."""
+        return self.skew if index == 2 else self.turn
+
+    def order(self, index: int, wanted_deg: float) -> None:
+        """Queue a move to an angle that `target` gave."""
+        axis = self.dish.axes[index]
+        if index == 0:
+            self.turn.order(axis, lambda now_s: self.dish.cable_target(now_s, wanted_deg))
+        else:
+            self.lane(index).order(axis, lambda _now_s: wanted_deg)
+
+    def drop(self) -> None:
+        """Forget every move that waits."""
+        for lane in self.lanes:
+            lane.drop()
+
+    def brake(self) -> None:
+        """Forget every move that waits, and bring every motor to rest."""
+        self.drop()
+        for axis in self.dish.axes:
+            if axis.moving(self.now_s):
+                axis.brake(self.now_s)
+        for lane in self.lanes:
+            lane.go_on()
+
+    def target(self, index: int, wanted_deg: float) -> float | None:
+        """Return the angle that a command means, None when it is refused."""
+        settings = self.settings
+        if index == 0:
+            return wanted_deg if settings.az_outside or 0.0 <= wanted_deg <= 360.0 else None
+        low, high = SKEW_DEG if index == 2 else (-math.inf, settings.el_max)
+        inside = min(max(wanted_deg, low), high)
+        if inside != wanted_deg and settings.out_of_range == "error":
+            return None
+        return inside if index == 2 else self._above_floor(inside)
+
+    def above_floor_counts(self, dish_s: float, az_deg: float, el_deg: float) -> float:
+        """Return how much more than the empty sky is heard at an instant of dish time."""
+        clock = self.machine.clock
+        when = clock.utc() + timedelta(seconds=dish_s - clock.monotonic() * clock.rate)
+        return self._sky.level(when, az_deg + self.settings.heading, el_deg) - self._sky.floor(el_deg)
+
+    def stalled(self, axis: Axis) -> None:
+        """Tell of a motor that has stopped on its way, and go on with the next move."""
+        self._tell_stall(axis)
+        for lane in self.lanes:
+            if axis in lane.axes:
+                lane.go_on()
+
+    def _above_floor(self, el_deg: float) -> float | None:
+        floor = self.memory.active[SAFE_MINIMUM]
+        if el_deg >= floor or self.settings.below_floor == "clamp":
+            return max(el_deg, floor)
+        return None if self.settings.below_floor == "refuse" else self._rng.uniform(el_deg, floor)
+
+    def _started(self, axis: Axis) -> None:
+        if axis.stalled and self.settings.stall == "stop":
+            self.machine.at_dish(self.now_s + STALL_DWELL_S, lambda: self._tell_stall(axis) if axis.stalled else None)
+
+    def _tell_stall(self, axis: Axis) -> None:
+        if self.settings.stall_text:
+            self.host.say(f"{axis.data.name} MOTOR STALLED\n")
+
+    def _strikes(self, axis: Axis) -> Callable[[float], None]:
+        """Make what is called when a motion is ordered that will run into a stop."""
+
+        def strikes(when_s: float) -> None:
+            self.machine.at_dish(when_s, lambda: self.stalled(axis) if axis.end_s() == when_s else None)
+
+        return strikes
+
+
+def number(text: str) -> float | None:
+    """Read a finite number as the firmware would; None when it is none."""
+    try:
+        value = float(text)
+    except ValueError:
+        return None
+    return value if math.isfinite(value) else None

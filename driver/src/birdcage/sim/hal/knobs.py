@@ -1,0 +1,118 @@
+"""What can be chosen about a simulated Trav'ler with HAL 2.05 beside what every dish has (`birdcage.sim.settings`).
+
+Nobody has captured a byte of this console (reference section 14): texts and layouts are free. Each field is an option
+of the address: `sim:hal205?prompts=alike&wrap=360`. Provenance tags as in `birdcage.sim.settings`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import ClassVar
+
+from birdcage.sim.settings import Settings
+
+
+@dataclass(frozen=True, slots=True)
+class HalSettings(Settings):
+    """The knobs of one simulated Trav'ler. Angles in degrees, times in seconds of dish time."""
+
+    firmware: ClassVar[str] = "hal205"
+    choices: ClassVar[Mapping[str, tuple[str, ...]]] = {
+        **Settings.choices,
+        "prompts": ("named", "alike"),
+        "boot_line": ("nolnb", "nogps", "none"),
+        "a_layout": ("lines", "line"),
+        "az_print": ("wrapped", "cable"),
+        "wrap": ("455", "360", "0"),
+        "below_floor": ("unreliable", "refuse", "clamp"),
+        "out_of_range": ("error", "clamp"),
+        "unhomed_move": ("error", "deadlock"),
+        "g_order": ("az_el_sk", "az_sk_el"),
+        "g_axes": ("together", "turn"),
+        "g_queue": ("drop", "wait"),
+        "abort_key": ("swallow", "keep"),
+        "abort_prompt": ("at_once", "at_rest"),
+    }
+
+    az: float = 180.0
+    """Cable angle at the start, 0 to 455."""
+    el: float = 45.0
+    """Elevation at the start."""
+    sk: float = 90.0
+    """Skew at the start. [I]"""
+    overshoot: float = 0.0
+    """Scale of the overshoot; nothing is known of one here."""
+    stow_el: float = 0.0
+    """Elevation to which `stow` folds: flat (section 2.9, [V]); the figure [I]."""
+
+    searching: bool = False
+    """Start in the middle of the TV search. Without it, and without `boot`, the search has been stopped long ago."""
+    search_finds: bool = True
+    """Whether the search may end at a satellite; else it sweeps until it is stopped. [I]"""
+    search_speed: float = 20.0
+    """Azimuth rate of the search in deg/s. [I]"""
+    search_text: str = ""
+    """Printed at the beginning of every sweep, if anything is. [open]"""
+    found_text: str = ""
+    """Printed when the search ends at a satellite, if anything is. [open]"""
+    search_stopped_text: str = "Search stopped."
+    """What `s` of the search menu answers. [open]"""
+    boot_home_s: float = 120.0
+    """How long homing takes after power-up: shorter than the 10 to 15 minutes of a Carryout ([S0]); the figure [I]."""
+    boot_line: str = "nolnb"
+    """The line that ends homing: `No LNB Voltage` [S0], `NoGPS` [P], or none, as on dishes with a GPS ([V])."""
+
+    prompts: str = "named"
+    """Whether the menus have prompts of their own, or all the same one. [open]"""
+    prompt_root: str = "TRK>"
+    prompt_motor: str = "MOT>"
+    prompt_ngsearch: str = "NGSEARCH>"
+    prompt_nvs: str = "NVS>"
+    prompt_alike: str = ">"
+    """The prompts. That of the motor menu [I], as the reference writes it; the others [open]."""
+
+    a_layout: str = "lines"
+    """Whether `a` prints a line for each axis, or all in one ([S0] writes it so). The tokens are [P]."""
+    az_print: str = "wrapped"
+    """Whether `a` prints azimuth as 0..360 (section 1, [V]) or as the cable's angle. [I]"""
+    wrap_label: str = "WRAP ="
+    """What stands before the wrap position in the answer to `a` ([V] that it is there, its text [I])."""
+    ack: str = "OK"
+    """What `a <id> <deg>` answers; empty for nothing. [I]"""
+    g_text: str = ""
+    """What `g` prints as it begins; empty for nothing. [open]"""
+    wrap: str = "455"
+    """Where the cable ends ([V]: usually 360 or 455). 0: the wrap position goes from 455 to 0 once north was crossed,
+    and the next move goes back a whole turn ([V] that it happens, when [I])."""
+    below_floor: str = "unreliable"
+    """What a target below NVS 127 does: end somewhere above it ([S0] "unreliable"), a refusal, or the floor. [I]"""
+    el_max: float = 90.0
+    """Highest elevation that it takes (section 1, [S0])."""
+    out_of_range: str = "error"
+    """Whether other targets beyond the limits are refused or moved to the limit. [open]"""
+    out_of_range_text: str = "Angle out of range."
+    """What it says when it refuses one. [open]"""
+    az_outside: bool = True
+    """Whether azimuths outside 0..360 are taken: the public scripts send -0.5 (section 2.8). [open]"""
+    unhomed_angle: str = "2147483647.00"
+    """How `a` prints an axis that is not homed; known of a G2 only. [open]"""
+    unhomed_move: str = "error"
+    """What a move of an unhomed axis meets: `unhomed_text`, or a deadlock. [open]"""
+    unhomed_text: str = "Motor not calibrated."
+    """What it says to one. [open]"""
+    stall_text: bool = True
+    """Whether stalls and failed homing are told on the console, or only on the indoor unit's display. [S0]"""
+
+    g_order: str = "az_el_sk"
+    """The order of the numbers of `g`; some firmware's help has az, sk, el (section 2.6, [V])."""
+    g_axes: str = "together"
+    """Whether `g` moves azimuth and elevation at once ([V] "combined") or in turn. [I]"""
+    g_queue: str = "drop"
+    """Whether `g` drops the moves of `a` under way and queued ([V] "immediate"), or waits for them. [I]"""
+    abort_key: str = "swallow"
+    """Whether the byte that aborts `g` is gone, or read as input. [I]"""
+    abort_prompt: str = "at_once"
+    """When the prompt comes after an abort: at once, or when the motors have come to rest. [I]"""
+    accel: float = 40.0
+    """Acceleration of all axes in deg/s², and so how soon an aborted `g` comes to rest. [I]"""

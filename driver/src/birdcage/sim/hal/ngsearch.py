@@ -1,0 +1,24 @@
+"""The menu of the TV search: `s` stops it, `q` leaves (reference section 4, [S0])."""
+
+from __future__ import annotations
+
+from birdcage.sim.hal.board import HalBoard
+from birdcage.sim.hal.menu import HalMenu
+from birdcage.sim.hal.search import Search
+from birdcage.sim.shell import Script
+
+
+class Ngsearch(HalMenu):
+    """Stops the search until the next power-up; whether it can be started from here no source says."""
+
+    help_lines = ("s", "q")
+
+    def __init__(self, board: HalBoard, search: Search) -> None:
+        super().__init__(board, board.settings.prompt_ngsearch)
+        self.commands["s"] = self._stop
+        self._search = search
+
+    def _stop(self, args: list[str]) -> Script:  # noqa: ARG002
+        self._search.stop()
+        if self.board.settings.search_stopped_text:
+            yield f"{self.board.settings.search_stopped_text}\n"

@@ -1,0 +1,50 @@
+"""The root menu: the submenus of this firmware, `stow` and `reboot` (reference sections 2 and 4)."""
+
+from __future__ import annotations
+
+from birdcage.sim.hal.board import HalBoard
+from birdcage.sim.hal.menu import HalMenu
+from birdcage.sim.shell import Die, Enter, Pause, Script
+
+SUBMENUS = ("motor", "ngsearch", "nvs")
+
+
+class Root(HalMenu):
+    """Enters submenus. What `q` does here is a setting."""
+
+    help_lines = (*SUBMENUS, "reboot", "stow", "q")
+
+    def __init__(self, board: HalBoard) -> None:
+        super().__init__(board, board.settings.prompt_root)
+        self.commands |= {"q": self._quit, "reboot": self._reboot, "stow": self._stow}
+
+    def run(self, words: list[str]) -> Script:
+        """Carry out one line; the name of a submenu enters it."""
+        if words[0] in SUBMENUS:
+            yield Enter(words[0])
+        else:
+            yield from super().run(words)
+
+    def _quit(self, args: list[str]) -> Script:  # noqa: ARG002
+        what = self.board.settings.root_q
+        if what == "kill":
+            yield Die()
+        elif what == "error":
+            yield from self.unknown()
+
+    def _reboot(self, args: list[str]) -> Script:  # noqa: ARG002
+        self.board.host.restart()
+        yield ""
+
+    def _stow(self, args: list[str]) -> Script:  # noqa: ARG002
+        """Turn to the back and fold flat ([V]); in this order, what it prints, and whether it waits: [I]."""
+        board = self.board
+        if not all(axis.homed for axis in board.dish.axes):
+            yield f"{board.settings.unhomed_text}\n"
+            return
+        az, el, skew = board.dish.axes
+        board.skew.order(skew, lambda _now_s: skew.data.home_deg)
+        board.turn.order(az, lambda _now_s: board.settings.stow_az)
+        board.turn.order(el, lambda _now_s: board.settings.stow_el)
+        while board.settings.stow_blocks and board.turn.busy:
+            yield Pause(max(board.turn.end_s() - board.now_s, 0.01))
