@@ -37,6 +37,8 @@ from birdcage.protocol.g2.scan import ScanPoint, parse_scan_point
         ("eeprom", "ee 3", "Index:3 Read value = 0", lambda g: g.eeprom.read(3), 0),
         ("eeprom", "ee 3", "Failed to read eeprom index:3 val:65793", lambda g: g.eeprom.read(3), None),
         ("gpio", "dir B0", "INPUT", lambda g: g.gpio.direction("B0"), "INPUT"),
+        ("gpio", "dir E29", "Unknown bit E29", lambda g: g.gpio.direction("E29"), None),
+        ("gpio", "r E29", "Unknown bit E29", lambda g: g.gpio.read("E29"), None),
         ("gpio", "r B0", "1", lambda g: g.gpio.read("B0"), 1),
         ("gpio", "r E12", "E12 = 0", lambda g: g.gpio.read("E12"), 0),
         (
@@ -47,7 +49,11 @@ from birdcage.protocol.g2.scan import ScanPoint, parse_scan_point
         ("peak", "ts", "SW Status: 0b0101 5", lambda g: g.peak.switch_status(), 5),
         ("step", "pid", "Kp=250 Kv=50", lambda g: g.stepper.gains(), (Gains(None, 250.0, 50.0, None),)),
         (
-            "mot", "pid", "[0] Kp=250 Kv=50 Ki=1\n[1] Kp=200 Kv=40 Ki=0", lambda g: g.motors.gains(),
+            "mot", "pid", "AZ: Kp=250 Kv=50, EL: Kp=200 Kv=40", lambda g: g.motors.gains(),
+            (Gains(0, 250.0, 50.0, None), Gains(1, 200.0, 40.0, None)),
+        ),
+        (
+            "mot", "pid", "PID[0] Kp=250 Kv=50 Ki=1\nPID[1] Kp=200 Kv=40 Ki=0", lambda g: g.motors.gains(),
             (Gains(0, 250.0, 50.0, 1.0), Gains(1, 200.0, 40.0, 0.0)),
         ),
         (
@@ -72,6 +78,7 @@ from birdcage.protocol.g2.scan import ScanPoint, parse_scan_point
         ("mot", "ela2s 45.00", "3120", lambda g: g.motors.elevation_to_steps(45.0), 3120),
         ("mot", "ela2s 45.00", "Angle = 4500 Steps = 3120", lambda g: g.motors.elevation_to_steps(45.0), 3120),
         ("mot", "els2a 3120", "Angle = 45.00", lambda g: g.motors.steps_to_elevation(3120), 45.0),
+        ("mot", "els2a 3120", "Steps: 3120 Angle: 4500", lambda g: g.motors.steps_to_elevation(3120), 45.0),
         ("mot", "els2a 3120", "45.00", lambda g: g.motors.steps_to_elevation(3120), 45.0),
         ("mot", "els2a 9999999", "Overflow", lambda g: g.motors.steps_to_elevation(9999999), None),
         ("mot", "life", "AZ moves: 12", lambda g: g.motors.life(), ("AZ moves: 12",)),
@@ -103,7 +110,7 @@ def test_a_reply_becomes_a_value(ask, menu, line, answer, question, value):
         ("mot", "elminmaxhome", "Min: 1800 Max: 6500 Home: 6500", lambda g: g.motors.elevation_limits()),
         ("mot", "p", "Pos[0] = 20000", lambda g: g.motors.steps()),
         ("mot", "ela2s 45.00", "4500 3120", lambda g: g.motors.elevation_to_steps(45.0)),
-        ("mot", "els2a 3120", "Angle = 4500", lambda g: g.motors.steps_to_elevation(3120)),
+        ("mot", "els2a 3120", "Angle: 450000", lambda g: g.motors.steps_to_elevation(3120)),
         ("mot", "l", "two motors", lambda g: g.motors.list()),
         ("os", "id", "NXP Kinetis", lambda g: g.identity()),
         ("dvb", "rrto", "", lambda g: g.tuner.diseqc.reply_timeout_ms()),
@@ -148,6 +155,15 @@ def test_triangulation(ask):
     )  # fmt: skip
     assert (place.lat_deg, place.lon_deg) == (39.1, -95.7)
     assert place.angles_deg == (180.0, 45.0, 200.5, 40.0)
+
+
+def test_a_calculator_that_took_other_angles_is_not_believed(ask):
+    with pytest.raises(CommandRefused) as raised:
+        ask(
+            "latlon", "l 180.00 45.00 200.50 40.00", "anglesentered = 180 45 200 40\nLat = 3910 Lon = -9570",
+            lambda g: g.latlon.triangulate(180.0, 45.0, 200.5, 40.0),
+        )  # fmt: skip
+    assert raised.value.reason == "bad_parameter"
 
 
 def test_accelerations_of_the_stepper_are_in_degrees(ask):

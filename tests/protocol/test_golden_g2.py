@@ -108,7 +108,7 @@ DVB>
 def test_t_g2plus_home(play, line_end, spaces):
     g2, port = play(f"TRK>mot\nMOT>h *\nwrap_min:-42333 wrap_max:2333\n{spaces}\nMOT>\n", line_end)
     g2.enter_motor_menu()
-    assert g2.home_motors() == HomingReport(-423.33, 23.33, 1.0, 0)
+    assert g2.home_motors() == HomingReport(-423.33, 23.33, 1, 0)
     assert port.written == b"\rmot\rh *\r"
 
 

@@ -18,6 +18,6 @@ def parse_homing(lines: Iterable[str]) -> HomingReport:
     return HomingReport(
         wrap_min_deg=int(wrap[1]) / 100.0 if wrap else None,
         wrap_max_deg=int(wrap[2]) / 100.0 if wrap else None,
-        az_deg=float(end[1]) if end else None,
+        az_printed=int(end[1]) if end else None,
         turn=int(end[2]) if end else None,
     )

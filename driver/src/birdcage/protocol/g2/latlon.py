@@ -6,10 +6,12 @@ import re
 from dataclasses import dataclass
 from typing import ClassVar
 
+from birdcage.base.errors import CommandRefused
 from birdcage.protocol.g2.reading import find, search
 from birdcage.protocol.g2.room import Room
 
 _CALCULATE_S = 5.0
+_ROUNDING_DEG = 0.015
 _PLACE = re.compile(r"\bLat\s*=\s*([-+]?\d+)\s+Lon\s*=\s*([-+]?\d+)\b")
 _ENTERED = re.compile(r"anglesentered\s*=\s*([-+]?\d+)\s+([-+]?\d+)\s+([-+]?\d+)\s+([-+]?\d+)\b")
 
@@ -32,11 +34,14 @@ class LatLon(Room):
         """Send four angles in degrees (`l`) and return the place.
 
         What the four are is not certain: azimuth and elevation of one satellite, then of the other, most likely.
+        CommandRefused (`bad_parameter`) when it tells that it took other angles.
         """
-        reply = self._run("l " + " ".join(f"{angle:.2f}" for angle in (p1, p2, p3, p4)), takes_s=_CALCULATE_S)
+        sent = (p1, p2, p3, p4)
+        reply = self._run("l " + " ".join(f"{angle:.2f}" for angle in sent), takes_s=_CALCULATE_S)
         place, entered = find(reply, _PLACE), search(reply, _ENTERED)
-        return Place(
-            int(place[1]) / 100.0,
-            int(place[2]) / 100.0,
-            tuple(int(text) / 100.0 for text in entered.groups()) if entered else None,
-        )
+        angles = tuple(int(text) / 100.0 for text in entered.groups()) if entered else None
+        if angles is not None and any(
+            abs(took - gave) > _ROUNDING_DEG for took, gave in zip(angles, sent, strict=True)
+        ):
+            raise CommandRefused(f"Of `{reply.command}` the dish took the angles {angles}.", reason="bad_parameter")
+        return Place(int(place[1]) / 100.0, int(place[2]) / 100.0, angles)

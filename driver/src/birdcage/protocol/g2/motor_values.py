@@ -67,7 +67,7 @@ class HomingReport:
     wrap_min_deg: float | None
     """How far the cable lets the azimuth turn back from its reference: -423.33 on one unit."""
     wrap_max_deg: float | None
-    az_deg: float | None
-    """Where the azimuth stands at the end, in whole degrees as a G2+ prints it."""
+    az_printed: int | None
+    """Where the azimuth stands at the end, as a G2+ prints it: 1 has been seen, and its unit is not documented."""
     turn: int | None
     """On which turn of the cable."""

@@ -1,7 +1,8 @@
 """The motor menu, `MOT>`: what it tells (reference sections 7.3 and 7.4). Moving is the dialect's, through the gate.
 
 Only `elminmaxhome`, `mv` and the names of `l` are quoted. `p`, `v` and `ma` are read as `mv` is printed, by motor
-number; a number with decimals is taken for degrees, as those of `a` and the settings memory are.
+number. A number with decimals is degrees, as with `a` and the settings memory; a whole angle is centidegrees, as in
+`wrap_min:-42333` and in sweeps.
 """
 
 from __future__ import annotations
@@ -96,10 +97,11 @@ class Motors(Room):
         if search(reply, _OVERFLOW):
             return None
         named = search(reply, _ANGLE)
-        angle = _degrees(named[1] if named else only_text(reply))
-        if angle is None or abs(angle) > _STEEPEST_DEG:
+        text = named[1] if named else only_text(reply)
+        angle_deg = float(text) if "." in text else int(text) / 100.0
+        if abs(angle_deg) > _STEEPEST_DEG:
             raise garbage(reply)
-        return angle
+        return angle_deg
 
 
 def _degrees(text: str) -> float | None:

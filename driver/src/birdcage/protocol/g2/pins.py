@@ -42,13 +42,19 @@ class Gpio(Room):
 
     menu: ClassVar[str] = "gpio"
 
-    def direction(self, pin: str) -> str:
-        """Read which way a pin goes: `INPUT` or `OUTPUT`; says little of one that serves a peripheral."""
-        return find(self._run(f"dir {_checked(pin)}"), _DIRECTION)[1]
+    def direction(self, pin: str) -> str | None:
+        """Read which way a pin goes: `INPUT` or `OUTPUT`; None for one that the dish calls unknown.
 
-    def read(self, pin: str) -> int:
-        """Read a pin: 0 or 1."""
+        It says little of a pin that serves a peripheral.
+        """
+        reply = self._run(f"dir {_checked(pin)}")
+        return None if search(reply, _UNKNOWN) else find(reply, _DIRECTION)[1]
+
+    def read(self, pin: str) -> int | None:
+        """Read a pin: 0 or 1; None for one that the dish calls unknown."""
         reply = self._run(f"r {_checked(pin)}")
+        if search(reply, _UNKNOWN):
+            return None
         named = search(reply, _STATE)
         if named is not None and named[1] != pin:
             raise garbage(reply)
