@@ -7,6 +7,7 @@ import signal
 from pathlib import Path
 
 import pytest
+import serial
 
 
 @pytest.mark.parametrize("before", [True, False])
@@ -30,8 +31,17 @@ def test_its_options_reach_the_dish(start, run) -> None:
     assert run("pos", port=port).exit_code == 4
 
 
+def test_the_other_firmware_speaks_at_its_own_rate(start) -> None:
+    process = start("sim", "--firmware", "hal205", "--json", "-o", "az=8.34")
+    told = json.loads(process.stdout.readline())
+    assert told["firmware"] == "hal205"
+    with serial.serial_for_url(told["port"], baudrate=57600, timeout=5) as port:
+        port.write(b"motor\ra\r")
+        assert b"AZ =   8.34\r\n" in port.read_until(b"WRAP")
+
+
 @pytest.mark.parametrize("words", [
-    ("--speed", 0), ("-o", "no"), ("-o", "nothing=1"), ("--port", "x"), ("--firmware", "hal205"),
+    ("--speed", 0), ("-o", "no"), ("-o", "nothing=1"), ("--port", "x"), ("--firmware", "hal000"),
 ])  # fmt: skip
 def test_it_refuses_what_it_cannot(run, words) -> None:
     result = run("sim", *words)

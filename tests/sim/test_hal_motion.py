@@ -142,8 +142,6 @@ def test_stow_folds_it_flat(hal):
     dish.listen(60.0)
     truth = dish.device.truth()
     assert (truth.cable_deg, truth.el_deg, truth.skew_deg) == pytest.approx((0.0, 0.0, 90.0))
-    start = dish.now
-    hal("stow_blocks=1").ask("stow", "TRK>", within=60.0)
     blocking = hal("stow_blocks=1")
     start = blocking.now
     blocking.ask("stow", "TRK>", within=60.0)

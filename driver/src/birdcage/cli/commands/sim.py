@@ -29,7 +29,8 @@ def command(
 ) -> None:  # fmt: skip
     """Simulate a dish that any program can talk to: prints the port, and serves until Ctrl+C.
 
-    With --json it prints one line: {"port": …, "firmware": …, "control": …}. The default of --firmware is here g2.
+    With --json it prints one line: {"port": …, "firmware": …, "control": …}. --firmware is g2 or hal205; here the
+    default is g2.
     """
     from birdcage.sim.run import run_simulator
 
