@@ -1,7 +1,7 @@
-"""The tuner menu, `DVB>` (reference section 7.6): the part whose replies are known, and the streams.
+"""The tuner menu, `DVB>` (reference sections 7.3 and 7.6): signal, streams, and the pages of its help.
 
-That `agc`, `snr`, `nid` and `lnbv` print until a key comes, and what about, is [S1]; their lines are [I]. The network
-is `FFFF`, none, always.
+`rssi` is quoted [S1]. That `agc`, `snr`, `nid` and `lnbv` print until a key comes, and what about, is [S1]; their lines
+are [I]. Which command stands on which page of the help is [S1] as far as document 001 tells it for `man`, else [I].
 """
 
 from __future__ import annotations
@@ -10,32 +10,92 @@ from collections.abc import Callable
 
 from birdcage.sim.chance import seeded
 from birdcage.sim.g2.board import Board
+from birdcage.sim.g2.diseqc import Diseqc
+from birdcage.sim.g2.dvb_channel import DvbChannel
+from birdcage.sim.g2.dvb_report import DvbReport
 from birdcage.sim.g2.menu import G2Menu
 from birdcage.sim.g2.tuner import VERTICAL_V
 from birdcage.sim.shell import Listen, Pause, Script
 
 MOST_READS = 1000
-SNR_COUNTS = 15.0
-"""Counts above the floor for each dB of SNR. [I]"""
+FIRST_PAGE = (
+    "help [<command>]",
+    "agc - RF/IF AGC, SNR and NID",
+    "config - tuner hardware and firmware",
+    "def - restore defaults",
+    "diag - transponder diagnostics",
+    "dis - display channel parameters",
+    "e <n> <value> - edit channel parameter",
+    "freqs - tuner frequency list",
+    "lnbdc <odu> - LNB DC",
+    "lnbv - LNB voltage",
+    "ls - lock status",
+    "man - more commands",
+    "msw [<n>] - multi-switch",
+    "nid - network id",
+    "pwr [<0|1>] - power",
+    "q",
+    "qls - quick lock status",
+    "range - signal range",
+    "rssi <reads> - RSSI average",
+    "shuf - shuffle transponders",
+    "snr - SNR level",
+    "srch - start search",
+    "t <n> - select transponder",
+    "table - generate transponder table",
+)
+SECOND_PAGE = (
+    "srch_mode [<n>] - auto search mode",
+    "stats - satellite read statistics",
+    "tablex - extended transponder table",
+    "tabto [<ms>] - table timeout",
+    "to [<ms>] - timeout",
+    "di2conf - DiSEqC LNB config",
+    "di2cs <port> - DiSEqC committed switch",
+    "di2id - DiSEqC LNB hardware id",
+    "di2rcs - DiSEqC read committed switch",
+    "di2sc - DiSEqC switch control",
+    "di2stat - DiSEqC LNB status",
+    "ovraddr [<hex>] - DiSEqC override address",
+    "pretx [<ms>] - DiSEqC pre-transmit delay",
+    "rrto [<ms>] - DiSEqC receive reply timeout",
+    "send <hex> ... - DiSEqC packet",
+    "tdthresh [<counts>] - DiSEqC tone detect threshold",
+)
 
 
 class Dvb(G2Menu):
-    """Signal strength."""
+    """Signal strength, streams, and everything that its parts add."""
 
     prompt = "DVB>"
-    help_lines = ("help [<command>]", "agc", "lnbdc <odu>", "lnbv", "nid", "q", "rssi <reads>", "snr")
+    help_lines = FIRST_PAGE + SECOND_PAGE
 
     def __init__(self, board: Board) -> None:
         super().__init__(board)
+        channel = DvbChannel(self)
+        diseqc = Diseqc(self)
         self.commands |= {
+            **channel.commands,
+            **DvbReport(self).commands,
+            **diseqc.commands,
             "agc": self._stream(self._agc),
+            "def": self._defaults(channel, diseqc),
             "lnbdc": self._lnbdc,
             "lnbv": self._stream(self._volts),
-            "nid": self._stream(lambda: "NID: FFFF"),
+            "man": self._manual,
+            "nid": self._stream(lambda: f"NID: {board.tuner.read(board.now_s).network:04X}"),
             "rssi": self._rssi,
-            "snr": self._stream(lambda: f"SNR: {self._snr():.1f}"),
+            "snr": self._stream(lambda: f"SNR: {board.tuner.read(board.now_s).snr_db:.1f}"),
         }
         self._rng = seeded("dvb", board.settings.seed)
+
+    @property
+    def first_page(self) -> tuple[str, ...]:
+        """What `?` lists."""
+        return FIRST_PAGE
+
+    def _manual(self, args: list[str]) -> Script:  # noqa: ARG002
+        yield "".join(f"{line}\n" for line in SECOND_PAGE)
 
     def _rssi(self, args: list[str]) -> Script:
         reads = int(args[0]) if len(args) == 1 and args[0].isdecimal() else 0
@@ -45,12 +105,9 @@ class Dvb(G2Menu):
         values = []
         for _ in range(reads):
             yield Pause(self.board.settings.rssi_read_s)
-            values.append(self._reading())
+            values.append(self.board.tuner.read(self.board.now_s).rssi)
         average = round(sum(values) / reads)
         yield f"{self.board.settings.rssi_lead}\nReads:{reads} RSSI[avg: {average} cur: {values[-1]}]\n"
-
-    def _reading(self) -> int:
-        return self.board.tuner.read(self.board.now_s).rssi
 
     def _stream(self, line: Callable[[], str]) -> Callable[[list[str]], Script]:
         def run(args: list[str]) -> Script:  # noqa: ARG001
@@ -62,17 +119,28 @@ class Dvb(G2Menu):
         return run
 
     def _agc(self) -> str:
-        above = self._reading() - self.board.settings.rssi_floor
-        return f"RF AGC: {2000 - 4 * above:.0f} IF AGC: {1500 - 2 * above:.0f} SNR: {self._snr():.1f} NID: FFFF"
+        """The stronger the signal, the less gain. The figures are [I]."""
+        heard = self.board.tuner.read(self.board.now_s)
+        above = heard.rssi - self.board.settings.rssi_floor
+        return (
+            f"RF AGC: {2000 - 4 * above:.0f} IF AGC: {1500 - 2 * above:.0f} "
+            f"SNR: {heard.snr_db:.1f} NID: {heard.network:04X}"
+        )
 
     def _volts(self) -> str:
         return f"LNB Voltage: {self._rng.gauss(self.board.tuner.lnb_volts, 0.05):.1f}"
-
-    def _snr(self) -> float:
-        return max(0.0, (self._reading() - self.board.settings.rssi_floor) / SNR_COUNTS)
 
     def _lnbdc(self, args: list[str]) -> Script:
         if args != ["odu"]:
             yield from self.bad_parameter()
             return
         self.board.tuner.lnb_volts = VERTICAL_V
+
+    def _defaults(self, channel: DvbChannel, diseqc: Diseqc) -> Callable[[list[str]], Script]:
+        def run(args: list[str]) -> Script:  # noqa: ARG001
+            channel.restore()
+            diseqc.restore()
+            self.board.tuner.restore()
+            yield "DVB defaults restored\n"
+
+        return run

@@ -36,8 +36,26 @@ class G2Menu:
         """Answer to a number that cannot be used."""
         yield f"{self.board.settings.bad_parameter}\n"
 
-    def _help(self, args: list[str]) -> Script:  # noqa: ARG002
-        yield "".join(f"{line}\n" for line in self.help_lines)
+    def _help(self, args: list[str]) -> Script:
+        if not args:
+            yield "".join(f"{line}\n" for line in self.first_page)
+            return
+        line = next((line for line in self.help_lines if args[0] == named(line)), None)
+        if line is None:
+            yield from self.unknown(args)
+        else:
+            yield f"{line}\n"
+
+    @property
+    def first_page(self) -> tuple[str, ...]:
+        """What `?` lists: everything, unless a menu has a second page."""
+        return self.help_lines
 
     def _leave(self, args: list[str]) -> Script:  # noqa: ARG002
         yield Enter("root")
+
+
+def named(help_line: str) -> str:
+    """Return the command that a line of help is about: `dvb` of `Enter <dvb> - DVB Tuner`, `a` of `a [<motor>]`."""
+    first, _, rest = help_line.partition(" ")
+    return rest[1:].partition(">")[0] if first == "Enter" else first

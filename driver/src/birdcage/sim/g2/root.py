@@ -7,11 +7,17 @@ from birdcage.sim.g2.menu import G2Menu
 from birdcage.sim.shell import Die, Enter, Pause, Script
 
 SUBMENUS = {
+    "a3981": "Motor Driver",
     "adc": "Analog Inputs",
+    "dipswitch": "Dipswitch",
     "dvb": "DVB Tuner",
+    "eeprom": "EEPROM",
+    "gpio": "GPIO",
+    "latlon": "Lat/Lon Calculator",
     "mot": "Motor Control",
     "nvs": "Non-Volatile Storage",
     "os": "OS",
+    "peak": "Peak Signal",
     "step": "Stepper Control",
 }
 """The line of `dvb` is verbatim [B]; the others are made like it [I]."""

@@ -106,6 +106,8 @@ class Tuner:
         """Forget what it was told: 18 V, the receiver on, the channels of the factory."""
         self.lnb_volts = HORIZONTAL_V
         self.on = True
+        self.switch_port = self._board.settings.switch_port
+        """Of the DiSEqC switch on the cable; 0 for no switch."""
         self.restore()
 
     def restore(self) -> None:

@@ -1,0 +1,62 @@
+"""The motor drivers' menu, `A3981>` (reference section 7.3).
+
+The form of `diag` is quoted [S1]; the others are made like it [I].
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from birdcage.sim.g2.board import Board
+from birdcage.sim.g2.menu import Command, G2Menu
+from birdcage.sim.shell import Script
+
+
+class A3981(G2Menu):
+    """Two Allegro A3981, one a motor."""
+
+    prompt = "A3981>"
+    help_lines = (
+        "help [<command>]",
+        "cm - current mode",
+        "diag - fault pins",
+        "q",
+        "reset - reset fault flags",
+        "sm - step mode",
+        "ss - step size",
+        "st - torque",
+    )
+
+    def __init__(self, board: Board) -> None:
+        super().__init__(board)
+        self.commands |= {
+            "cm": self._each("CM", lambda _: board.settings.current_mode),
+            "diag": self._each("DIAG", lambda index: "FAULT" if self._fault(index) else "OK"),
+            "reset": self._reset,
+            "sm": self._each("SM", lambda _: board.settings.step_mode),
+            "ss": self._each("SS", lambda _: str(board.settings.step_size)),
+            "st": self._each("ST", lambda index: "HIGH" if board.dish.axes[index].moving(board.now_s) else "LOW"),
+        }
+        self._forget()
+        board.at_power_on.append(self._forget)
+
+    def _each(self, name: str, word: Callable[[int], str]) -> Command:
+        def run(args: list[str]) -> Script:
+            if args:
+                yield from self.bad_parameter()
+                return
+            yield f"AZ {name}: {word(0)} EL {name}: {word(1)}\n"
+
+        return run
+
+    def _fault(self, index: int) -> bool:
+        """Whether the axis is blocked and was not reset since it was last told to move."""
+        axis = self.board.dish.axes[index]
+        return self.board.settings.stall_faults and axis.stalled and axis.orders != self._cleared[index]
+
+    def _reset(self, args: list[str]) -> Script:  # noqa: ARG002
+        self._cleared = [axis.orders for axis in self.board.dish.axes]
+        yield ""
+
+    def _forget(self) -> None:
+        self._cleared = [-1, -1]
