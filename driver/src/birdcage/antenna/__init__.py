@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from birdcage.antenna.antenna import AntennaConfig, BirdcageAntenna
+    from birdcage.antenna.antenna import BirdcageAntenna
+    from birdcage.antenna.config import AntennaConfig
 
 __all__ = ["AntennaConfig", "BirdcageAntenna"]
 
@@ -13,6 +14,6 @@ __all__ = ["AntennaConfig", "BirdcageAntenna"]
 def __getattr__(name: str) -> Any:  # noqa: ANN401 - PEP 562
     if name not in __all__:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    from birdcage.antenna import antenna
+    from birdcage.antenna import antenna, config
 
-    return getattr(antenna, name)
+    return getattr(config if name == "AntennaConfig" else antenna, name)

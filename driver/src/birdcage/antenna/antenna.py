@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import replace
 
 from birdcage.antenna.alignment import Alignment
+from birdcage.antenna.config import AntennaConfig, DialectBaud
 from birdcage.antenna.motion import STOP_LATENCY_S, DishMotion, start_motion
 from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused, MotionRefused, Stopped, WrongThread
@@ -14,28 +16,12 @@ from birdcage.base.geometry import shortest_turn, wrap_360
 from birdcage.kinematics import rest_point
 from birdcage.leapfrog import apply_leapfrog
 from birdcage.link.link import Link
+from birdcage.protocol.model import SecondMove
 from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.protocol.types import MOTOR_AZIMUTH, MOTOR_ELEVATION, Position
 
-
-class _DialectBaud(int):
-    """57600, and the mark of not having been given: then the dialect's own baud is used (SEAMS *Public API*)."""
-
-
-DIALECT_BAUD = _DialectBaud(57600)
 STILL_DEG = 0.015
 """Two readings this close, one poll apart, are a dish at rest: both axes print hundredths."""
-
-
-@dataclass
-class AntennaConfig:
-    """How to reach the dish, and the caller's own limits."""
-
-    port: str = "/dev/ttyUSB0"
-    baudrate: int = DIALECT_BAUD
-    min_elevation: float = 15.0
-    """Degrees, true; the higher of this and the dish's own limit counts."""
-    leapfrog_enabled: bool = True
 
 
 class BirdcageAntenna:
@@ -109,7 +95,7 @@ class BirdcageAntenna:
     def connect(self) -> None:
         """Open the port of the configuration; the dialect's baud unless one was given."""
         self._check_thread()
-        given = not isinstance(self._config.baudrate, _DialectBaud)
+        given = not isinstance(self._config.baudrate, DialectBaud)
         baud = self._config.baudrate if given else self._protocol.model.baud
         self._protocol.connect(self._config.port, int(baud))
 
@@ -157,25 +143,59 @@ class BirdcageAntenna:
 
         `clamp` moves an elevation outside the limits to the nearest allowed one instead of refusing it.
         """
+        dish_az, dish_el = self.aim(az_deg, el_deg, leapfrog=leapfrog, clamp=clamp)
+        self._send(dish_az, dish_el)
+        return self.alignment.to_true(dish_az, dish_el)
+
+    def aim(self, az_deg: float, el_deg: float, *, leapfrog: bool, clamp: bool) -> tuple[float, float]:
+        """Read the position, and return the dish angles of a true direction that the gate lets through."""
         self._check_thread()
         gate = self._protocol.gate
         current = self.get_position()
-        dish_az, dish_el = self.alignment.to_dish(az_deg, el_deg)
-        if clamp:
-            dish_el = min(max(dish_el, gate.el_floor_deg), gate.el_max_deg)
+        dish_az, dish_el = self.to_dish(az_deg, el_deg, clamp=clamp)
         gate.check(dish_az, dish_el)
-        if leapfrog:
-            wanted = apply_leapfrog(az_deg, el_deg, current.azimuth, current.elevation)
-            beyond_az, beyond_el = self.alignment.to_dish(*wanted)
-            beyond = beyond_az, min(max(beyond_el, gate.el_floor_deg), gate.el_max_deg)
-            try:
-                gate.check(*beyond)
-            except MotionRefused:
-                # Only the overshoot is not allowed: the target itself is, so go there exactly.
-                beyond = dish_az, dish_el
-            dish_az, dish_el = beyond
-        self._send(dish_az, dish_el)
-        return self.alignment.to_true(dish_az, dish_el)
+        if not leapfrog:
+            return dish_az, dish_el
+        wanted = apply_leapfrog(az_deg, el_deg, current.azimuth, current.elevation)
+        beyond = self.to_dish(*wanted, clamp=True)
+        try:
+            gate.check(*beyond)
+        except MotionRefused:
+            # Only the overshoot is not allowed: the target itself is, so go there exactly.
+            return dish_az, dish_el
+        return beyond
+
+    def to_dish(self, az_deg: float, el_deg: float, *, clamp: bool = False) -> tuple[float, float]:
+        """Return the dish angles of a true direction; `clamp` as in `point`."""
+        gate = self._protocol.gate
+        dish_az, dish_el = self.alignment.to_dish(az_deg, el_deg)
+        return dish_az, min(max(dish_el, gate.el_floor_deg), gate.el_max_deg) if clamp else dish_el
+
+    @contextmanager
+    def begun(self, planned: DishMotion) -> Iterator[None]:
+        """Model a motion while its lines go out; what was modelled before comes back if the dish takes none of them."""
+        taken = self.taken
+        with self._modelling:
+            # Before the first byte: a STOP that comes after that byte must know what to stop.
+            before, self.motion = self.motion, planned
+        try:
+            yield
+        except (Stopped, CommandRefused, MotionRefused) as error:
+            with self._modelling:
+                if self.taken == taken and self.motion is planned and error.reason != "closing":
+                    self.motion = before  # nothing of it moves: the dish does what it did
+            raise
+
+    def first_motor(self) -> int:
+        """Return which axis goes first this time: they alternate, so that none starves where they move in turn."""
+        self._moves += 1
+        return MOTOR_AZIMUTH if self._moves % 2 else MOTOR_ELEVATION
+
+    def turn_known(self, dish_az: float) -> float | None:
+        """Return how far the azimuth will turn; None when the turn of the cable is not known."""
+        gate = self._protocol.gate
+        turns, cable = gate.cable_turns(dish_az), gate.cable_deg
+        return turns[0] - cable if turns and cable is not None else None
 
     def _send(self, dish_az: float, dish_el: float) -> None:
         gate = self._protocol.gate
@@ -185,35 +205,31 @@ class BirdcageAntenna:
         velocity, under_way = (0.0, 0.0), self.motion
         if under_way is not None:
             velocity = under_way.azimuth.modelled(now, rate)[1], under_way.elevation.modelled(now, rate)[1]
-        turns = gate.cable_turns(dish_az)
-        cable = gate.cable_deg
-        turn = turns[0] - cable if turns and cable is not None else shortest_turn(start.azimuth, dish_az)
-        planned = start_motion(self.model, start, turn, dish_el, now, velocity)
-        taken = self.taken
-        with self._modelling:
-            # Before the first byte: a STOP that comes after that byte must know what to stop.
-            before, self.motion = self.motion, planned
+        turn = self.turn_known(dish_az)
+        if turn is None:
+            turn = shortest_turn(start.azimuth, dish_az)
+        first = MOTOR_AZIMUTH if self._moves % 2 == 0 else MOTOR_ELEVATION
         order = [(MOTOR_AZIMUTH, dish_az), (MOTOR_ELEVATION, dish_el)]
-        # Alternating, so that neither axis starves on a dish that moves them in turn (document 003).
-        try:
-            for motor, angle in order if self._moves % 2 == 0 else reversed(order):
+        with self.begun(start_motion(self.model, start, turn, dish_el, now, velocity, first=first, rate=rate)):
+            taken = self.taken
+            for motor, angle in sorted(order, key=lambda each: each[0] != first):
                 self._protocol.move_motor(motor, angle)
                 self.taken = taken + 1
-        except (Stopped, CommandRefused, MotionRefused) as error:
-            with self._modelling:
-                if self.taken == taken and self.motion is planned and error.reason != "closing":
-                    self.motion = before  # nothing of it moves: the dish does what it did
-            raise
         self._moves += 1
 
     def stop_lines(self) -> tuple[str, ...]:
         """Return the lines that stop the motion under way, computed for this moment; empty at rest. Any thread.
 
-        From then on the motion is modelled as stopped, so that a second STOP aims where the first one did.
+        Where moves queue, that of one axis can't be called back: empty too. What ends a silent slew leaves its model
+        alone; any other motion is modelled as stopped from then on, so that a second STOP aims where the first did.
         """
         with self._modelling:
             if self.motion is None:
                 return ()
+            if self.motion.silent:
+                return self._protocol.abort_lines()
+            if self.model.second_move is SecondMove.QUEUE:
+                return ()  # a move of one axis can't be called back
             self.motion = self.motion.stopped(self._clock.monotonic(), self._clock.rate)
             return self._protocol.stop_lines(*self.motion.rest)
 
@@ -235,13 +251,24 @@ class BirdcageAntenna:
     def stop(self) -> None:
         """Reset the move counter and bring the dish to rest: a new target just ahead of where it is.
 
-        NoReply when the dish does not answer within 2 s, CommandRefused when it does not take the new target.
+        NoReply when the dish does not answer within 2 s, CommandRefused when it does not take the new target, or
+        (`queued`) moves on to a target that can't be called back.
         """
         self._check_thread()
         self._moves = 0
-        if self.motion is not None:
+        if self.motion is None:
+            return
+        if not self.motion.silent:
             self.get_position()  # tells which way the azimuth turns, if the turn of the cable was not known
-        lines = self.stop_lines()
+        lines, left_s = self.stop_lines(), self.motion.eta(self._clock.rate) - self._clock.monotonic()
+        if not lines and self.model.second_move is SecondMove.QUEUE:
+            if left_s > 0:
+                raise CommandRefused(
+                    f"The {self.model.name} can't call back a move of one axis: it ends in {left_s:.0f} s, at its "
+                    "target.",
+                    reason="queued",
+                )
+            self.motion = None
         if not lines:
             return
         self._protocol.interject(lines)

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, replace
 
 from birdcage.base.geometry import shortest_turn
-from birdcage.kinematics import Slew, plan_slew, rest_point
+from birdcage.kinematics import Slew, plan_slew, plan_timed, rest_point
 from birdcage.protocol.model import Axis, DishModel
 from birdcage.protocol.types import MOTOR_AZIMUTH, Position
 
@@ -16,6 +16,13 @@ AGAINST_DEG_S = 2.0
 """A mean rate above this tells the direction: noise and overshoot are slower."""
 MODEL_TRUST_DEG = 1.0
 """A position that was read within this of the model's confirms the model."""
+
+
+def plan_axis(axis: Axis, start_deg: float, end_deg: float, velocity_deg_s: float = 0.0) -> Slew:
+    """Plan the way of one axis: by the times that were measured for it, else by its speed and acceleration."""
+    if axis.times is not None:
+        return plan_timed(start_deg, end_deg, axis.times.seconds(end_deg - start_deg))
+    return plan_slew(start_deg, end_deg, axis.speed_deg_s, axis.acceleration_deg_s2, velocity_deg_s)
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,8 +63,7 @@ class AxisMotion:
         end = self.slew.end_deg + math.copysign(360.0, mean_deg_s)
         axis = self.axis
         velocity = max(-axis.speed_deg_s, min(axis.speed_deg_s, mean_deg_s))
-        slew = plan_slew(self.read_deg, end, axis.speed_deg_s, axis.acceleration_deg_s2, velocity)
-        return replace(self, slew=slew, started=self.read_at)
+        return replace(self, slew=plan_axis(axis, self.read_deg, end, velocity), started=self.read_at)
 
     def _as_modelled(self, rate: float) -> bool:
         """Return whether the last reading lies where the model has the axis, give or take the latency."""
@@ -99,29 +105,52 @@ class AxisMotion:
         return min(aim, end) if end >= position else max(aim, end)
 
 
+def move_axis(axis: Axis, begin_deg: float, end_deg: float, now: float, velocity_deg_s: float = 0.0) -> AxisMotion:
+    """Return one axis that begins its way now."""
+    return AxisMotion(axis, plan_axis(axis, begin_deg, end_deg, velocity_deg_s), now, begin_deg, now)
+
+
 @dataclass(frozen=True, slots=True)
 class DishMotion:
-    """Both axes on their way, in the dish's frame."""
+    """The axes on their way, in the dish's frame."""
 
     azimuth: AxisMotion
     elevation: AxisMotion
+    skew: AxisMotion | None = None
+    """None unless the skew turns."""
+    silent: bool = False
+    """A combined move that any byte aborts: nothing may be asked while it lasts."""
+    longest_s: float = 0.0
+    """How long a silent slew may take at the longest, whichever way round its azimuth goes; mechanical seconds."""
 
     def eta(self, rate: float) -> float:
-        """Return the monotonic time at which both axes should rest."""
-        return max(self.azimuth.eta(rate), self.elevation.eta(rate))
+        """Return the monotonic time at which all axes should rest."""
+        return max(axis.eta(rate) for axis in (self.azimuth, self.elevation, self.skew) if axis is not None)
+
+    def at(self, now: float, rate: float) -> Position:
+        """Return where the model has the dish: azimuth in [0, 360); skew None unless it turns."""
+        skew = None if self.skew is None else self.skew.modelled(now, rate)[0]
+        az_deg, el_deg = self.azimuth.modelled(now, rate)[0], self.elevation.modelled(now, rate)[0]
+        return Position(az_deg % 360.0, el_deg, skew)
 
     def with_reading(self, position: Position, at: float, rate: float) -> DishMotion:
         """Take in a position that was read at `at`."""
-        return DishMotion(
-            self.azimuth.with_reading(position.azimuth, at, rate),
-            self.elevation.with_reading(position.elevation, at, rate),
+        skew = self.skew
+        if skew is not None and position.skew is not None:
+            skew = skew.with_reading(position.skew, at, rate)
+        return replace(
+            self,
+            azimuth=self.azimuth.with_reading(position.azimuth, at, rate),
+            elevation=self.elevation.with_reading(position.elevation, at, rate),
+            skew=skew,
         )
 
     def stopped(self, now: float, rate: float) -> DishMotion:
         """Return the motion that a retarget to where the axes can come to rest makes of this one."""
-        return DishMotion(
-            *(replace(axis, slew=axis.stopping_slew(now, rate), started=now) for axis in (self.azimuth, self.elevation))
+        azimuth, elevation = (
+            replace(axis, slew=axis.stopping_slew(now, rate), started=now) for axis in (self.azimuth, self.elevation)
         )
+        return replace(self, azimuth=azimuth, elevation=elevation)
 
     @property
     def rest(self) -> tuple[float, float]:
@@ -136,17 +165,21 @@ def start_motion(
     el_deg: float,
     now: float,
     velocity_deg_s: tuple[float, float] = (0.0, 0.0),
+    *,
+    first: int = MOTOR_AZIMUTH,
+    rate: float = 1.0,
 ) -> DishMotion:
-    """Model a motion from `start`, turning the azimuth by `az_turn_deg` and the elevation to `el_deg`."""
+    """Model a motion from `start`, turning the azimuth by `az_turn_deg` and the elevation to `el_deg`.
 
-    def axis_motion(axis: Axis, begin: float, end: float, velocity: float) -> AxisMotion:
-        slew = plan_slew(begin, end, axis.speed_deg_s, axis.acceleration_deg_s2, velocity)
-        return AxisMotion(axis, slew, now, begin, now)
-
-    return DishMotion(
-        axis_motion(model.azimuth, start.azimuth, start.azimuth + az_turn_deg, velocity_deg_s[0]),
-        axis_motion(model.elevation, start.elevation, el_deg, velocity_deg_s[1]),
-    )
+    Where the axes move in turn, the motor `first` goes first.
+    """
+    azimuth = move_axis(model.azimuth, start.azimuth, start.azimuth + az_turn_deg, now, velocity_deg_s[0])
+    elevation = move_axis(model.elevation, start.elevation, el_deg, now, velocity_deg_s[1])
+    if not model.axes_together and first == model.azimuth.index:
+        elevation = replace(elevation, started=now + azimuth.slew.duration_s / rate)
+    elif not model.axes_together:
+        azimuth = replace(azimuth, started=now + elevation.slew.duration_s / rate)
+    return DishMotion(azimuth, elevation)
 
 
 def stop_power_s(model: DishModel) -> float:

@@ -108,6 +108,42 @@ class MotionGate:
 
     def check(self, az_deg: float | None, el_deg: float | None) -> None:
         """Raise `MotionRefused` unless the dish may go there from where it stands; None leaves that axis be."""
+        position = self._check_limits(az_deg, el_deg)
+        self._check_sectors(
+            position, az_deg if az_deg is not None else position.azimuth,
+            el_deg if el_deg is not None else position.elevation,
+        )  # fmt: skip
+
+    def check_target(self, az_deg: float, el_deg: float) -> None:
+        """Raise `MotionRefused` unless the dish may stand there, whichever way it comes.
+
+        For a motion that begins only when the present one is over: `check` judges its way then.
+        """
+        self._check_limits(az_deg, el_deg)
+        for sector in self.bounds.sectors:
+            if el_deg < sector.below_el_deg and sector.overlaps(az_deg, 0.0):
+                raise self._in_the_way(sector, az_deg, el_deg, el_deg)
+
+    def check_skew(self, deg: float) -> None:
+        """Raise `MotionRefused` unless the dish has a skew axis that may stand at this angle, wherever it is now."""
+        axis = self.model.skew
+        if axis is None:
+            raise MotionRefused(f"The {self.model.name} has no skew axis. Nothing was sent.", reason="unsupported")
+        if self.bounds.closed_because is not None:
+            raise MotionRefused(self.bounds.closed_because, reason="settings")
+        if not math.isfinite(deg):
+            raise MotionRefused(
+                f"The skew asked for is {deg}, which is not an angle. Nothing was sent.", reason="not_a_number"
+            )
+        limit = min(max(deg, axis.min_deg), axis.max_deg)
+        if limit != deg:
+            raise MotionRefused(
+                f"Skew {deg:.2f}° is {abs(deg - limit):.2f}° beyond the limit of {limit:.2f}°. Nothing was sent.",
+                reason="skew_limit", limit_deg=limit, by_deg=abs(deg - limit),
+            )  # fmt: skip
+
+    def _check_limits(self, az_deg: float | None, el_deg: float | None) -> Position:
+        """Return the position; MotionRefused when it is not known, or when an axis or the cable does not allow it."""
         if self.bounds.closed_because is not None:
             raise MotionRefused(self.bounds.closed_because, reason="settings")
         for name, value in (("azimuth", az_deg), ("elevation", el_deg)):
@@ -121,10 +157,7 @@ class MotionGate:
             self._check_azimuth(self.position, az_deg)
         if el_deg is not None:
             self._check_elevation(el_deg)
-        self._check_sectors(
-            self.position, az_deg if az_deg is not None else self.position.azimuth,
-            el_deg if el_deg is not None else self.position.elevation,
-        )  # fmt: skip
+        return self.position
 
     def judge(self, az_deg: float | None, el_deg: float | None) -> MotionRefused | None:
         """Return which limit a motion would break, as far as that can be said; for raw lines, which pass no gate.

@@ -10,7 +10,7 @@ from birdcage.antenna.antenna import STILL_DEG, BirdcageAntenna
 from birdcage.base.config.sections import NoGoSector
 from birdcage.base.errors import CommandRefused, PositionUnknown
 from birdcage.base.geometry import shortest_turn
-from birdcage.protocol.model import Turn
+from birdcage.protocol.model import SearchSwitch, Turn
 from birdcage.protocol.types import Survey
 from birdcage.station.board import Board
 from birdcage.station.events import PositionRead
@@ -37,6 +37,9 @@ class Look:
         """The position and the turn of the cable no longer hold; `why` is for the board."""
         self._antenna.protocol.gate.forget("unread")
         self._board.change(position_lost=why, turn=self._turn())
+        if self._antenna.protocol.model.search_switch is SearchSwitch.UNTIL_POWER_UP:
+            # It may have been without power meanwhile, and then it searches again.
+            self._board.change(search=Search.UNKNOWN)
 
     def unknown(self, unknown: PositionUnknown) -> None:
         """The dish does not know where it is."""
@@ -67,17 +70,35 @@ class Look:
         assert dish is not None, "it was read just now"
         at, utc = self._board.stamp()
         pointing = Pointing(
-            true.azimuth, true.elevation, dish.azimuth, dish.elevation, at, utc, cable_deg=gate.cable_deg
-        )
+            true.azimuth, true.elevation, dish.azimuth, dish.elevation, at, utc, cable_deg=gate.cable_deg,
+            skew_deg=dish.skew,
+        )  # fmt: skip
         self._board.change(position=pointing, position_lost=None, homed=True, turn=self._turn())
         self._board.tell(PositionRead(at, utc, pointing))
         return pointing
 
+    def modelled(self) -> Pointing | None:
+        """Show where the model has the dish while nothing may be asked; None, and nothing is shown, at rest."""
+        motion, clock, before = self._antenna.motion, self._board.clock, self._board.state.position
+        if motion is None:
+            return None
+        at, utc = self._board.stamp()
+        dish = motion.at(at, clock.rate)
+        az_deg, el_deg = self._antenna.alignment.to_true(dish.azimuth, dish.elevation)
+        pointing = Pointing(
+            az_deg, el_deg, dish.azimuth, dish.elevation, at, utc,
+            skew_deg=before.skew_deg if before is not None and dish.skew is None else dish.skew,
+            modelled=True, read_at=motion.azimuth.started if before is None else before.told_at,
+        )  # fmt: skip
+        self._board.change(position=pointing)
+        return pointing
+
     @staticmethod
     def apart_deg(one: Pointing, other: Pointing) -> float:
-        """Return the larger of the two axes' differences, azimuth the short way round."""
+        """Return the largest of the axes' differences, azimuth the short way round."""
         turn = shortest_turn(other.dish_az_deg, one.dish_az_deg)
-        return max(abs(turn), abs(one.dish_el_deg - other.dish_el_deg))
+        skew = 0.0 if one.skew_deg is None or other.skew_deg is None else one.skew_deg - other.skew_deg
+        return max(abs(turn), abs(one.dish_el_deg - other.dish_el_deg), abs(skew))
 
     def is_still(self, one: Pointing, other: Pointing) -> bool:
         """Return whether two readings are those of a dish at rest."""
@@ -110,10 +131,9 @@ class Look:
         for name, text in (*survey.settings.items(), *survey.identity.items()):
             self._board.read(name, text)
         self.note_speeds(survey.speeds)
-        self._board.change(
-            firmware_version=survey.version,
-            search={None: Search.UNKNOWN, True: Search.OFF, False: Search.UNKNOWN}[survey.search_disabled],
-        )
+        self._board.change(firmware_version=survey.version)
+        if self._antenna.protocol.model.search_switch is SearchSwitch.FOR_GOOD:
+            self._board.change(search=Search.OFF if survey.search_disabled else Search.UNKNOWN)
         self.limit(survey)
         self._board.change(surveyed=True)
         self._antenna.protocol.enter_motor_menu()

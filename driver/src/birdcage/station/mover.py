@@ -1,15 +1,15 @@
-"""One motion at a time: sends it, follows it to its arrival, notices when it does not get there."""
+"""One motion at a time: what every dish's has in common. How it is sent and followed differs by its firmware."""
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from concurrent.futures import Future
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from birdcage.antenna.antenna import BirdcageAntenna
-from birdcage.antenna.motion import stop_power_s
-from birdcage.base.errors import BirdcageError, CommandRefused, PositionUnknown, Stopped, Superseded
-from birdcage.base.geometry import separation, shortest_turn
+from birdcage.base.errors import BirdcageError, MotionRefused, Stopped
+from birdcage.base.geometry import separation
 from birdcage.station.board import Board
 from birdcage.station.events import ActivityChanged, End, MoveEnded, MoveProgress, MoveStarted
 from birdcage.station.look import Look
@@ -35,13 +35,15 @@ class Job:
     holder: str
     future: Future[object]
     follow: bool = False
+    skew_deg: float | None = None
+    """Where the skew is sent; azimuth and elevation then stay where they are."""
     to_rest: bool = False
     """Where it goes is the firmware's own business: it has arrived when it rests."""
     still_since: float | None = None
     last: Pointing | None = None
 
 
-class Mover:
+class Mover(ABC):
     """Latest wins: a new target supersedes the motion under way."""
 
     def __init__(self, board: Board, antenna: BirdcageAntenna, look: Look) -> None:
@@ -60,28 +62,20 @@ class Mover:
         """Whether a motion is under way that this program sent."""
         return self._job is not None
 
+    @abstractmethod
     def go(self, job: Job, *, clamp: bool = False, leapfrog: bool = False) -> None:
-        """Send a motion. What the gate refuses is raised, and the motion under way goes on."""
-        now, last = self._board.clock.monotonic(), self._last_follow
-        stream = job.follow and last is not None and last[0] == job.holder and now - last[1] < STREAM_S
-        start = self._board.state.position
-        commanded = self._point(job, clamp=clamp, leapfrog=leapfrog and stream)
-        self._end(End.SUPERSEDED, "a newer target replaced it", Superseded("A newer target replaced this one."))
-        start = self._board.state.position if start is None else start
-        self._last_follow = (job.holder, now) if job.follow else None
-        job.az_deg, job.el_deg = commanded
-        self._job, self.target = job, commanded
-        self.due = self._board.clock.monotonic() + POLL_S
-        motion, model = self._antenna.motion, self._antenna.model
-        assert motion is not None, "the antenna has just begun it"
-        shown = Motion(
-            start.az_deg if start else commanded[0], start.el_deg if start else commanded[1], *commanded, now,
-            motion.eta(self._board.clock.rate), stop_power_s(model), model.stop_ladder[0].name,
-        )  # fmt: skip
-        at, utc = self._board.stamp()
-        self._board.change(motion=shown, target_az_deg=commanded[0], target_el_deg=commanded[1])
-        self.activity(Activity.SLEWING, "")
-        self._board.tell(MoveStarted(at, utc, shown, job.holder))
+        """Begin a motion. What the gate refuses is raised, and the motion under way goes on."""
+
+    @abstractmethod
+    def _follow(self, job: Job) -> None:
+        """Judge whether the dish has arrived, is under way, or is stuck."""
+
+    def turn_skew(self, job: Job) -> None:
+        """Turn the skew to `job.skew_deg`. MotionRefused where that can't be done."""
+        assert job.skew_deg is not None, "this is a motion of the skew"
+        self._antenna.protocol.gate.check_skew(job.skew_deg)
+        name = self._antenna.model.name
+        raise MotionRefused(f"The skew of the {name} can't be turned from here. Nothing was sent.", reason="unsupported")
 
     def await_rest(self, job: Job) -> None:
         """Follow a motion of the firmware's own until the dish rests."""
@@ -89,73 +83,75 @@ class Mover:
         self.forget_target()
         self._job, self.due = job, self._board.clock.monotonic() + POLL_S
 
-    def _point(self, job: Job, *, clamp: bool, leapfrog: bool) -> tuple[float, float]:
-        antenna = self._antenna
-        taken, permit = antenna.taken, antenna.protocol.permit
-        try:
-            commanded = antenna.point(job.az_deg, job.el_deg, clamp=clamp, leapfrog=leapfrog)
-        except PositionUnknown as unknown:
-            self._look.unknown(unknown)
-            raise
-        except CommandRefused:
-            if antenna.taken != taken:
-                # One axis goes to the new target and the other does not: neither motion is what anybody asked for.
-                self.fail(End.STOPPED, "a newer target was taken in part", Stopped("Half of a newer target was taken."))
-                self.activity(Activity.UNKNOWN, "")
-            raise
-        if permit is not None:
-            permit()  # STOP may have come with the last answer: it has ended this motion
-        return commanded
-
     def tick(self) -> None:
-        """Read where the dish is, and judge whether it has arrived, is under way, or is stuck."""
-        job, clock = self._job, self._board.clock
+        """Look at the motion under way."""
+        job = self._job
         if job is None:
             self.due = None
-            return
+        elif job.to_rest:
+            self._follow_to_rest(job)
+        else:
+            self._follow(job)
+
+    def _follow_to_rest(self, job: Job) -> None:
+        pointing, now = self._read(job), self._board.clock.monotonic()
+        long_enough_s = max(REST_S / self._board.clock.rate, 3 * POLL_S)
+        if pointing is not None and job.still_since is not None and now - job.still_since >= long_enough_s:
+            self._arrive(job, pointing)
+
+    def _read(self, job: Job) -> Pointing | None:
+        """Read where the dish is, and note since when it stands still; None when the motion has ended meanwhile."""
         pointing = self._look.position()
         if self._job is not job:
-            return  # STOP was taken in the middle of the exchange: this motion has ended
-        now = clock.monotonic()
+            return None  # STOP was taken in the middle of the exchange
+        now = self._board.clock.monotonic()
         self.due = now + POLL_S
         if pointing is None:
             self.fail(End.FAULT, "the dish no longer knows where it is", Stopped("The dish lost its position."))
-            return
+            return None
         still = job.last is not None and self._look.is_still(pointing, job.last)
         job.last = pointing
         job.still_since = (job.still_since or now) if still else None
-        if job.to_rest:
-            if job.still_since is not None and now - job.still_since >= max(REST_S / clock.rate, 3 * POLL_S):
-                self._arrive(job, pointing)
-            return
-        dish_az, dish_el = self._antenna.alignment.to_dish(job.az_deg, job.el_deg)
-        off_az = abs(shortest_turn(dish_az, pointing.dish_az_deg))
-        off_el = abs(pointing.dish_el_deg - dish_el)
-        if still and max(off_az, off_el) <= ARRIVED_DEG:
-            self._arrive(job, pointing)
-            return
-        eta = self._update_eta(now)
-        if job.still_since is not None and now > max(eta, job.still_since) + max(STALL_S / clock.rate, 3 * POLL_S):
-            sentence = (
-                f"The dish stands still at {pointing.az_deg:.2f}°/{pointing.el_deg:.2f}°, "
-                f"{max(off_az, off_el):.2f}° from its target."
-            )
-            self.fail(End.FAULT, sentence, Stopped(sentence, reason="stall"))
-            self._antenna.motion = None  # STOP must not send it to its target once more
-            self.on_stall(sentence)
-            return
-        to_go = separation(pointing.az_deg, pointing.el_deg, job.az_deg, job.el_deg)
-        at, utc = self._board.stamp()
-        self._board.tell(MoveProgress(at, utc, pointing, to_go, max(0.0, eta - now)))
+        return pointing
 
-    def _update_eta(self, now: float) -> float:
-        shown, model = self._board.state.motion, self._antenna.motion
-        if shown is None or model is None:
-            return now if shown is None else shown.eta
-        eta = model.eta(self._board.clock.rate)
-        if abs(eta - shown.eta) > POLL_S:
-            self._board.change(motion=replace(shown, eta=eta))
-        return eta
+    def _is_stuck(self, job: Job, eta: float) -> bool:
+        """Return whether the dish has stood still for too long after it should have moved."""
+        clock = self._board.clock
+        since = job.still_since
+        return since is not None and clock.monotonic() > max(eta, since) + max(STALL_S / clock.rate, 3 * POLL_S)
+
+    def _begin(
+        self, job: Job, commanded: tuple[float, float], start: Pointing | None, now: float, eta: float,
+        stop_power_s: float, stop_means: str, rests_at: float | None = None,
+    ) -> None:  # fmt: skip
+        """Follow a motion from now on, and show it."""
+        job.az_deg, job.el_deg = commanded
+        self._job = job
+        self.due = self._board.clock.monotonic() + POLL_S
+        shown = Motion(
+            start.az_deg if start else commanded[0], start.el_deg if start else commanded[1], *commanded, now, eta,
+            stop_power_s, stop_means, to_skew_deg=job.skew_deg, rests_at=rests_at,
+        )  # fmt: skip
+        self._board.change(motion=shown)
+        if job.skew_deg is not None:
+            self._board.change(target_skew_deg=job.skew_deg)
+        else:
+            self.target = commanded
+            self._board.change(target_az_deg=commanded[0], target_el_deg=commanded[1])
+        self.activity(Activity.SLEWING, "")
+        self._board.tell(MoveStarted(*self._board.stamp(), shown, job.holder))
+
+    def _tell_progress(self, job: Job, pointing: Pointing, left_s: float) -> None:
+        to_go = separation(pointing.az_deg, pointing.el_deg, job.az_deg, job.el_deg)
+        if job.skew_deg is not None and pointing.skew_deg is not None:
+            to_go = abs(job.skew_deg - pointing.skew_deg)
+        self._board.tell(MoveProgress(*self._board.stamp(), pointing, to_go, max(0.0, left_s)))
+
+    def stuck(self, sentence: str) -> None:
+        """The dish does not get to its target: end the motion and raise the fault."""
+        self.fail(End.FAULT, sentence, Stopped(sentence, reason="stall"))
+        self._antenna.motion = None  # STOP must not send it to its target once more
+        self.on_stall(sentence)
 
     def _arrive(self, job: Job, pointing: Pointing) -> None:
         self._job, self.due, self._antenna.motion = None, None, None
@@ -175,7 +171,7 @@ class Mover:
     def forget_target(self) -> None:
         """The dish does not go, or no longer stands, where it was sent: the next step is from where it is."""
         self.target = None
-        self._board.change(target_az_deg=None, target_el_deg=None)
+        self._board.change(target_az_deg=None, target_el_deg=None, target_skew_deg=None)
 
     def _end(self, end: End, sentence: str, error: BirdcageError) -> None:
         job, self._job = self._job, None

@@ -125,7 +125,7 @@ class Motion:
     stop_power_s: float | None
     """How long a stop takes from top speed; None when nothing stops this motion.
 
-    With `end of move`, how long the move of one axis takes that is under way, as a whole; `rests_at` tells when it ends.
+    With `end of move`, how long the move of the axis under way takes as a whole; `rests_at` tells when it ends.
     """
     stop_means: str
     """`retarget`, `abort` (any byte ends a silent slew), `end of move`, `release`, `none`."""

@@ -9,7 +9,8 @@ from collections.abc import Callable
 from concurrent.futures import Future
 from functools import partial
 
-from birdcage.antenna.antenna import AntennaConfig, BirdcageAntenna
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.config import AntennaConfig
 from birdcage.base.clock import Clock
 from birdcage.base.errors import BirdcageError, LinkError, NoReply, Stopped
 from birdcage.base.wake import Wake
@@ -20,10 +21,10 @@ from birdcage.station.connection import Connection
 from birdcage.station.control import Control
 from birdcage.station.desk import Desk
 from birdcage.station.look import Look
-from birdcage.station.mover import Mover
 from birdcage.station.raw import MenuCommand, Verdict
 from birdcage.station.raw_effects import RawEffects
 from birdcage.station.requests import Request
+from birdcage.station.retarget_mover import RetargetMover
 from birdcage.station.rewire import Rewire
 from birdcage.station.settings import StationSettings
 from birdcage.station.state import MOVING, StationState
@@ -57,7 +58,7 @@ class Station:
         self._closing = threading.Event()
         self._control = Control(board)
         self._look = look = Look(board, antenna, settings)
-        self._mover = Mover(board, antenna, look)
+        self._mover = RetargetMover(board, antenna, look)
         self._stopper = Stopper(board, antenna, self._control, self._mover, look)
         applying = Applying(board, antenna, self._mover, self._stopper, look)
         applying.use(settings)
