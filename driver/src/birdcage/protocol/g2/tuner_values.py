@@ -116,7 +116,7 @@ def read_channel(lines: tuple[str, ...]) -> ChannelParameters:
     frequency = re.search(rf"\bfreq\w*[^\n\d]*({NUMBER})\s*([kMG])Hz", text, re.IGNORECASE)
     rate = re.search(rf"\bsym\w*[^\n\d]*({NUMBER})\s*([kM])(?:sps|sym/s|S/s|Bd|baud)", text, re.IGNORECASE)
     scale = {"k": 1e-3, "m": 1.0, "g": 1e3}
-    polarisation = _text(text, r"\bpol\w*[^\n:=]*[:=]\s*([HV])(?![A-Za-z]*[0-9])")
+    polarisation = _text(text, r"\bpol\w*[^\n:=]*[:=]\s*([HV])\b")
     return ChannelParameters(
         float(frequency[1]) * scale[frequency[2].lower()] if frequency else None,
         float(rate[1]) * scale[rate[2].lower()] * 1e3 if rate else None,
