@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
+from dataclasses import replace
 
 from birdcage.base.clock import Endpoint, Outcome, VirtualClock
 from birdcage.base.errors import BirdcageError, Cancelled
@@ -17,6 +19,18 @@ DIALECT = ConsoleDialect(
     prompts={"root": "TRK>", "mot": "MOT>", "dvb": "DVB>", "nvs": "NVS>", "os": "OS>"},
     refusals=((re.compile(r"Invalid (command|parameter)"), "unknown_command"),),
 )
+
+
+LEARNT = ConsoleDialect(
+    prompts=dict.fromkeys(("root", "mot", "dvb", "nvs"), ""),
+    refusals=DIALECT.refusals,
+    root_marks=frozenset({"mot", "dvb"}),
+)
+HAL = replace(
+    LEARNT, prompts=dict.fromkeys(("root", "motor", "ngsearch", "nvs"), ""), root_marks=frozenset({"motor", "ngsearch"})
+)
+HAL_NAMES = {"mot": "motor", "dvb": "ngsearch", "agc": "?"}
+"""What the drawn steps mean on a Trav'ler."""
 
 
 class NudgingClock(VirtualClock):
@@ -74,15 +88,22 @@ STEPS = st.lists(
 class Owner:
     """Does what a drawn step says, and swallows what a station would handle."""
 
-    def __init__(self, port: Port, clock: NudgingClock) -> None:
-        self.port, self.clock = port, clock
+    def __init__(
+        self, port: Port, clock: NudgingClock, dialect: ConsoleDialect = DIALECT, names: Mapping[str, str] | None = None
+    ) -> None:
+        self.port, self.clock, self.dialect = port, clock, dialect
+        self.names = names or {}
         self.nudge = ""
         self.renew()
 
     def renew(self) -> None:
         self.console = Console(
-            self.port, self.clock, DIALECT, delay_s=D, wake=self.clock.wake, on_wake=self.woken, on_line=lambda _: None
-        )
+            self.port, self.clock, self.dialect, delay_s=D, wake=self.clock.wake, on_wake=self.woken,
+            on_line=lambda _: None,
+        )  # fmt: skip
+
+    def named(self, word: object) -> str:
+        return self.names.get(str(word), str(word))
 
     def woken(self) -> None:
         self.clock.wake.clear()
@@ -103,17 +124,17 @@ class Owner:
         console, now = self.console, self.clock.monotonic()
         match name:
             case "exchange":
-                console.exchange(str(value), takes_s=15.0 if value == "h 0" else 0.0)
+                console.exchange(self.named(value), takes_s=15.0 if value == "h 0" else 0.0)
             case "run":
-                console.run(*value, takes_s=15.0 if value[1] == "h 0" else 0.0)
+                console.run(self.named(value[0]), self.named(value[1]), takes_s=15.0 if value[1] == "h 0" else 0.0)
             case "enter":
-                console.enter(str(value))
+                console.enter(self.named(value))
             case "stream":
-                console.enter("dvb")
-                console.stream("agc", lambda _: None, now + float(value))
+                console.enter(self.named("dvb"))
+                console.stream(self.named("agc"), lambda _: None, now + float(value))
             case "type":
                 line, then = value
-                typed = console.type_line(line, takes_s=15.0 if line == "h 0" else 0.0)
+                typed = console.type_line(self.named(line), takes_s=15.0 if line == "h 0" else 0.0)
                 if then == "leave" or typed.wait(0.3) is not None:
                     return  # its reply comes while other things are done
                 if then == "key":

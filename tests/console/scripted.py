@@ -9,6 +9,14 @@ from collections.abc import Callable
 from birdcage.base.clock import VirtualClock
 
 MENUS = {"root": "TRK>", "mot": "MOT>", "dvb": "DVB>", "nvs": "NVS>"}
+ALIKE = dict.fromkeys(MENUS, ">")
+HELP_OF = {
+    "root": ("Enter <mot> - Motor", "Enter <dvb> - Tuner", "Enter <nvs> - Settings", "reboot", "q - leaves"),
+    "mot": ("a [<motor> <angle>]", "h <motor>", "q - leaves"),
+    "dvb": ("agc", "rssi [<n>]", "q - leaves"),
+    "nvs": ("d", "e <index> [<value>]", "s", "q - leaves"),
+}
+"""What a dish lists whose menus are told by help alone."""
 HELP = ("help [<command>]", "Enter <dvb> - DVB Tuner", "Enter <mot> - Motor>", "a > b")
 
 Fault = Callable[[int], list[tuple[float, bytes]]]
@@ -25,7 +33,10 @@ class Dish:
     name = "scripted"
     demo = True
 
-    def __init__(self, clock: VirtualClock, *, echo: bool = True) -> None:
+    def __init__(
+        self, clock: VirtualClock, *, echo: bool = True, prompts: dict[str, str] = MENUS, help_of: dict | None = None
+    ) -> None:
+        self.prompts, self.help_of = prompts, help_of
         self.clock = clock
         self.menu = "root"
         self.alive = True
@@ -97,7 +108,7 @@ class Dish:
                 if until > now:
                     return
                 self._stream_next = None
-                self.say(f"\r\n{MENUS[self.menu]}", until)
+                self.say(f"\r\n{self.prompts[self.menu]}", until)
             if not self._to_dish or max(self._to_dish[0][0], self._busy_until) > now or not self.alive:
                 return
             when, data = self._to_dish.popleft()
@@ -127,7 +138,8 @@ class Dish:
         elif self.menu == "root" and line in MENUS and line != "root":
             self.menu = line
         elif line == "?":
-            self.say("".join(f"{text}\r\n" for text in HELP), at)
+            listed = HELP if self.help_of is None else self.help_of[self.menu]
+            self.say("".join(f"{text}\r\n" for text in listed), at)
         elif self.menu == "mot" and line == "a":
             self.say("Angle[0] = 180.00\r\nAngle[1] = 45.00\r\n", at)
         elif self.menu == "mot" and line.startswith("a "):
@@ -140,4 +152,4 @@ class Dish:
             return
         elif line:
             self.say("Invalid command\r\n", at)
-        self.say(MENUS[self.menu], at)
+        self.say(self.prompts[self.menu], at)

@@ -37,9 +37,9 @@ class Faults:
         return [(action.delay_s, bytes([one])) for one in action.noise + data]
 
 
-def drive(port, clock, steps, lanes, alive) -> None:
+def drive(port, clock, steps, lanes, alive, dialect=bench.DIALECT, names=None) -> None:
     """Do the steps; `alive` looks at the dish itself."""
-    owner = bench.Owner(port, clock)
+    owner = bench.Owner(port, clock, dialect, names)
     for lags, nudge, action in steps:
         for lane, lag_s in zip(lanes, lags, strict=True):
             lane.lag_s = lag_s
@@ -50,24 +50,32 @@ def drive(port, clock, steps, lanes, alive) -> None:
     clock.wake.close()
 
 
-def drive_simulator(steps, to_dish, to_host) -> None:
+def drive_simulator(steps, to_dish, to_host, address="g2?root_q=kill", **dialect) -> None:
     clock, lanes = bench.NudgingClock(), (Faults(to_dish), Faults(to_host))
-    port = open_port("g2?root_q=kill", clock=clock)
+    port = open_port(address, clock=clock)
     port.wire.to_dish.set_plan(lanes[0])
     port.wire.to_host.set_plan(lanes[1])
-    drive(port, clock, steps, lanes, lambda: port.dish.truth().shell_alive)
+    drive(port, clock, steps, lanes, lambda: port.dish.truth().shell_alive, **dialect)
 
 
-def drive_scripted(steps, to_dish, to_host) -> None:
+def drive_scripted(steps, to_dish, to_host, dialect=bench.DIALECT, **script) -> None:
     clock, lanes = bench.NudgingClock(), (Faults(to_dish), Faults(to_host))
-    dish = scripted.Dish(clock)
+    dish = scripted.Dish(clock, **script)
     dish.in_fault, dish.out_fault = lanes[0].scripted, lanes[1].scripted
 
     def alive() -> bool:
         dish.pending()
         return dish.alive
 
-    drive(dish, clock, steps, lanes, alive)
+    drive(dish, clock, steps, lanes, alive, dialect)
+
+
+SCRIPTS = {
+    "named": {"dialect": bench.LEARNT, "help_of": scripted.HELP_OF},
+    "alike": {"dialect": bench.LEARNT, "help_of": scripted.HELP_OF, "prompts": scripted.ALIKE},
+}
+LEARNT_SIMULATORS = [f"hal205?root_q=kill&prompts={prompts}" for prompts in ("named", "alike")]
+"""Where prompts are learnt: decision 0010."""
 
 
 QUICK = settings(max_examples=1000, derandomize=True, deadline=None, database=None)
@@ -87,6 +95,20 @@ def test_no_q_reaches_the_scripted_root(steps, to_dish, to_host):
     drive_scripted(steps, to_dish, to_host)
 
 
+@pytest.mark.parametrize("script", SCRIPTS)
+@QUICK
+@drawn
+def test_no_q_reaches_a_scripted_root_whose_prompt_was_learnt(script, steps, to_dish, to_host):
+    drive_scripted(steps, to_dish, to_host, **SCRIPTS[script])
+
+
+@pytest.mark.parametrize("address", LEARNT_SIMULATORS)
+@QUICK
+@drawn
+def test_no_q_reaches_the_root_of_a_simulated_travler(address, steps, to_dish, to_host):
+    drive_simulator(steps, to_dish, to_host, address, dialect=bench.HAL, names=bench.HAL_NAMES)
+
+
 @pytest.mark.soak
 @LONG
 @drawn
@@ -99,3 +121,11 @@ def test_no_q_reaches_the_simulators_root_however_long(steps, to_dish, to_host):
 @drawn
 def test_no_q_reaches_the_scripted_root_however_long(steps, to_dish, to_host):
     drive_scripted(steps, to_dish, to_host)
+
+
+@pytest.mark.soak
+@pytest.mark.parametrize("script", SCRIPTS)
+@LONG
+@drawn
+def test_no_q_reaches_a_scripted_learnt_root_however_long(script, steps, to_dish, to_host):
+    drive_scripted(steps, to_dish, to_host, **SCRIPTS[script])

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import re
+
 from birdcage.base.errors import NoReply
 
 KEPT = 512
 """Bytes of a failed exchange that are kept to judge it by."""
+_PROMPT = re.compile(r"\S.{0,31}(?<=[>#$%:\]])")
+"""What a prompt looks like: all that are known of these and like dishes end in a sign, not in a letter."""
 _GARBAGE_SHARE = 0.3
 _QUOTED = 60
 
@@ -14,6 +18,11 @@ def is_garbage(seen: bytes) -> bool:
     """Return whether so many of these bytes are unprintable that they are no text."""
     bad = sum(1 for byte in seen if not (0x20 <= byte < 0x7F or byte in b"\r\n\t"))
     return bad > _GARBAGE_SHARE * len(seen)
+
+
+def looks_like_prompt(text: str) -> bool:
+    """Return whether what stands without a line end may be a prompt."""
+    return _PROMPT.fullmatch(text) is not None
 
 
 def no_reply(port: str, command: str, seen: bytes, waited_s: float) -> NoReply:

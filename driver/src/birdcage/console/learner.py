@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import re
-
-from birdcage.console.diagnosis import no_reply
+from birdcage.console.diagnosis import looks_like_prompt, no_reply
 from birdcage.console.events import LineSink, Reply
 from birdcage.console.wire import Wire
 
@@ -12,8 +10,6 @@ SETTLE_S = 0.3
 """How long the line must be quiet for what stands there to count as a prompt. Too short only costs another look."""
 _SHOWS = 4
 """How often Enter is pressed for the same prompt to show twice in a row."""
-_SHAPE = re.compile(r"\S.{0,31}(?<=[>#$%:\]])")
-"""What a prompt looks like: all that are known of these and like dishes end in a sign, not in a letter."""
 
 
 class Learner:
@@ -62,7 +58,7 @@ class Learner:
             deadline = min(deadline, limit)
         while any(wire.codec.owes(ticket) for ticket in tickets):
             # Nothing of what came before the last Enter counts: `seen` begins with it.
-            stands = codec.unfinished if wire.seen and _SHAPE.fullmatch(codec.unfinished) else ""
+            stands = codec.unfinished if wire.seen and looks_like_prompt(codec.unfinished) else ""
             settled = max(wire.last_received, wire.last_sent) + SETTLE_S
             until = min(deadline, settled) if stands or codec.owes_only_keys else deadline
             if wire.clock.monotonic() >= until:
@@ -70,3 +66,10 @@ class Learner:
                 return stands if any(wire.codec.owes(ticket) for ticket in tickets) else None
             wire.pump(until, tickets[0], hear)
         return None
+
+
+def learn_standing(wire: Wire, quiet_s: float) -> None:
+    """Know what stands as a prompt, when it looks like one and nothing came after it for a time."""
+    standing = wire.codec.unfinished if wire.dialect.learnt else ""
+    if looks_like_prompt(standing) and wire.clock.monotonic() >= wire.last_received + quiet_s:
+        wire.learn(standing)

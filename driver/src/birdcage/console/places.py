@@ -37,6 +37,7 @@ class Places:
         self._listed: dict[str, frozenset[str]] = {}
         self._tokens: dict[str, str] = {}
         self._unsure: frozenset[str] = frozenset()
+        self._judged: frozenset[str] = frozenset()
 
     def judge(self, lines: tuple[str, ...]) -> str | None:
         """Return the menu whose help this is; None when it does not tell, or not yet: then it is asked for again.
@@ -52,12 +53,12 @@ class Places:
             return dialect.root
         if self._may_be_root(words, listed) or not self._is_list(lines, listed):
             return None
+        self._judged = words
         known = [menu for menu, seen in self._listed.items() if menu != dialect.root and seen <= words]
         if known:
             return max(known, key=lambda menu: len(self._listed[menu]))
-        common = words & before
-        if 2 * len(common) > len(words):
-            self._listed[SUBMENU] = common
+        if 2 * len(words & before) > len(words):
+            self._judged = self._listed[SUBMENU] = words & before
             return SUBMENU
         self._unsure = words
         return None
@@ -69,8 +70,8 @@ class Places:
 
     def entered(self, menu: str, token: str) -> None:
         """Take in that the submenu that was just judged is `menu`, and shows this prompt."""
-        if SUBMENU in self._listed:
-            self._listed[menu] = self._listed.pop(SUBMENU)
+        self._listed.pop(SUBMENU, None)
+        self._listed[menu] = self._judged
         self._tokens[menu] = token
 
     def at_root(self, token: str) -> None:

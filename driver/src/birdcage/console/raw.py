@@ -7,6 +7,7 @@ from collections.abc import Callable
 from birdcage.base.errors import NoReply
 from birdcage.console.diagnosis import no_reply
 from birdcage.console.events import Reply
+from birdcage.console.learner import learn_standing
 from birdcage.console.wire import Wire
 
 
@@ -30,8 +31,16 @@ class Typed:
     def reply(self) -> Reply | None:
         """The reply, when it has come."""
         if self._reply is None:
+            # A line that a person typed may lead to a menu whose prompt is not known yet.
+            learn_standing(self._wire, self._wire.delay_s)
             self._reply = self._wire.taken(self._ticket)
         return self._reply
+
+    @property
+    def is_over(self) -> bool:
+        """Whether no reply is awaited any more. Takes in what is there, and does not wait."""
+        self._wire.take_in(self._ticket)
+        return self.reply is not None or not self._wire.codec.owes(self._ticket)
 
     def press_enter(self) -> None:
         """Send the key that ends what prints on: a bare line end, never a `q` (reference section 7.8)."""

@@ -11,7 +11,7 @@ from birdcage.console.diagnosis import no_reply
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.events import LineSink, Reply
 from birdcage.console.learner import Learner
-from birdcage.console.places import SUBMENU, Places
+from birdcage.console.places import Places
 from birdcage.console.wire import Wire
 from birdcage.link.port import Port
 
@@ -127,7 +127,7 @@ class Talker:
             return self._transact("", on_line=self._on_line).menu
         if self._wire.lost:
             self._wire.codec.unlearn()  # a prompt learnt wrong may be why a reply is missing
-        if not self._wire.codec.knows_prompts:
+        if not self._wire.codec.knows_prompts or self._wire.codec.unfinished:
             self._learner.ask("", self._limit)
         return self._look()
 
@@ -161,7 +161,7 @@ class Talker:
             if not self._places.is_told_by(reply.token, menu):
                 self._wire.menu = None
                 now = self._look()
-                if now == SUBMENU:
+                if now != self.dialect.root:
                     self._places.entered(menu, reply.token)
                     now = menu
             else:
