@@ -92,12 +92,23 @@ def test_a_brown_out_forgets_homing_and_the_search(hal, quiet):
     assert "calibrating" not in log
     truth = dish.device.truth()
     assert (truth.homed, truth.moving, truth.menu) == (False, False, "root")
+    assert not dish.device.firmware.search.running
     dish.ask("motor", "MOT>")
     assert "AZ = 2147483647.00" in dish.ask("a", "MOT>")
     assert "Motor not calibrated." in dish.ask("a 0 100", "MOT>")
     assert "Motor not calibrated." in dish.ask("g 100 40 90", "MOT>")
     assert dish.listen(60.0) == ""
     assert dish.device.truth().az_deg == truth.az_deg
+
+
+def test_a_brown_out_forgets_the_moves_that_wait(motor):
+    dish = motor()
+    dish.ask("a 0 300", "MOT>")
+    dish.ask("a 1 70", "MOT>")
+    dish.listen(2.0)
+    dish.device.brown_out()
+    dish.listen(60.0)
+    assert dish.device.truth().el_deg == 45.0
 
 
 def test_unhomed_moves_may_deadlock(motor):

@@ -128,6 +128,10 @@ def test_a_wrap_position_that_is_reset_costs_a_whole_turn_after_the_meridian(mot
     dish.ask("a 0 4", "MOT>")
     dish.listen(30.0)
     assert dish.device.truth().cable_deg == pytest.approx(4.0)
+    dish.device.power_cycle()
+    dish.listen(200.0)
+    dish.ask("motor", "MOT>")
+    assert "WRAP = 455.00" in dish.ask("a", "MOT>")
 
 
 def test_azimuth_as_the_cable_has_it(motor):

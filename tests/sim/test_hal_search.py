@@ -86,16 +86,41 @@ def test_a_move_has_its_turn_and_the_search_goes_on(hal):
     assert truth(dish).moving
 
 
-def test_s_leaves_a_move_that_somebody_ordered(hal):
+def test_s_lets_a_move_that_waits_begin_at_once(hal):
     dish = hal("searching=1&search_finds=0&el=15")
     dish.ask("motor", "MOT>")
     dish.ask("a 1 80", "MOT>")
     dish.ask("q", "TRK>")
     dish.ask("ngsearch", "NGSEARCH>")
     dish.ask("s", "NGSEARCH>")
+    dish.listen(3.0)
+    assert truth(dish).el_deg > 16.0
     dish.listen(30.0)
     assert truth(dish).el_deg == pytest.approx(80.0)
     assert not truth(dish).moving
+
+
+def test_s_leaves_a_move_that_somebody_ordered(hal):
+    dish = hal("searching=1&search_finds=0&el=15")
+    dish.ask("motor", "MOT>")
+    dish.ask("a 1 80", "MOT>")
+    dish.ask("q", "TRK>")
+    dish.ask("ngsearch", "NGSEARCH>")
+    while truth(dish).el_deg < 30.0:
+        dish.listen(0.5)
+    dish.ask("s", "NGSEARCH>")
+    dish.listen(30.0)
+    assert truth(dish).el_deg == pytest.approx(80.0)
+
+
+def test_a_reboot_during_g_does_not_keep_the_search_from_moving(hal):
+    dish = hal("boot_home_s=20&search_finds=0")
+    dish.ask("motor", "MOT>")
+    dish.type("g 300 60 90\r")
+    dish.listen(2.0)
+    dish.device.reboot()
+    assert "No LNB Voltage" in dish.listen(60.0)
+    assert truth(dish).moving
 
 
 def test_every_sweep_may_be_told(hal):

@@ -10,7 +10,7 @@ from birdcage.sim.axis import STALL_DWELL_S, Axis
 from birdcage.sim.chance import seeded
 from birdcage.sim.firmware import Host
 from birdcage.sim.hal.knobs import HalSettings
-from birdcage.sim.hal.lane import Lane
+from birdcage.sim.hal.lane import Lane, Order
 from birdcage.sim.hal.mechanics import SKEW_DEG, HalDish
 from birdcage.sim.hal.memory import SAFE_MINIMUM, Memory
 from birdcage.sim.sky import Sky
@@ -50,11 +50,14 @@ class HalBoard:
 
     def order(self, index: int, wanted_deg: float) -> None:
         """Queue a move to an angle that `target` gave."""
-        axis = self.dish.axes[index]
         if index == 0:
-            self.turn.order(axis, lambda now_s: self.dish.cable_target(now_s, wanted_deg))
+            self.turn.put(Order(self.dish.axes[0], lambda now_s: self.dish.cable_target(now_s, wanted_deg)))
         else:
-            self.lane(index).order(axis, lambda _now_s: wanted_deg)
+            self.put(index, wanted_deg)
+
+    def put(self, index: int, count_deg: float) -> None:
+        """Queue a move to an angle of the axis' own count."""
+        self.lane(index).put(Order(self.dish.axes[index], lambda _now_s: count_deg))
 
     def drop(self) -> None:
         """Forget every move that waits."""

@@ -47,12 +47,10 @@ class Lane:
         """When the motors that turn now come to rest."""
         return max(axis.end_s() for axis in self.axes)
 
-    def order(self, axis: Axis, goal: Callable[[float], float], rate_deg_s: float | None = None) -> Order:
+    def put(self, order: Order) -> None:
         """Move after everything that was ordered before."""
-        order = Order(axis, goal, rate_deg_s)
         self._waiting.append(order)
         self.go_on()
-        return order
 
     def drop(self) -> None:
         """Forget what waits; what moves goes on."""

@@ -42,9 +42,8 @@ class Root(HalMenu):
         if not all(axis.homed for axis in board.dish.axes):
             yield f"{board.settings.unhomed_text}\n"
             return
-        az, el, skew = board.dish.axes
-        board.skew.order(skew, lambda _now_s: skew.data.home_deg)
-        board.turn.order(az, lambda _now_s: board.settings.stow_az)
-        board.turn.order(el, lambda _now_s: board.settings.stow_el)
+        board.put(2, board.dish.axes[2].data.home_deg)
+        board.put(0, board.settings.stow_az)
+        board.put(1, board.settings.stow_el)
         while board.settings.stow_blocks and board.turn.busy:
             yield Pause(max(board.turn.end_s() - board.now_s, 0.01))

@@ -6,6 +6,7 @@ dish that searches carries out a move, and then goes on searching.
 
 from __future__ import annotations
 
+from birdcage.sim.axis import Axis
 from birdcage.sim.hal.board import HalBoard
 from birdcage.sim.hal.lane import Order
 from birdcage.sim.hal.memory import SEARCH_MINIMUM
@@ -69,15 +70,19 @@ class Search:
         if not second:
             low = board.memory.active[SEARCH_MINIMUM]
             goal = low + EL_STEP_DEG * sweep % max(board.settings.el_max - low, EL_STEP_DEG)
-            self._order = board.turn.order(el, lambda _now_s: goal)
+            self._move(el, goal)
             return
         self._next_s = now + SHORTEST_SWEEP_S
         if board.settings.search_text:
             board.host.say(f"{board.settings.search_text}\n")
-        self._order = board.turn.order(az, lambda _now_s: AZ_ENDS_DEG[sweep % 2], board.settings.search_speed)
+        self._move(az, AZ_ENDS_DEG[sweep % 2], board.settings.search_speed)
         found_s = self._hears(now) if board.settings.search_finds else None
         if found_s is not None:
             board.machine.at_dish(found_s, lambda: self._hold(run))
+
+    def _move(self, axis: Axis, goal_deg: float, rate_deg_s: float | None = None) -> None:
+        self._order = Order(axis, lambda _now_s: goal_deg, rate_deg_s)  # kept first: what follows may come back here
+        self._board.turn.put(self._order)
 
     def _again(self, run: int) -> None:
         if run == self._run:
