@@ -17,9 +17,11 @@ def ink(text: str) -> int:
     return sum(not char.isspace() for char in text)
 
 
-async def demo(seconds: float, size: tuple[int, int], theme: str, keys: list[str], after_s: float) -> tuple[str, str]:
+async def demo(
+    seconds: float, size: tuple[int, int], theme: str, keys: list[str], after_s: float, firmware: str
+) -> tuple[str, str]:
     """Return the SVG and the text of the real demo so many seconds after its start, and after the keys."""
-    async with stage.demo(size, theme, tour=not keys) as on:
+    async with stage.demo(size, theme, tour=not keys, firmware=firmware) as on:
         await on.wait(seconds)
         await on.press(*keys)
         await on.wait(after_s)
@@ -50,6 +52,7 @@ def main() -> int:
     parse.add_argument("--size", default="80x24")
     parse.add_argument("--theme", default="dusk")
     parse.add_argument("--glyphs", default="braille")
+    parse.add_argument("--firmware", default="g2", help="of the demo's dish")
     parse.add_argument("--keys", default="", help="keys to press first, with commas")
     parse.add_argument("--demo", type=float, metavar="SECONDS", help="instead of states: the demo, so long after start")
     parse.add_argument(
@@ -64,7 +67,9 @@ def main() -> int:
         if options.demo is None:
             svg, text = asyncio.run(shown(name, (width, height), options.theme, keys, options.glyphs))
         else:
-            svg, text = asyncio.run(demo(options.demo, (width, height), options.theme, keys, options.after))
+            svg, text = asyncio.run(
+                demo(options.demo, (width, height), options.theme, keys, options.after, options.firmware)
+            )
         look = options.theme if options.glyphs == "braille" else f"{options.theme}-{options.glyphs}"
         stem = options.out / f"{name}-{options.size}-{look}"
         stem.with_suffix(".svg").write_text(svg)

@@ -20,7 +20,7 @@ from birdcage.setup.engine import Setup
 from birdcage.station.build import open_session
 from birdcage.station.known import SystemFacts
 from birdcage_tui.app import BirdcageApp
-from birdcage_tui.run import DEMO_PLACE, DEMO_PORT
+from birdcage_tui.run import DEMO_PLACE, demo_port
 from birdcage_tui.settings import AppSettings
 from birdcage_tui.themes import LOOKS
 from textual.pilot import Pilot
@@ -79,11 +79,15 @@ class Stage:
 
 
 @asynccontextmanager
-async def demo(size: tuple[int, int], theme: str = "dusk", *, tour: bool = False) -> AsyncIterator[Stage]:
+async def demo(
+    size: tuple[int, int], theme: str = "dusk", *, tour: bool = False, firmware: str = "g2"
+) -> AsyncIterator[Stage]:
     """Open the demo at a size; nothing of yours is touched."""
     with throw_away_paths() as paths:
         clock = VirtualClock(START)
-        session = open_session(port=DEMO_PORT, firmware="g2", baud=None, settings=Settings(), paths=paths, clock=clock)
+        session = open_session(
+            port=demo_port(firmware), firmware=firmware, baud=None, settings=Settings(), paths=paths, clock=clock
+        )
         session.start = lambda: None  # stepped here instead of running on its thread
         settings = AppSettings(
             theme=theme,

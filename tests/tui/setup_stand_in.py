@@ -73,6 +73,8 @@ FINDINGS = (
 class Engine:
     """Says `steps`, and notes each call in `asked`."""
 
+    begin_anew = ""
+
     def __init__(self, current="home", steps=STEPS, causes=()):
         self.current, self._steps, self._causes = current, list(steps), causes
         self.settings = Settings()

@@ -9,6 +9,7 @@ from types import MappingProxyType
 import setup_stand_in
 from birdcage.base.clock import VirtualClock
 from birdcage.protocol.g2.model import CARRYOUT_G2
+from birdcage.protocol.hal.model import TRAVLER
 from birdcage.protocol.model import Turn
 from birdcage.protocol.registry import get_protocol
 from birdcage.station.menu_commands import MenuCommands
@@ -194,6 +195,79 @@ def refused(clock):
     return replace(at_rest(clock), motion_refused_because="birdcage.toml line 7, motion.el_min_deg: not a number.")
 
 
+def travler(clock):
+    """A simulated Trav'ler at rest: no tuner, no turn of the cable, a third axis."""
+    now, utc = clock.monotonic(), clock.utc()
+    return replace(
+        at_rest(clock),
+        link=LinkState(Link.UP, now - 60, now - 0.2, 0.021),
+        port="sim:hal205",
+        dish=TRAVLER,
+        firmware_version=None,
+        position=Pointing(189.16, 42.87, 189.16, 42.87, now - 0.2, utc, None, 45.0),
+        target_skew_deg=45.0,
+        search=Search.OFF_UNTIL_POWER_UP,
+        turn=Turn.UNKNOWN,
+        homed=True,
+        el_min_deg=15.0,
+        el_max_deg=90.0,
+        readings=MappingProxyType(
+            {"nvs.125": Reading("15", "", now - 50, utc), "nvs.127": Reading("15", "", now - 50, utc)}
+        ),
+    )
+
+
+def travler_slew(clock):
+    """In a silent slew: nothing is read, the position is computed."""
+    state, now = travler(clock), clock.monotonic()
+    return replace(
+        state,
+        motion=Motion(231.0, 25.0, 160.7, 40.21, now - 4.6, now + 7.1, 0.4, "abort"),
+        position=replace(
+            state.position, az_deg=201.3, el_deg=32.9, dish_az_deg=201.3, at=now, modelled=True, read_at=now - 4.6
+        ),
+        target_az_deg=160.7,
+        target_el_deg=40.21,
+        activity=Activity.SLEWING,
+        holder="you",
+    )
+
+
+def travler_step(clock):
+    """In a queued move of one axis, which nothing calls back."""
+    state, now = travler(clock), clock.monotonic()
+    return replace(
+        state,
+        motion=Motion(189.16, 42.87, 193.0, 42.87, now - 0.6, now + 9.2, 3.2, "end of move", rests_at=now + 3.2),
+        target_az_deg=193.0,
+        activity=Activity.SLEWING,
+        holder="you",
+    )
+
+
+def travler_skew(clock):
+    """Turning the feed."""
+    state, now = travler(clock), clock.monotonic()
+    return replace(
+        state,
+        motion=Motion(189.16, 42.87, 189.16, 42.87, now - 2.6, now + 5.2, 5.2, "end of move", 110.0, now + 5.2),
+        target_skew_deg=110.0,
+        activity=Activity.SLEWING,
+        holder="you",
+    )
+
+
+def travler_search(clock):
+    """Just switched on: its TV search moves it."""
+    return replace(travler(clock), search=Search.RUNNING, activity=Activity.MOVING_UNASKED, target_skew_deg=None)
+
+
+def travler_unread(clock):
+    """Not homed: only switching it off and on homes it."""
+    state = travler(clock)
+    return replace(state, homed=False, position=None, position_lost="unhomed", target_az_deg=None, target_el_deg=None)
+
+
 STATES = {
     "idle": at_rest,
     "slewing": slewing,
@@ -205,6 +279,12 @@ STATES = {
     "fault": fault,
     "late": late,
     "refused": refused,
+    "travler": travler,
+    "travler-slew": travler_slew,
+    "travler-step": travler_step,
+    "travler-skew": travler_skew,
+    "travler-search": travler_search,
+    "travler-not-homed": travler_unread,
 }
 
 

@@ -137,7 +137,7 @@ def test_the_flag_is_over_the_guess(chosen, expected, monkeypatch, tmp_path):
     made = []
 
     class App:
-        return_code = 0
+        return_code, anew = 0, False
 
         def __init__(self, session, settings, *_):
             made.append(settings)

@@ -6,7 +6,6 @@ from dataclasses import replace
 
 import pytest
 import stand_in
-from birdcage.base.errors import BirdcageError
 from birdcage.base.paths import Paths
 from birdcage.link.ports import PortInfo
 from birdcage_tui import main, run
@@ -47,7 +46,7 @@ def test_however_the_app_ends_the_session_is_closed(crash, monkeypatch, capsys):
     session = stand_in.Session(stand_in.slewing(clock), clock)
 
     class App:
-        return_code = 0
+        return_code, anew = 0, False
 
         def __init__(self, *_):
             pass
@@ -76,17 +75,12 @@ def test_an_unknown_firmware_and_a_missing_file_are_one_sentence(monkeypatch, ca
     assert "no file" in capsys.readouterr().err
 
 
-def test_the_only_adapter_and_the_only_firmware_are_taken_when_none_is_named(monkeypatch):
+def test_the_only_adapter_is_taken_when_none_is_named(monkeypatch):
     one = PortInfo("/dev/ttyUSB7", None, "FTDI", "0403:6001", "A1", "1-1")
     monkeypatch.setattr(run, "list_ports", lambda: [one])
-    monkeypatch.setattr(run, "list_firmwares", lambda: ("g2",))
     assert run._only_port() == "/dev/ttyUSB7"
-    assert run._firmware(None) == "g2"
     monkeypatch.setattr(run, "list_ports", lambda: [one, replace(one, device="/dev/ttyUSB8")])
-    monkeypatch.setattr(run, "list_firmwares", lambda: ("g2", "hal205"))
     assert run._only_port() == "", "which of two is not obvious: the setup asks"
-    with pytest.raises(BirdcageError, match="one of g2, hal205"):
-        run._firmware(None)
 
 
 ONE = PortInfo("/dev/ttyUSB7", None, "FTDI", "0403:6001", "A1", "1-1")
@@ -98,10 +92,11 @@ ONE = PortInfo("/dev/ttyUSB7", None, "FTDI", "0403:6001", "A1", "1-1")
         ([], [], None, "", "setup"),
         ([ONE], [], None, "/dev/ttyUSB7", "setup"),
         ([], ["--port", "/dev/ttyUSB3"], None, "/dev/ttyUSB3", "setup"),
-        ([], [], '[dish]\nport = "/dev/ttyUSB3"\n', "/dev/ttyUSB3", "dashboard"),
-        ([ONE], [], '[setup]\nlink = "skipped 2026-03-20T12:00Z"\n', "/dev/ttyUSB7", "dashboard"),
+        ([], [], '[dish]\nport = "/dev/ttyUSB3"\nfirmware = "g2"\n', "/dev/ttyUSB3", "dashboard"),
+        ([], [], '[dish]\nport = "/dev/ttyUSB3"\n', "/dev/ttyUSB3", "setup"),
+        ([ONE], ["--firmware", "g2"], '[setup]\nlink = "skipped 2026-03-20T12:00Z"\n', "/dev/ttyUSB7", "dashboard"),
         ([], [], '[setup]\nlink = "skipped 2026-03-20T12:00Z"\n', "", "setup"),
-        ([ONE], ["--demo"], None, run.DEMO_PORT, "dashboard"),
+        ([ONE], ["--demo"], None, run.demo_port("g2"), "dashboard"),
     ],
 )
 def test_the_setup_opens_by_itself_on_a_first_run_or_without_a_port(

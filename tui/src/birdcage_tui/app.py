@@ -7,10 +7,21 @@ import signal
 from collections.abc import Callable
 from concurrent.futures import Future
 
-from birdcage.station.requests import AcceptLimits, AcknowledgeFault, Goto, Home, Jog, Release, Request, Stow
+from birdcage.station.requests import (
+    AcceptLimits,
+    AcknowledgeFault,
+    Goto,
+    Home,
+    Jog,
+    Release,
+    Request,
+    SetSearch,
+    Stow,
+    TurnSkew,
+)
 
 from birdcage_tui.commands import BY_NAME, for_key
-from birdcage_tui.commands.jog import DIRECTIONS, STEPS_DEG
+from birdcage_tui.commands.jog import DIRECTIONS, SKEW_DIRECTIONS, STEPS_DEG
 from birdcage_tui.dialogs import QuestionScreen
 from birdcage_tui.goto import GotoLine
 from birdcage_tui.help import HelpScreen, help_words
@@ -20,12 +31,20 @@ from birdcage_tui.palette import Palette
 from birdcage_tui.shell import Shell
 from birdcage_tui.themes import LOOKS
 from birdcage_tui.view import YOU
+from birdcage_tui.words import power_switch
 
-MOTIONS = (Goto, Jog, Home, Stow)
+MOTIONS = (Goto, Jog, TurnSkew, Home, Stow)
 
 
 class BirdcageApp(Shell):
     """A ground station in a terminal."""
+
+    anew = False
+    """Whether the app is to begin again at once, with another session."""
+    _skew_sent: float | None = None
+    """Where the skew was sent last."""
+    _skew_turns: frozenset[Future[object]] | set[Future[object]] = frozenset()
+    """Its turn, while that is not at its end."""
 
     def on_mount(self) -> None:
         """End as Ctrl+Q does when the system says so."""
@@ -60,6 +79,8 @@ class BirdcageApp(Shell):
             return lambda: self.show_page(name.removeprefix("page-"))
         if name in DIRECTIONS:
             return lambda: self.jog(*DIRECTIONS[name])
+        if name in SKEW_DIRECTIONS:
+            return lambda: self.jog_skew(SKEW_DIRECTIONS[name])
         deeds: dict[str, Callable[[], object]] = {
             "stop": self.stop_now,
             "release": self.release,
@@ -67,6 +88,8 @@ class BirdcageApp(Shell):
             "step-up": lambda: self.change_step(1),
             "step-down": lambda: self.change_step(-1),
             "home": self.ask_home,
+            "skew": lambda: self.open_goto("skew "),
+            "search": self.ask_end_search,
             "help": self.show_help,
             "jump": self.show_jump,
             "palette": self.show_palette,
@@ -101,6 +124,38 @@ class BirdcageApp(Shell):
     def jog(self, az_steps: float, el_steps: float) -> None:
         """Step from the last commanded target."""
         self.ask(Jog(az_steps * self.step_deg, el_steps * self.step_deg, YOU))
+
+    def jog_skew(self, steps: float) -> None:
+        """Step the skew from where it was sent last, so that ten presses are ten steps; within its range."""
+        state = self.station.state
+        here = None if state.position is None else state.position.skew_deg
+        sent = self._skew_sent if any(not each.done() for each in self._skew_turns) else state.target_skew_deg
+        start = here if sent is None else sent
+        if start is None or state.dish is None or state.dish.skew is None:
+            self.say("Where the skew stands is not known: S turns it to an angle.")
+            return
+        low, high = state.dish.skew.min_deg, state.dish.skew.max_deg
+        self.turn_skew(min(max(start + steps * self.step_deg, low), high))
+
+    def turn_skew(self, deg: float) -> None:
+        """Turn the feed about the beam."""
+        self._skew_sent = deg
+        before = set(self.under_way)
+        self.ask(TurnSkew(deg, YOU))
+        self._skew_turns = self.under_way - before
+
+    def ask_end_search(self) -> None:
+        """Ask in words, then end the firmware's TV search."""
+        words = (
+            "The firmware's own TV search is ended now, and the dish stays where it is then. "
+            "It begins again at each power-up: no setting of this dish keeps it off."
+        )
+
+        def answered(yes: bool | None) -> None:
+            if yes:
+                self.ask(SetSearch(YOU, disabled=True))
+
+        self.push_screen(QuestionScreen("End the TV search", words, "end it"), answered)
 
     def change_step(self, by: int) -> None:
         """Make a jog step larger or smaller."""
@@ -147,7 +202,7 @@ class BirdcageApp(Shell):
         stoppable = dish is not None and dish.homing_stoppable
         words = f"{takes}he dish turns through its whole range and knocks at its stops. Keep its swing clear."
         if not stoppable:
-            words += " Homing cannot be stopped from here: keep a hand on the 12 V switch."
+            words += f" Homing cannot be stopped from here: keep a hand on the {power_switch(self.view())}."
 
         def answered(yes: bool | None) -> None:
             if yes:
@@ -188,6 +243,11 @@ class BirdcageApp(Shell):
         names = list(LOOKS)
         self.theme = names[(names.index(self.theme) + 1) % len(names)] if self.theme in names else names[0]
 
+    def begin_anew(self) -> None:
+        """End, and begin again with the settings as they are then: the dish is another one than was thought."""
+        self.anew = True
+        self.leave()
+
     def leave(self, by: str = YOU, status: int = 0) -> None:
         """STOP first if anything moves; give the terminal back; `main` closes the session."""
         if self.view().moving:
@@ -222,3 +282,7 @@ class BirdcageApp(Shell):
     def on_goto_line_sent(self, event: GotoLine.Sent) -> None:
         """Go where the person typed."""
         self.ask(Goto(event.az_deg, event.el_deg, YOU))
+
+    def on_goto_line_skew_sent(self, event: GotoLine.SkewSent) -> None:
+        """Turn the skew to what the person typed."""
+        self.turn_skew(event.deg)

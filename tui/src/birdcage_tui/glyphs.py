@@ -34,6 +34,7 @@ _SIGNS = {
     **dict.fromkeys("▎▍▋▊▉", "|"),
     "🔎": "/ ",
     "◆": "o",
+    "◎": "0",
 }
 """A state's signs stay different from each other; arrows and triangles that point the same way are the same."""
 

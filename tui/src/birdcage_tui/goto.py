@@ -15,9 +15,11 @@ from textual.widgets import Input, Label
 from birdcage_tui.canvas import Cells
 from birdcage_tui.commands.table import can_move
 from birdcage_tui.control.reach import forbidden, way_words
+from birdcage_tui.goto_skew import is_skew, skew_of, skew_way
 from birdcage_tui.goto_text import EXAMPLES, Aim, parse, resolve
 from birdcage_tui.host import Host
 from birdcage_tui.pane import Pane
+from birdcage_tui.skew import has_skew
 from birdcage_tui.view import View
 
 
@@ -35,7 +37,10 @@ def held_back(view: View) -> str | None:
 def foretell(text: str, view: View) -> tuple[str, str]:
     """Return the ink and the words for what Enter would do with `text`."""
     if not text.strip():
-        return "dim", f"Type {EXAMPLES}. A sign counts from the last target."
+        more = " skew 45 turns the feed." if has_skew(view) else ""
+        return "dim", f"Type {EXAMPLES}. A sign counts from the last target.{more}"
+    if is_skew(text):
+        return _foretell_skew(text, view)
     try:
         aim = aim_of(text, view)
     except ValueError as wrong:
@@ -44,6 +49,15 @@ def foretell(text: str, view: View) -> tuple[str, str]:
     if reason is not None:
         return "warn", f"▲ Refused: {reason}"
     return "text", f"✕ {way_words(view, aim)}"
+
+
+def _foretell_skew(text: str, view: View) -> tuple[str, str]:
+    try:
+        words = skew_way(text, view)
+    except ValueError as wrong:
+        return "warn", f"▲ {wrong}"
+    reason = held_back(view)
+    return ("text", f"✕ {words}") if reason is None else ("warn", f"▲ Refused: {reason}")
 
 
 class GotoPreview(Pane):
@@ -72,6 +86,13 @@ class GotoLine(Vertical):
         def __init__(self, az_deg: float, el_deg: float) -> None:
             super().__init__()
             self.az_deg, self.el_deg = az_deg, el_deg
+
+    class SkewSent(Message):
+        """An angle to turn the skew to."""
+
+        def __init__(self, deg: float) -> None:
+            super().__init__()
+            self.deg = deg
 
     def __init__(self) -> None:
         super().__init__()
@@ -119,7 +140,7 @@ class GotoLine(Vertical):
         host = cast(Host, self.app)
         self.query_one(GotoPreview).text = text
         try:
-            aim = aim_of(text, host.view())
+            aim = aim_of("" if is_skew(text) else text, host.view())
             host.aim = aim.az_deg, aim.el_deg
         except ValueError:
             host.aim = None
@@ -134,8 +155,13 @@ class GotoLine(Vertical):
         """Send what was typed; what cannot be read, or not be sent now, stays there, and the line below says why."""
         event.stop()
         view = cast(Host, self.app).view()
+        sent: GotoLine.Sent | GotoLine.SkewSent
         try:
-            aim = aim_of(event.value, view)
+            if is_skew(event.value):
+                sent = self.SkewSent(skew_of(event.value, view))
+            else:
+                aim = aim_of(event.value, view)
+                sent = self.Sent(aim.az_deg, aim.el_deg)
         except ValueError:
             self._foretell(event.value)
             return
@@ -143,7 +169,7 @@ class GotoLine(Vertical):
             self._foretell(event.value)
             return
         self.close()
-        self.post_message(self.Sent(aim.az_deg, aim.el_deg))
+        self.post_message(sent)
 
     def on_key(self, event: events.Key) -> None:
         """Esc closes the line (the app has stopped the dish first, if it could move)."""

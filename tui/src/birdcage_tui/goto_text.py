@@ -66,6 +66,8 @@ def parse(text: str, presets: Sequence[Preset] = ()) -> Wish:
 
 def is_direction(text: str) -> bool:
     """Return whether `text` reads as a direction, so that it cannot be the name of one."""
+    if re.match(r"\s*(?:skew|sk)\b", text, re.IGNORECASE):
+        return True  # the go-to line takes it for an angle of the third axis
     try:
         parse(text)
     except ValueError:

@@ -16,7 +16,10 @@ def parser() -> argparse.ArgumentParser:
     )
     parse.add_argument("--demo", action="store_true", help="drive a simulated dish; nothing of yours is touched")
     parse.add_argument("--port", help="serial port or URL: /dev/ttyUSB0, COM4, socket://host:port, sim:g2")
-    parse.add_argument("--firmware", help="the dish's console dialect, for example g2")
+    parse.add_argument(
+        "--firmware",
+        help="the dish's console: g2 (Carryout G2) or hal205 (Trav'ler with HAL 2.05); by default it is asked",
+    )
     parse.add_argument("--baud", type=int, help="baud rate, when it is not the dialect's own")
     parse.add_argument("--speed", type=float, help="run the simulated dish this many times faster; only with --demo")
     parse.add_argument("--theme", choices=("dusk", "daylight", "night"), help="the look; T changes it")

@@ -26,9 +26,15 @@ from birdcage_tui.glyphs import fitting
 from birdcage_tui.settings import AppSettings, Place
 from birdcage_tui.setup.engine import SetupEngine
 
+DEMO_FIRMWARE = "g2"
+"""What the demo drives unless told otherwise, and what is spoken at first where nothing has told what the dish is."""
 DEMO_PLACE = Place(39.1, -95.7, "EM29, demo")
-DEMO_PORT = f"sim:g2?lat={DEMO_PLACE.latitude_deg}&lon={DEMO_PLACE.longitude_deg}"
 EXIT_ERROR = 1
+
+
+def demo_port(firmware: str) -> str:
+    """Return the simulated dish of the demo."""
+    return f"sim:{firmware}?lat={DEMO_PLACE.latitude_deg}&lon={DEMO_PLACE.longitude_deg}"
 
 
 def run(options: argparse.Namespace) -> int:
@@ -36,10 +42,28 @@ def run(options: argparse.Namespace) -> int:
     with ExitStack() as stack:
         try:
             paths = _paths(options, stack)
+        except BirdcageError as wrong:
+            return _complain(wrong)
+        while True:
+            status = _run_once(options, paths)
+            if status is not None:
+                return status
+            # A person has chosen another firmware in the setup, which has kept it: that counts from now on.
+            options.firmware = options.baud = None
+
+
+def _complain(wrong: BirdcageError) -> int:
+    print(f"birdcage-tui: {wrong}", file=sys.stderr)
+    return EXIT_ERROR
+
+
+def _run_once(options: argparse.Namespace, paths: Paths) -> int | None:
+    """Run the app over one session. Return the exit status; None when it is to begin again."""
+    with ExitStack() as stack:
+        try:
             session, settings = _build(options, paths)
         except BirdcageError as wrong:
-            print(f"birdcage-tui: {wrong}", file=sys.stderr)
-            return EXIT_ERROR
+            return _complain(wrong)
         app = BirdcageApp(session, settings)
         if not options.demo:
             # `birdcage stop` in another terminal rings here; and a suspended program stops nothing.
@@ -50,6 +74,8 @@ def run(options: argparse.Namespace) -> int:
         finally:
             # First of all the dish: STOP goes out here if it moves, whatever ended the app.
             farewell = session.close()
+        if app.anew:
+            return None
         print(farewell)
         return app.return_code or 0
 
@@ -66,9 +92,10 @@ def _paths(options: argparse.Namespace, stack: ExitStack) -> Paths:
 
 def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSettings]:
     clock: Clock = RealClock() if options.speed is None else ScaledClock(options.speed)
+    demo_firmware = _known(options.firmware or DEMO_FIRMWARE) if options.demo else ""
     flags = {
-        "dish.port": DEMO_PORT if options.demo else options.port,
-        "dish.firmware": "g2" if options.demo else options.firmware,
+        "dish.port": demo_port(demo_firmware) if options.demo else options.port,
+        "dish.firmware": demo_firmware if options.demo else options.firmware,
         "dish.baud": None if options.demo else options.baud,
         "place.name": DEMO_PLACE.name if options.demo else None,
         "place.latitude_deg": DEMO_PLACE.latitude_deg if options.demo else None,
@@ -78,17 +105,20 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSetti
     }
     settings = load(paths.config_file, environ={} if options.demo else None, flags=flags)
     port = settings.dish.port or _only_port()
+    firmware = settings.dish.firmware or _detect(port, settings.dish.baud)
     session = open_session(
         port=port,
-        firmware=_firmware(settings.dish.firmware),
+        firmware=_known(firmware or DEMO_FIRMWARE),
         baud=settings.dish.baud,
         settings=settings,
         paths=paths,
         clock=clock,
         survey=not options.skip_init,
     )
-    # A first run begins with the setup, and so does one without a port: nothing else can be done there.
-    begin = "setup" if not options.demo and (not port or is_first_run(settings, paths)) else "dashboard"
+    # A first run begins with the setup, and so does one without a port, or with a dish that did not tell what it is:
+    # nothing else can be done there.
+    unset = not port or firmware is None or is_first_run(settings, paths)
+    begin = "setup" if not options.demo and unset else "dashboard"
 
     def make_setup() -> SetupEngine:
         # The demo offers no port of this machine: a single key would open it.
@@ -105,14 +135,23 @@ def _only_port() -> str:
     return adapters[0] if len(adapters) == 1 else ""
 
 
-def _firmware(named: str | None) -> str:
-    """Return the firmware to speak: the one named, or the only one there is. The console proves it, or says not."""
+def _detect(port: str, baud: int | None) -> str | None:
+    """Return the firmware that answers on a port of which nobody told it; None where that cannot be told.
+
+    Before the first frame: a session speaks one firmware from its first byte on.
+    """
+    if not port:
+        return None
+    from birdcage.station.detecting import detect_firmware
+
+    return detect_firmware(port, RealClock(), baud=baud, tell=lambda words: print(words, file=sys.stderr)).firmware
+
+
+def _known(named: str) -> str:
+    """Return the firmware. BirdcageError for one that this version does not speak; the console proves the others."""
     known = list_firmwares()
-    if named is None and len(known) == 1:
-        return known[0]
     if named not in known:
-        what = "Say which firmware the dish has" if named is None else f"This version does not speak {named}"
-        raise BirdcageError(f"{what}: --firmware, one of {', '.join(known)}.")
+        raise BirdcageError(f"This version does not speak {named}: --firmware, one of {', '.join(known)}.")
     return named
 
 

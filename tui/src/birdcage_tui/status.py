@@ -12,11 +12,15 @@ from textual.message import Message
 from birdcage_tui.canvas import Cells
 from birdcage_tui.commands.table import can_release
 from birdcage_tui.pane import Pane
+from birdcage_tui.skew import has_skew, skew_text
 from birdcage_tui.view import View
 from birdcage_tui.words import ACTIVITY, LATE, LINK, age_text, bad_day, calm
 
 NARROW = 68
 """Below so many columns not every field finds room."""
+
+MUST = 5
+"""Fields that share a smaller gap where they do not fit otherwise: link, az, el, activity, who has control."""
 
 
 class StatusLine(Pane):
@@ -39,10 +43,13 @@ class StatusLine(Pane):
             # The big digits below say where it points; who has control stands nowhere else.
             link, az, el, activity, holder, *_ = fields
             fields = [link, holder, activity, az, el]
-        for text, ink in fields:
+        first = sum(len(text) for text, _ in fields[:MUST])
+        gap = 2 if x + first + 2 * (MUST - 1) <= end else 1
+        for field, ink in fields:
+            text = field if x + len(field) <= end else field.rstrip()
             if x + len(text) > end:
                 break
-            x = cells.put(x, 0, text, ink) + 2
+            x = cells.put(x, 0, text, ink) + gap
 
     @staticmethod
     def _fields(view: View, *, wide: bool) -> list[tuple[str, str]]:
@@ -59,6 +66,7 @@ class StatusLine(Pane):
         ink = "bar-dim" if view.stale else "bar"
         az = f"{position.az_deg:6.2f}" if position else "---.--"
         el = f"{position.el_deg:5.2f}" if position else "--.--"
+        mark = "~" if view.modelled else " "
         activity = "HELD" if state.held is not None and not view.moving else ACTIVITY[state.activity]
         if not view.link_up:
             activity = LINK[state.link.state][1].upper()
@@ -66,11 +74,13 @@ class StatusLine(Pane):
             activity = "NOT HOMED"
         fields = [
             (f"{name} {glyph} {age:<4}", link_ink),
-            (f"AZ {az}°", ink),
-            (f"EL {el}°", ink),
+            (f"AZ{mark}{az}°", ink),
+            (f"EL{mark}{el}°", ink),
             (f"{activity:<9}", "bar"),
             (f"{(state.holder or 'nobody')[:16]:<9}", "bar-dim" if state.holder is None else "bar"),
         ]
+        if has_skew(view):
+            fields.append((f"SK{skew_text(view)}", ink))
         if state.az_offset_deg or state.el_offset_deg:
             fields.append((f"offset {state.az_offset_deg:+.2f} {state.el_offset_deg:+.2f}", "bar"))
         if wide and state.port:

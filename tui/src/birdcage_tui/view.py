@@ -74,11 +74,23 @@ class View:
     def position_age_s(self) -> float | None:
         """How old the last position is; None when there is none."""
         position = self.state.position
-        return None if position is None else max(0.0, self.now - position.at)
+        return None if position is None else max(0.0, self.now - position.told_at)
+
+    @property
+    def modelled(self) -> bool:
+        """Whether the position is computed and was not read: a silent slew lasts, and nothing can be asked."""
+        return self.state.position is not None and self.state.position.modelled
+
+    @property
+    def pointer(self) -> str:
+        """The sign of the dish: hollow while its position is modelled."""
+        return "◎" if self.modelled else "◉"
 
     @property
     def stale(self) -> bool:
-        """Whether the position is too old to be believed."""
+        """Whether the position is too old to be believed. One that is modelled says so instead, and its age."""
+        if self.modelled and self.link_up:
+            return False
         age_s = self.position_age_s
         return age_s is None or age_s > STALE_S
 
@@ -96,7 +108,7 @@ class View:
         """
         if not (self.watched and self.link_up) or self.state.activity in (Activity.HOMING, Activity.INITIALIZING):
             return False
-        if self.state.holder == CONSOLE:
+        if self.state.holder == CONSOLE or self.modelled:
             return False
         return self.reply_age_s is not None and self.reply_age_s > LATE_S
 
@@ -131,6 +143,8 @@ class View:
         if motion is None or position is None:
             return None
         turn = abs(shortest_turn(position.az_deg, motion.to_az_deg))
+        if motion.to_skew_deg is not None:
+            return None if position.skew_deg is None else abs(motion.to_skew_deg - position.skew_deg)
         return max(turn, abs(motion.to_el_deg - position.el_deg))
 
     @property

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from birdcage.station.events import End, MoveEnded
+from birdcage.station.known import SearchSwitch
 from birdcage.station.state import Activity, Link, Search
 
 from birdcage_tui.view import View
@@ -63,13 +64,30 @@ def stop_text(view: View) -> str:
     if view.waiting:
         return "STOP waits for the port to open"
     if not view.link_up:
-        return "STOP cannot reach it: 12 V switch"
+        return f"STOP cannot reach it: {power_switch(view)}"
     if motion is None:
         return "STOP holds it where it is"
+    if motion.stop_means == "end of move":
+        rests = motion.eta if motion.rests_at is None else motion.rests_at
+        return f"STOP at end of move, {max(0.0, rests - view.now):.0f} s"
     if motion.stop_means == "none" or motion.stop_power_s is None:
-        return f"no STOP: ends in {max(0.0, motion.eta - view.now):.0f} s; 12 V switch"
-    means = "by motor release" if motion.stop_means == "release" else "by a new target"
+        return f"no STOP: ends in {max(0.0, motion.eta - view.now):.0f} s; {power_switch(view)}"
+    means = {"release": "by motor release", "abort": "any byte ends it"}.get(motion.stop_means, "by a new target")
     return f"STOP in {motion.stop_power_s:.1f} s, {means}"
+
+
+def power_switch(view: View) -> str:
+    """Return what to switch off where no STOP helps, as the dish calls its supply."""
+    dish = view.state.dish
+    return "12 V switch" if dish is None or dish.firmware == "g2" else "power switch"
+
+
+def home_hint(view: View) -> str:
+    """Return how a dish comes to know where it points, in a few words."""
+    dish = view.state.dish
+    if dish is not None and dish.homing_s is None:
+        return "switch it off and on: it homes by itself"
+    return "H homes it"
 
 
 def motion_text(view: View) -> str:
@@ -82,13 +100,21 @@ def motion_text(view: View) -> str:
     if state.motion is not None and state.activity is Activity.SLEWING:
         to_go_deg, left_s = view.to_go_deg, state.motion.eta - view.now
         going = "" if to_go_deg is None else f" {to_go_deg:.1f}° to go,"
-        return f"SLEWING{going} {left_s:.1f} s" if left_s > 0 else f"SLEWING{going} overdue {-left_s:.1f} s"
+        word = "SLEWING" if state.motion.to_skew_deg is None else "TURNING SKEW"
+        return f"{word}{going} {left_s:.1f} s" if left_s > 0 else f"{word}{going} overdue {-left_s:.1f} s"
     word = ACTIVITY[state.activity]
     if state.activity is Activity.IDLE:
         return "IDLE, at rest"
     if state.activity is Activity.UNKNOWN:
         return "UNKNOWN since a raw line" if state.raw_motion else "UNKNOWN: nothing read yet"
     return f"{word} {state.activity_text}".rstrip()
+
+
+def searching(view: View) -> bool:
+    """Return whether a TV search runs that can be ended at once."""
+    dish = view.state.dish
+    at_once = dish is not None and dish.search_switch is SearchSwitch.UNTIL_POWER_UP
+    return at_once and view.link_up and view.state.search is Search.RUNNING
 
 
 def _tags(view: View, *shown: str) -> str:
@@ -107,7 +133,7 @@ def bad_day(view: View) -> tuple[str, str] | None:
     state, link = view.state, view.state.link
     if view.crash:
         words = f"✖ BIRDCAGE FAILED  {view.crash}  What is shown is old, and nothing more is sent to the dish."
-        return "fault-row", f"{words} Ctrl+Q, then start again; in need the 12 V switch."
+        return "fault-row", f"{words} Ctrl+Q, then start again; in need the {power_switch(view)}."
     if state.fault is not None:
         fault = state.fault
         words = f"✖ FAULT {fault.what} {fault.utc:%H:%M:%S}. {fault.meaning} {fault.remedy}"
@@ -126,7 +152,10 @@ def bad_day(view: View) -> tuple[str, str] | None:
     if state.homed is False and state.activity is Activity.HOMING:
         return "warn-row", "▲ NOT HOMED  Homing: it runs into its stops. Only the power switch stops it."
     if state.homed is False:
-        return "warn-row", "▲ NOT HOMED  The dish does not know where it points.  H home it"
+        how = home_hint(view).replace("H homes it", "H home it")
+        return "warn-row", f"▲ NOT HOMED  The dish does not know where it points.  {how[:1].upper()}{how[1:]}"
+    if searching(view):
+        return "warn-row", "▲ TV SEARCH RUNNING  It moves the dish by itself.  K ends it until the next power-up"
     if view.late:
         return (
             "warn",
@@ -206,7 +235,7 @@ def next_steps(view: View) -> list[tuple[str, str]]:
         return [
             ("warn-strong", "The adapter is gone." if link is Link.LOST else "The port is there, the dish is mute."),
             ("text", state.link.detail or back),
-            ("dim", "Check the cable, then the dish's 12 V. " + back),
+            ("dim", f"Check the cable, then the dish's {power_switch(view).removesuffix(' switch')}. {back}"),
             ("dim", "It stays held after that until you release it." if state.held else "Nothing moves meanwhile."),
         ]
     steps = [_doing(view)]
@@ -215,7 +244,13 @@ def next_steps(view: View) -> list[tuple[str, str]]:
     if state.held is not None:
         steps.append(("text", "Nobody moves it before you release it: Enter."))
     elif state.homed is False and state.activity is not Activity.HOMING:
-        steps.append(("text", "Next: H homes it. It turns through its whole range and knocks at its stops."))
+        dish = state.dish
+        if dish is not None and dish.homing_s is None:
+            steps.append(("text", "Next: switch it off and on. It homes by itself, and only then: wait for it."))
+        else:
+            steps.append(("text", "Next: H homes it. It turns through its whole range and knocks at its stops."))
+    elif searching(view):
+        steps.append(("text", "Next: K ends its TV search. It begins again at each power-up."))
     elif state.motion_refused_because:
         steps.append(("text", "It takes no motion: mend the file, or accept the dish's own limits with Enter."))
     elif view.tour:
@@ -232,7 +267,8 @@ def _doing(view: View) -> tuple[str, str]:
         report = state.last_stop
         return "warn-strong", f"Held by {state.held.by}. {report.sentence if report is not None else ''}".rstrip()
     if state.activity is Activity.SLEWING and state.motion is not None:
-        aim = f"{state.motion.to_az_deg:.2f}° / {state.motion.to_el_deg:.2f}°"
+        skew = state.motion.to_skew_deg
+        aim = f"{state.motion.to_az_deg:.2f}° / {state.motion.to_el_deg:.2f}°" if skew is None else f"skew {skew:.2f}°"
         who = state.holder or "somebody"
         return "accent-strong", f"{who.capitalize()} {'move' if who == 'you' else 'moves'} it to {aim}."
     if state.activity is Activity.MOVING_UNASKED:

@@ -6,14 +6,14 @@ from collections.abc import Sequence
 
 from birdcage_tui.commands.console import CONSOLE
 from birdcage_tui.commands.control import CONTROL
-from birdcage_tui.commands.everywhere import APP, MOTION, PAGE_COMMANDS, PAGES, SAFETY
+from birdcage_tui.commands.everywhere import APP, MOTION, PAGE_COMMANDS, PAGES, SAFETY, SEARCH
 from birdcage_tui.commands.jog import JOG
 from birdcage_tui.commands.setup import SETUP
 from birdcage_tui.commands.table import Command
 
 __all__ = ["BY_NAME", "COMMANDS", "KEYS", "PAGES", "Command", "for_key", "in_force"]
 
-COMMANDS: tuple[Command, ...] = (*SAFETY, *JOG, *CONTROL, *CONSOLE, *SETUP, *MOTION, *APP, *PAGE_COMMANDS)
+COMMANDS: tuple[Command, ...] = (*SAFETY, *JOG, *CONTROL, *CONSOLE, *SETUP, *MOTION, *SEARCH, *APP, *PAGE_COMMANDS)
 BY_NAME = {command.name: command for command in COMMANDS}
 KEYS: dict[str, bool] = {
     key: any(command.priority for command in COMMANDS if key in command.keys)

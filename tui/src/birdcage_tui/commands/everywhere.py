@@ -2,7 +2,24 @@
 
 from __future__ import annotations
 
+from birdcage.station.known import SearchSwitch
+from birdcage.station.state import Search
+
 from birdcage_tui.commands.table import Command, can_home, can_release
+from birdcage_tui.view import View
+
+
+def can_end_search(view: View) -> str | None:
+    """Return why the TV search cannot be ended here and now."""
+    dish, search = view.state.dish, view.state.search
+    if not view.link_up or dish is None:
+        return "The dish does not answer."
+    if dish.search_switch is not SearchSwitch.UNTIL_POWER_UP:
+        return "This dish's TV search is switched off by a setting: Setup (8), step 3."
+    if search is Search.OFF_UNTIL_POWER_UP:
+        return "It is ended already. It begins again at the next power-up."
+    return None
+
 
 PAGES = (
     ("dashboard", "Dashboard", "What it does, what stops it, what comes next."),
@@ -59,6 +76,13 @@ MOTION = (
         "home",
     ),
 )
+
+SEARCH = (
+    Command(
+        "search", ("K",), "K", "End the TV search …",
+        "End the firmware's own search, which moves the dish by itself. Asks first.", "Motion", can_end_search,
+    ),
+)  # fmt: skip
 
 APP = (
     Command(

@@ -3,12 +3,25 @@
 from __future__ import annotations
 
 from birdcage_tui.commands.table import Command, can_move
+from birdcage_tui.view import View
 
 WHERE = ("dashboard", "control", "pocket")
 STEPS_DEG = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
 """What one press of a jog key may be, in degrees."""
 DIRECTIONS = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "up": (0.0, 1.0), "down": (0.0, -1.0)}
 """Azimuth and elevation of one press, in steps."""
+
+SKEW_DIRECTIONS = {"skew-down": -1.0, "skew-up": 1.0}
+"""The same of the skew."""
+
+
+def can_turn_skew(view: View) -> str | None:
+    """Return why the skew cannot be turned now, or not at all."""
+    dish = view.state.dish
+    if dish is not None and dish.skew is None:
+        return f"The {dish.name} has no skew axis."
+    return can_move(view)
+
 
 JOG = (
     Command(
@@ -21,6 +34,18 @@ JOG = (
     ),
     Command("up", ("up", "k"), "↑ k", "Step up", "Elevation by one step.", "Jog", can_move, where=WHERE),
     Command("down", ("down", "j"), "↓ j", "Step down", "Elevation by one step.", "Jog", can_move, where=WHERE),
+    Command(
+        "skew-down", ("less_than_sign",), "<", "Skew down a step", "The third axis of a dish that has one.", "Jog",
+        can_turn_skew, where=WHERE,
+    ),
+    Command(
+        "skew-up", ("greater_than_sign",), ">", "Skew up a step", "The third axis of a dish that has one.", "Jog",
+        can_turn_skew, where=WHERE,
+    ),
+    Command(
+        "skew", ("S",), "S", "Turn the skew to …", "Type an angle into the go-to line; Enter turns the feed.", "Jog",
+        can_turn_skew, where=WHERE,
+    ),
     Command(
         "step-down", ("minus",), "-", "Smaller step", "From 10° down to 0.01°.", "Jog", where=WHERE,
     ),

@@ -30,6 +30,8 @@ def can_move(view: View) -> str | None:
     if state.motion_refused_because:
         return state.motion_refused_because
     if state.homed is False or state.position is None:
+        if state.dish is not None and state.dish.homing_s is None:
+            return "The dish does not know where it points: switch it off and on, so that it homes."
         return "The dish does not know where it points: home it first."
     return None
 
@@ -39,10 +41,10 @@ def can_home(view: View) -> str | None:
     state = view.state
     if not view.link_up:
         return "The dish does not answer."
+    if state.dish is not None and state.dish.homing_s is None:
+        return f"The {state.dish.name} homes only by itself, at power-up: switch it off and on."
     if state.held is not None:
         return "STOP is latched: Enter releases it."
-    if state.dish is not None and state.dish.homing_s is None:
-        return f"The {state.dish.name} homes only by itself."
     return "It is homing already." if state.activity is Activity.HOMING else None
 
 

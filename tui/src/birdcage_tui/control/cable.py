@@ -50,7 +50,7 @@ class CablePane(Pane):
             cells.put(low, 0, "━" * (high - low + 1), "accent")
             if there != here:
                 cells.put(there, 0, "✕", "target-strong")
-        cells.put(here, 0, "◉", ink)
+        cells.put(here, 0, view.pointer, ink)
         if cells.height > 2:
             self._words(cells, view, turn, turns[0] if turns else None, limits)
 
@@ -77,14 +77,16 @@ class CablePane(Pane):
     def _unknown(cells: Cells, limits: tuple[float, float], view: View) -> None:
         """Hatch the whole track: the stops are known, where the cable stands between them is not."""
         waiting = view.waiting or not view.link_up
-        words = "turn unknown" if waiting else "turn unknown: H homes the dish and counts it"
-        ink = "dim" if view.waiting else "warn"
+        by_itself = view.state.dish is not None and view.state.dish.homing_s is None
+        how = "this dish does not tell it" if by_itself else "H homes the dish and counts it"
+        words = "turn unknown" if waiting else f"turn unknown: {how}"
+        ink = "dim" if view.waiting or by_itself else "warn"
         framed = cells.height > 2
         start = 1 if framed else 7
         if not framed:
             cells.put(1, 0, "cable", "dim")
         cells.put(start, 0, "▕" + "▨" * max(cells.width - start - 3, 0) + "▏", "line")
-        low, high = f"{limits[0]:+.0f}°", f"{limits[1]:+.0f}°"
+        low, high = (f"{limit:+.0f}°" if limit else "0°" for limit in limits)
         cells.put(start, 1, low, "dim")
         cells.right(cells.width - 1, 1, high, "dim")
         room = cells.width - start - len(low) - len(high) - 3

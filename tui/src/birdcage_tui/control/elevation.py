@@ -94,7 +94,8 @@ class ElevationPane(Pane):
             ink = "dim" if view.stale else "accent"
             if state.el_offset_deg:
                 canvas.line(*quarter.dot(position.dish_el_deg, 0.1), *quarter.dot(position.dish_el_deg, 0.7), "dim", 2)
-            draw_needle(canvas, *quarter.hub, 90.0 - position.el_deg, quarter.radius * 0.88, 0.0, ink)
+            draw_needle(canvas, *quarter.hub, 90.0 - position.el_deg, quarter.radius * 0.88, 0.0, ink,
+                        hollow=position.modelled)  # fmt: skip
         canvas.onto(cells, 0, 0)
         self._labels(cells, quarter, view)
         self._limits(cells, quarter, view)
@@ -105,7 +106,7 @@ class ElevationPane(Pane):
         if view.aim is not None and -5.0 <= view.aim[1] <= 95.0:
             cells.put(*quarter.cell(view.aim[1]), "×", "strong")
         if position is not None:
-            cells.put(*quarter.cell(0.0, 0.0), "◉", "dim" if view.stale else "accent-strong")
+            cells.put(*quarter.cell(0.0, 0.0), view.pointer, "dim" if view.stale else "accent-strong")
         draw_tape(
             cells, cells.height - ROWS, None if position is None else position.el_deg,
             ink="dim" if view.stale else "accent-strong", target_deg=target,
@@ -142,7 +143,10 @@ class ElevationPane(Pane):
                 x, y = quarter.cell(limit, 1 + 4 / quarter.radius)
                 cells.put(min(x + 1, cells.width - 3), y, f"{limit:.0f}°", "warn")
         if quarter.radius >= 24:
+            limits = [limit for limit in (state.el_min_deg, state.el_max_deg) if limit is not None]
             for el_deg in (0, 30, 60, 90):
+                if any(abs(limit - el_deg) < 5.0 for limit in limits):
+                    continue
                 x, y = quarter.cell(el_deg, 1 + 4 / quarter.radius)
                 text = f"{el_deg}"
                 x = min(x + 1, cells.width - len(text)) if el_deg < 90 else max(x - 1, 0)

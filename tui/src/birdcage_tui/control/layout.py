@@ -23,13 +23,15 @@ class Sizes:
     jog: int
     actions: int
     cable: int
+    skew: int = 0
+    """Height of the third axis; 0 for a dish without it."""
     upper: int = 0
     """Height of elevation and hands, over the presets; 0 where the presets take turns with them."""
     log: int = 0
     """Width of the log beside the presets; 0 where there is no room for one."""
 
 
-def sizes(width: int, height: int) -> Sizes:
+def sizes(width: int, height: int, *, with_skew: bool = False) -> Sizes:
     """Return the sizes: the rose fills its height; beside it elevation and hands, and under both the presets."""
     roomy = width >= ROOMY[0] and height >= ROOMY[1]
     cable = (3 if height >= 26 else 2) + FRAME if roomy else 2
@@ -39,13 +41,14 @@ def sizes(width: int, height: int) -> Sizes:
     if not roomy:
         left = width - 28
         rose = max(min(rows * 2 + 4 + FRAME, left - least), 20)
-        return Sizes(False, rose, left - rose, top - FRAME - 7, 3, 1, 3, cable)
+        skew = 1 if with_skew else 0
+        return Sizes(False, rose, left - rose, top - FRAME - 7 - skew, 3, 1, 3, cable, skew)
     rose = max(min(rows * 2 + 4 + FRAME, width - 44 - least), 20)
     side = width - rose
     right = 57 if side >= 57 + 40 else 44
     readout = (8 if top >= 36 and right == 57 else 6) + FRAME
     digits, jog, actions = (4, 3, 4) if top >= 36 else (3, 2, 3) if top >= 25 else (3, 1, 2)
-    upper = readout + digits + jog + actions + FRAME
-    return Sizes(
-        True, rose, side - right, readout, digits, jog, actions, cable, upper, side - right if side >= 80 else 0
-    )
+    skew = 0 if not with_skew else 7 if top >= 36 and right == 57 else 2
+    upper = readout + digits + skew + jog + actions + FRAME
+    log = side - right if side >= 80 else 0
+    return Sizes(True, rose, side - right, readout, digits, jog, actions, cable, skew, upper, log)

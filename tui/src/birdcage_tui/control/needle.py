@@ -7,13 +7,18 @@ import math
 from birdcage_tui.canvas import Braille
 
 
-def draw_needle(canvas: Braille, x: float, y: float, angle_deg: float, length: float, tail: float, ink: str) -> None:
-    """Draw one from (x, y) in dots; `angle_deg` is clockwise from straight up."""
+def draw_needle(canvas: Braille, x: float, y: float, angle_deg: float, length: float, tail: float, ink: str,
+                *, hollow: bool = False) -> None:  # fmt: skip
+    """Draw one from (x, y) in dots; `angle_deg` is clockwise from straight up; `hollow` is its outline, dotted."""
     angle = math.radians(angle_deg)
     along_x, along_y = math.sin(angle), -math.cos(angle)
     tip_x, tip_y = x + along_x * length, y + along_y * length
     half = max(1.0, min(2.5, length * 0.045))
     steps = max(1, round(half * 2))
+    if hollow:
+        for off in (-half, half):
+            canvas.line(x - along_y * off, y + along_x * off, tip_x, tip_y, ink, 3)
+        return
     for step in range(-steps, steps + 1):
         off = half * step / steps
         base_x, base_y = x - along_y * off, y + along_x * off

@@ -69,7 +69,10 @@ def _seconds(state: StationState, az_way: float, el_way: float) -> float | None:
     for axis, way in ((dish.azimuth, az_way), (dish.elevation, el_way)):
         reading = state.readings.get(f"speed.{axis.index}")
         speed = reading.value if reading is not None and isinstance(reading.value, float) else axis.speed_deg_s
-        spans.append(plan_slew(0.0, way, speed, axis.acceleration_deg_s2).duration_s if speed > 0 else 0.0)
+        if axis.times is not None:
+            spans.append(axis.times.seconds(way))
+        else:
+            spans.append(plan_slew(0.0, way, speed, axis.acceleration_deg_s2).duration_s if speed > 0 else 0.0)
     return max(spans) if dish.axes_together else sum(spans)
 
 

@@ -43,7 +43,15 @@ class ReadoutPane(Pane):
             cells.put(start_el, y, "elevation", "dim")
             self._age(cells, start_el + 10, y, view)
             y += 1
+        self._mark(cells, (1, start_el), view)
         self._words(cells, y, view)
+
+    @staticmethod
+    def _mark(cells: Cells, columns: tuple[int, int], view: View) -> None:
+        """Set `~` before numbers that are modelled."""
+        if view.modelled:
+            for x in columns:
+                cells.put(x - 1, 1, "~", "strong")
 
     def _stacked(self, cells: Cells, view: View, az: str, el: str, ink: str) -> None:
         right = 1 + width_of("000.00°")
@@ -57,12 +65,17 @@ class ReadoutPane(Pane):
             cells.put(right + 1, 2, "old", "warn")
         elif position is not None:
             cells.put(right + 1, 1, wind_of(position.az_deg), "dim")
+        if view.modelled:
+            for y in (1, 4):
+                cells.put(right + 1, y, "~mod", "text")
         self._words(cells, 6, view)
 
     @staticmethod
     def _age(cells: Cells, x: int, y: int, view: View) -> None:
         age_s = view.position_age_s
-        if age_s is not None and view.stale:
+        if view.modelled:
+            cells.put(x, y, "~ modelled"[: max(cells.width - x, 0)], "text")
+        elif age_s is not None and view.stale:
             cells.put(x, y, f"{age_text(age_s)} old"[: max(cells.width - x, 0)], "warn")
 
     @staticmethod

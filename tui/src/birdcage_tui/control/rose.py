@@ -53,7 +53,8 @@ class RosePane(Pane, can_focus=True):
                 canvas.line(
                     *compass.dot(position.dish_az_deg, 0.12), *compass.dot(position.dish_az_deg, 0.72), "dim", 2
                 )
-            draw_needle(canvas, *compass.middle, position.az_deg, compass.radius * 0.84, compass.radius * 0.2, ink)
+            draw_needle(canvas, *compass.middle, position.az_deg, compass.radius * 0.84, compass.radius * 0.2, ink,
+                        hollow=position.modelled)  # fmt: skip
         canvas.onto(cells, 0, 0)
         self._letters(cells, compass)
         self._rim(cells, compass, view)
@@ -139,7 +140,7 @@ class RosePane(Pane, can_focus=True):
         if view.aim is not None:
             cells.put(*compass.cell(view.aim[0]), "×", "strong")
         if state.position is not None:
-            cells.put(*compass.cell(0.0, 0.0), "◉", "dim" if view.stale else "accent-strong")
+            cells.put(*compass.cell(0.0, 0.0), view.pointer, "dim" if view.stale else "accent-strong")
 
     @staticmethod
     def _words(cells: Cells, compass: Compass, view: View) -> None:
@@ -155,6 +156,8 @@ class RosePane(Pane, can_focus=True):
             return
         if state.az_offset_deg:
             cells.put(0, compass.height - 1, f"dish {position.dish_az_deg:.1f}°", "dim")
+        if position.modelled:
+            cells.put(0, 0, "modelled", "text")
         named = next((p.name for p in view.presets if abs(shortest_turn(p.az_deg, position.az_deg)) < 0.5), "")
         if named and cells.free(cells.width - len(named) - 1, 0, len(named) + 1, *QUIET):
             cells.right(cells.width, 0, named, "target")

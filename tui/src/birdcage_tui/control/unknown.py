@@ -5,6 +5,7 @@ from __future__ import annotations
 from birdcage.station.state import Activity, Link
 
 from birdcage_tui.view import View
+from birdcage_tui.words import home_hint
 
 _LOST = {
     "released": "MOTORS RELEASED",
@@ -27,7 +28,7 @@ def why_unknown(view: View) -> tuple[str, ...]:
     if state.activity is Activity.HOMING:
         return "HOMING", "keep its swing clear"
     if state.homed is False:
-        return "NOT HOMED", "H homes it"
+        return "NOT HOMED", *home_hint(view).split(": ")
     if state.position_lost in _LOST:
-        return _LOST[state.position_lost], "H homes it"
+        return _LOST[state.position_lost], *home_hint(view).split(": ")
     return "NOT KNOWN", "not read yet"

@@ -26,7 +26,8 @@ from birdcage_tui.control.rose import RosePane
 from birdcage_tui.dialogs import QuestionScreen
 from birdcage_tui.host import Host
 from birdcage_tui.pages.page import Page
-from birdcage_tui.view import YOU
+from birdcage_tui.skew import SkewPane, has_skew
+from birdcage_tui.view import YOU, View
 
 
 class ControlPage(Page):
@@ -56,6 +57,7 @@ class ControlPage(Page):
     """
     RATE_HZ = 2.0
     FIRST_FOCUS = "#rose"
+    _with_skew = False
 
     def compose(self) -> ComposeResult:
         """The parts, from the top left."""
@@ -70,6 +72,7 @@ class ControlPage(Page):
                         with Vertical(id="control-hands") as hands:
                             hands.border_title = "Command"
                             yield DigitsPane(id="digits")
+                            yield SkewPane(id="turn-skew")
                             yield JogPane(id="jog")
                             yield ActionsPane(id="actions")
                 with Horizontal(id="control-lower"):
@@ -79,17 +82,25 @@ class ControlPage(Page):
         yield CablePane(id="cable")
         yield LastLine(id="last")
 
+    def show(self, view: View) -> None:
+        """Give the third axis its rows where the dish has one, then draw."""
+        if has_skew(view) != self._with_skew:
+            self._with_skew = has_skew(view)
+            self.on_resize()
+        super().show(view)
+
     def on_resize(self) -> None:
         """Choose the layout."""
-        found = sizes(*self.size)
+        found = sizes(*self.size, with_skew=self._with_skew)
         self.set_class(found.roomy, "-roomy")
         for name, width in (("#rose", found.rose), ("#elevation", found.elevation)):
             self.query_one(name).styles.width = width
         for name, height in (
             ("#readout", found.readout), ("#digits", found.digits), ("#jog", found.jog), ("#actions", found.actions),
-            ("#cable", found.cable),
+            ("#turn-skew", found.skew), ("#cable", found.cable),
         ):  # fmt: skip
             self.query_one(name).styles.height = height
+        self.query_one(SkewPane).display = found.skew > 0
         self.query_one("#control-upper").styles.height = found.upper or "1fr"
         log = self.query_one(LogPane)
         log.display, log.styles.width = found.log > 0, found.log

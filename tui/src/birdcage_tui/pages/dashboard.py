@@ -11,6 +11,8 @@ from birdcage_tui.panes.next import NextPane
 from birdcage_tui.panes.pointing import PointingPane
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.panes.sky import SkyPane
+from birdcage_tui.skew import SkewPane, has_skew
+from birdcage_tui.view import View
 
 LEAST_FOR_HEALTH = 30
 """Rows from which there is one for everything."""
@@ -29,8 +31,19 @@ class DashboardPage(Page):
             column.border_title = "Pointing"
             yield PointingPane(id="pointing")
             yield SignalPane(id="signal")
+            yield SkewPane(id="skew")
             yield HealthPane(id="health")
             yield NextPane(id="next")
+
+    def show(self, view: View) -> None:
+        """Give the place of the signal to the skew on a dish that has no tuner, then draw."""
+        dish = view.state.dish
+        instead = dish is not None and not dish.has_rssi and has_skew(view)
+        signal, skew = self.query_one(SignalPane), self.query_one(SkewPane)
+        if skew.display != instead or signal.display == instead:
+            signal.display, skew.display = not instead, instead
+        self.query_one(PointingPane).with_skew = not instead
+        super().show(view)
 
     def on_resize(self) -> None:
         """Give the sky the width that makes its disc fill the height, and leave the readings theirs."""

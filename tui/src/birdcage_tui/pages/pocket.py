@@ -12,6 +12,7 @@ from birdcage_tui.panes.sky import SkyPane
 from birdcage_tui.pocket.keys import PocketKeys, StopBar
 from birdcage_tui.pocket.layout import Layout, arrange
 from birdcage_tui.pocket.reading import PocketReading, wrong_rows
+from birdcage_tui.skew import has_skew
 from birdcage_tui.view import View
 
 
@@ -42,8 +43,9 @@ class PocketPage(Page):
         width, height = self.size
         if width and height:
             layout = arrange(
-                width, height, heard=bool(view.signal), wrong_in=lambda columns: len(wrong_rows(view, columns)[1])
-            )
+                width, height, heard=bool(view.signal), third_axis=has_skew(view),
+                wrong_in=lambda columns: len(wrong_rows(view, columns)[1]),
+            )  # fmt: skip
             if layout != self._layout:
                 self._layout = layout
                 self._apply(layout)

@@ -5,11 +5,17 @@ from __future__ import annotations
 from birdcage.station.state import Link
 
 from birdcage_tui.canvas import Cells
+from birdcage_tui.commands.everywhere import can_end_search
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
 from birdcage_tui.words import LINK, SEARCH, age_text
 
 _OK, _NO, _UNKNOWN = ("●", "good"), ("▲", "warn"), ("·", "dim")
+
+
+def _search_hint(view: View) -> str:
+    """Return which key ends a search, where one does at once."""
+    return "" if can_end_search(view) is not None else ": K ends it"
 
 
 class HealthPane(Pane):
@@ -48,15 +54,17 @@ class HealthPane(Pane):
         offset = f"az {state.az_offset_deg:+.2f}°  el {state.el_offset_deg:+.2f}°"
         beam = "beam unknown" if state.beam_deg is None else f"beam {state.beam_deg:.1f}°"
         homed = {True: "yes", False: "NO", None: "--"}[state.homed]
+        by_itself = state.dish is not None and state.dish.homing_s is None
+        homed += ", at power-up, by itself" if by_itself else ""
         search = SEARCH[state.search].removeprefix("TV search ")
         return [
             (_OK if up else _NO, "link", f"{LINK[link.state][1]}, {trip}{noise}"),
             (_OK if up else _UNKNOWN, "port", f"{state.port.split('?')[0] or '--'}{heard}"),
             (_UNKNOWN if state.homed is None else _OK if state.homed else _NO, "homed", homed),
             (
-                {"off": _OK, "RUNNING": _NO}.get(search, _UNKNOWN),
+                {"off": _OK, "off until power-up": _OK, "RUNNING": _NO}.get(search, _UNKNOWN),
                 "TV search",
-                search + (f" (NVS 20 {nvs.value})" if nvs is not None else ""),
+                search + (f" (NVS 20 {nvs.value})" if nvs is not None else _search_hint(view)),
             ),
             (_OK if state.el_min_deg is not None else _UNKNOWN, "limits", limits),
             (_UNKNOWN, "firmware", state.firmware_version or "--"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from birdcage_tui.canvas import Cells
 from birdcage_tui.digits import angle_text, put_big, width_of
 from birdcage_tui.pane import Pane
+from birdcage_tui.skew import has_skew, skew_row
 from birdcage_tui.view import View
 from birdcage_tui.words import age_text, motion_text, stop_text
 
@@ -27,9 +28,13 @@ def cable_gauge(cells: Cells, y: int, view: View) -> None:
         return
     turn = state.position.cable_deg if state.position is not None else None
     if cable is None or turn is None:
-        words, ink = " turn unknown", "dim" if view.waiting else "warn"
-        cells.put(1, y, "cable ", "dim")
-        cells.put(7, y, "▕" + "▨" * max(cells.width - 10 - len(words), 0) + "▏", "line")
+        told = view.waiting or (state.dish is not None and state.dish.homing_s is None)  # nothing that a person mends
+        words, ink = " turn unknown", "dim" if told else "warn"
+        low, high = ("", "") if cable is None else (f"{cable.min_deg:.0f}°", f"{cable.max_deg:.0f}°")
+        x = cells.put(cells.put(1, y, "cable ", "dim"), y, low, "dim")
+        width = cells.width - 3 - x - len(high) - len(words)
+        x = cells.put(x, y, "▕" + "▨" * max(width, 0) + "▏", "line")
+        cells.put(x, y, high, "dim")
         cells.put(cells.width - 1 - len(words), y, words, ink)
         return
     left, right = turn - cable.min_deg, cable.max_deg - turn
@@ -41,12 +46,15 @@ def cable_gauge(cells: Cells, y: int, view: View) -> None:
         return
     mark = min(width - 1, max(0, int(left / (left + right) * width)))
     cells.put(x, y, "▕" + "─" * width + "▏", "dim")
-    cells.put(x + 1 + mark, y, "◉", "dim" if view.stale else "accent")
+    cells.put(x + 1 + mark, y, view.pointer, "dim" if view.stale else "accent")
     cells.put(x + width + 2, y, tail, "text")
 
 
 class PointingPane(Pane):
     """Big digits, the motion with its bar, STOP's power, the cable gauge."""
+
+    with_skew = True
+    """Whether the third axis belongs in here, because no pane of its own shows it."""
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
@@ -56,11 +64,15 @@ class PointingPane(Pane):
         """Fill from the top; a tall pane gets air between the groups."""
         air = 1 if cells.height >= 10 else 0
         large = cells.width >= 55 and cells.height >= 12
-        y = self._digits(cells, view, large=large) + air
+        y = self._digits(cells, view, large=large)
+        if self.with_skew and has_skew(view) and cells.height >= y + 5:
+            skew_row(cells, 1, y, view)
+            y += 1
+        y += air if cells.height >= y + air + 4 else 0
         cells.put(1, y, motion_text(view)[: cells.width - 2], motion_ink(view))
         self._bar(cells, y + 1, view)
         cells.put(1, y + 2, stop_text(view)[: cells.width - 2], "text" if view.moving else "dim")
-        cable_gauge(cells, y + 3 + air, view)
+        cable_gauge(cells, min(y + 3 + air, cells.height - 1), view)
 
     @staticmethod
     def _digits(cells: Cells, view: View, *, large: bool) -> int:
@@ -77,8 +89,15 @@ class PointingPane(Pane):
         put_big(cells, start_el, 0, el, ink, large=large)
         y = 5 if large else 3
         age_s = view.position_age_s
+        if position is not None and position.modelled:
+            for x in (left, start_el):
+                cells.put(x - 1, 1, "~", "strong")
         if position is None:
             note, note_ink = "not known", "dim" if view.waiting else "warn"
+        elif position.modelled and view.link_up:
+            note, note_ink = f"~ modelled, read {age_text(age_s or 0.0)} ago", "text"
+            if len(note) >= start_el - left - 9:
+                note = "~ modelled"
         elif view.stale and age_s is not None:
             note, note_ink = f"{age_text(age_s)} old", "warn"
         else:

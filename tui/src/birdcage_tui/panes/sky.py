@@ -136,7 +136,9 @@ class SkyPane(Pane):
             at_rest = position is not None and polar.cell(position.az_deg, position.el_deg) == (x, y)
             cells.put(x + 1 if at_rest else x, y, "✕", ink)
         if position is not None:
-            cells.put(*polar.cell(position.az_deg, position.el_deg), "◉", "dim" if view.stale else "accent-strong")
+            cells.put(
+                *polar.cell(position.az_deg, position.el_deg), view.pointer, "dim" if view.stale else "accent-strong"
+            )
         elif cells.width >= 30:
             words = " where it points is not known "
             cells.put(polar.width // 2 - len(words) // 2, polar.height // 2, words, "dim")

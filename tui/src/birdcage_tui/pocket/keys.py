@@ -8,11 +8,14 @@ from birdcage_tui.canvas import Cells
 from birdcage_tui.commands import BY_NAME
 from birdcage_tui.commands.table import can_release
 from birdcage_tui.pane import Pane
+from birdcage_tui.skew import has_skew
 from birdcage_tui.status import StopButton
 from birdcage_tui.view import View
 
 JOG = (("left", "◀"), ("up", "▲"), ("down", "▼"), ("right", "▶"))
 MORE = (("goto", "g go to"), ("home", "H home"), ("help", "? help"), ("palette", ": all"))
+SKEWED = tuple(("skew", "S skew") if name == "home" else (name, words) for name, words in MORE)
+"""The same for a dish with a third axis, which homes by itself."""
 STEP_WIDTH = 13
 """Columns of `[-] 0.05° [+]`."""
 
@@ -46,7 +49,8 @@ class PocketKeys(Pane):
         self._key(cells, Region(x + 10, 0, 3, tall), "step-up", "+", view)
         if cells.height < 2:
             return
-        release = (("release", _release_words(view)), *MORE[2:]) if can_release(view) is None else MORE
+        more = SKEWED if has_skew(view) else MORE
+        release = (("release", _release_words(view)), *more[2:]) if can_release(view) is None else more
         wide, taken = cells.width - 2, 0
         for command, words in release:
             x, taken = 1 + wide * taken // len(MORE), taken + (2 if command == "release" else 1)

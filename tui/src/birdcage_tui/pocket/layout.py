@@ -31,8 +31,10 @@ class Layout:
     column: int
 
 
-def arrange(width: int, height: int, *, heard: bool, wrong_in: Callable[[int], int]) -> Layout:
-    """Return the layout of a page so large, when a signal is heard or not.
+def arrange(
+    width: int, height: int, *, heard: bool, wrong_in: Callable[[int], int], third_axis: bool = False
+) -> Layout:
+    """Return the layout of a page so large, when a signal is heard or not, and with a row for a third axis or not.
 
     `wrong_in` returns how many rows of a width say what is wrong.
     """
@@ -50,7 +52,7 @@ def arrange(width: int, height: int, *, heard: bool, wrong_in: Callable[[int], i
     wrong = wrong_in(column)
     # Digits, what it does or what is wrong, what STOP can do, cable.
     digits = digit_rows(column, body, wrong)
-    least = digits + (wrong + 1 if wrong else 3)
+    least = digits + (wrong + 1 if wrong else 4 if third_axis else 3)
     reading = min(least, body)
     rest = body - reading
     sky = beside

@@ -11,6 +11,7 @@ from birdcage_tui.commands.table import can_home, can_release
 from birdcage_tui.digits import angle_text, put_big, width_of
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.pointing import cable_gauge, motion_ink
+from birdcage_tui.skew import has_skew, skew_row, skew_text
 from birdcage_tui.view import View
 from birdcage_tui.words import age_text, bad_day, calm, motion_text, stop_text
 
@@ -75,6 +76,9 @@ class PocketReading(Pane):
         if not wrong and y < cable_y:
             said = "" if view.moving else calm(view)
             cells.put(1, y, whole(said or stop_text(view), cells.width - 2), "text" if view.moving else "dim")
+            y += 1
+        if has_skew(view) and y < cable_y and self.digits > 1:
+            skew_row(cells, 1, cable_y - 1, view)
 
     def _wrong(self, cells: Cells, view: View, y: int, ink: str, rows: list[str]) -> int:
         """Write what is wrong over the whole width; a press does what it asks for."""
@@ -100,7 +104,9 @@ class PocketReading(Pane):
         if rows == 1:
             az = "---.--" if position is None else f"{position.az_deg:6.2f}"
             el = "--.--" if position is None else f"{position.el_deg:5.2f}"
-            cells.put(1, 0, f"AZ {az}°  EL {el}°", ink)
+            mark = "~" if view.modelled else " "
+            skew = f"  SK{skew_text(view)}" if has_skew(view) else ""
+            cells.put(1, 0, f"AZ{mark}{az}°  EL{mark}{el}°{skew}"[: cells.width - 1], ink)
             return 1
         large = rows == 5
         az = " --.-- " if position is None else angle_text(position.az_deg, 3) + "°"
@@ -110,6 +116,7 @@ class PocketReading(Pane):
         start_el = 1 + LABEL + wide + 1 + max(0, min(6, spare))
         put_big(cells, 1 + LABEL, 0, az.rstrip(), ink, large=large)
         put_big(cells, start_el + LABEL, 0, el, ink, large=large)
-        cells.put(1, rows // 2, "AZ", "dim")
-        cells.put(start_el, rows // 2, "EL", "dim")
+        mark = "~" if view.modelled else ""
+        cells.put(1, rows // 2, f"AZ{mark}", "dim")
+        cells.put(start_el, rows // 2, f"EL{mark}", "dim")
         return rows

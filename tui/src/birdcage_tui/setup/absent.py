@@ -21,6 +21,7 @@ class AbsentSetup:
     current = _ONLY.name
     area_clear = False
     finished = False
+    begin_anew = ""
 
     def causes(self) -> tuple[Cause, ...]:
         """Return nothing: no port was tried."""

@@ -140,6 +140,9 @@ class SetupBody(SetupLayout):
         if not self.is_attached or not self.views or not self.size:
             return
         self.engine.tick()
+        if self.engine.begin_anew:
+            self.host.begin_anew()
+            return
         self.views = self.engine.steps()
         if self.engine.current != self.present:
             self.follow_soon()

@@ -22,6 +22,10 @@ class SetupEngine(Protocol):
         """The name of the present step."""
 
     @property
+    def begin_anew(self) -> str:
+        """The firmware that a person has chosen instead of the one spoken; empty while that is the right one."""
+
+    @property
     def area_clear(self) -> bool:
         """Whether a person has said that the area is clear."""
 

@@ -28,5 +28,8 @@ class SetupHost(Protocol):
     def show_page(self, name: str) -> None:
         """Show another page."""
 
+    def begin_anew(self) -> None:
+        """End, and begin again with the settings as they are then."""
+
     def action_command(self, name: str) -> None:
         """Do a command of the table, or say why not."""

@@ -15,7 +15,7 @@ _WAYS = {"T": "◀──", "R": "──▶"}
 
 def connectors_for(firmware: str | None) -> tuple[Connector, ...]:
     """Return the plugs to show: that of a known dish, or all."""
-    own = tuple(each for each in CONNECTORS if each.key == firmware)
+    own = tuple(each for each in CONNECTORS if firmware in each.firmwares)
     return own or CONNECTORS
 
 
