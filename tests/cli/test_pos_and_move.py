@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import re
+from datetime import UTC, datetime
 
 import pytest
 from birdcage.cli.say import position_lines
+from birdcage.station.state import Pointing
 
 
-@pytest.mark.parametrize(("az", "el", "shown"), [
-    (180.0, 45.0, "AZ: 180.0\nEL: 45.0"), (0.004, 45.126, "AZ: 0.0\nEL: 45.13"), (359.999, -0.001, "AZ: 0.0\nEL: 0.0"),
+@pytest.mark.parametrize(("az", "el", "sk", "shown"), [
+    (180.0, 45.0, None, "AZ: 180.0\nEL: 45.0"), (0.004, 45.126, None, "AZ: 0.0\nEL: 45.13"),
+    (359.999, -0.001, None, "AZ: 0.0\nEL: 0.0"), (8.12, 34.7, -0.001, "AZ: 8.12\nEL: 34.7\nSK: 0.0"),
 ])  # fmt: skip
-def test_a_position_looks_as_documented(az, el, shown) -> None:
-    assert position_lines(az, el) == shown
+def test_a_position_looks_as_documented(az, el, sk, shown) -> None:
+    assert position_lines(Pointing(az, el, az, el, 0.0, datetime(2026, 3, 20, tzinfo=UTC), None, sk)) == shown
 
 
 def test_pos_prints_two_lines_and_asks_the_dish_once(run, pty_dish) -> None:
@@ -23,7 +26,7 @@ def test_pos_prints_two_lines_and_asks_the_dish_once(run, pty_dish) -> None:
 
 def test_pos_in_json_says_that_the_dish_is_simulated(run, as_json) -> None:
     assert as_json(run("pos", "--json")) == {
-        "azimuth_deg": 0.0, "elevation_deg": 45.0, "port": "sim:g2", "demo": True,
+        "azimuth_deg": 0.0, "elevation_deg": 45.0, "skew_deg": None, "port": "sim:g2", "demo": True,
     }  # fmt: skip
 
 

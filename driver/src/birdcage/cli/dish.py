@@ -167,6 +167,13 @@ class Dish:
         return None
 
 
+def how_to_home(state: StationState) -> str:
+    """Return what makes a dish know where it is, in a sentence."""
+    if state.dish is not None and state.dish.homing_s is None:
+        return "It homes only by itself, at power-up: switch it off and on, and wait with `birdcage init`."
+    return "`birdcage home` homes it."
+
+
 @contextmanager
 def open_dish(wanted: Wanted, *, moves: bool = False, survey: bool = True) -> Iterator[Dish]:
     """Open the dish for one command, and close it whatever happens.

@@ -11,7 +11,7 @@ OK = 0
 NOT_DONE = 1
 """The dish did not do it: did not arrive, refused the command, was stopped, or did not confirm a STOP."""
 USAGE = 2
-"""The command line or the settings are wrong."""
+"""The command line or the settings are wrong, among them `--firmware` where the console is another one's."""
 LINK = 3
 """The port is missing, busy or forbidden, or nothing answers there."""
 REFUSED = 4
@@ -22,7 +22,7 @@ SIGNAL = 128
 """Plus the signal's number: 130 after Ctrl+C."""
 
 EPILOG = (
-    "Exit status: 0 done; 1 the dish did not do it; 2 wrong command line or settings; 3 no link to the dish; "
+    "Exit status: 0 done; 1 the dish did not do it; 2 wrong command line, settings or firmware; 3 no link to the dish; "
     "4 refused by a limit or an unknown position, nothing was sent; 70 a fault of birdcage; "
     "128 + n ended by signal n (130: Ctrl+C), after STOP."
 )
@@ -32,7 +32,7 @@ def code_of(error: BirdcageError) -> int:
     """Return the exit code for an error."""
     from birdcage.base.errors import ConfigError, LinkError, MotionRefused, NoReply
 
-    if isinstance(error, ConfigError):
+    if isinstance(error, ConfigError) or error.reason == "wrong_firmware":
         return USAGE
     if isinstance(error, LinkError | NoReply) or error.reason == "link":
         return LINK

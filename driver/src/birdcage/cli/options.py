@@ -11,6 +11,7 @@ import click
 if TYPE_CHECKING:
     from birdcage.base.config import Settings
     from birdcage.base.paths import Paths
+    from birdcage.station.known import DishModel
 
 DEFAULT_PORT = "/dev/ttyUSB0"
 DEFAULT_FIRMWARE = "hal205"
@@ -46,6 +47,13 @@ class Wanted:
     baud: int | None
     settings: Settings
     paths: Paths
+
+    @property
+    def model(self) -> DishModel | None:
+        """What that firmware drives; None for one that this version does not speak."""
+        from birdcage.station.known import list_models
+
+        return next((model for model in list_models() if model.firmware == self.firmware), None)
 
 
 def flags() -> Flags:

@@ -6,6 +6,10 @@ import contextlib
 import json
 import sys
 from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from birdcage.station.state import Pointing
 
 
 def say(sentence: str) -> None:
@@ -24,9 +28,20 @@ def tell_json(value: Mapping[str, object] | Sequence[object]) -> None:
     tell(json.dumps(value, ensure_ascii=False))
 
 
-def position_lines(az_deg: float, el_deg: float) -> str:
-    """Return a position as the API document shows it: at least one decimal, at most two."""
-    return f"AZ: {round(az_deg, 2) % 360.0 + 0.0}\nEL: {round(el_deg, 2) + 0.0}"
+def position_lines(position: Pointing) -> str:
+    """Return a position as the API document shows it: at least one decimal, at most two; `SK:` if it has a skew."""
+    lines = f"AZ: {round(position.az_deg, 2) % 360.0 + 0.0}\nEL: {round(position.el_deg, 2) + 0.0}"
+    return lines if position.skew_deg is None else f"{lines}\nSK: {round(position.skew_deg, 2) + 0.0}"
+
+
+def position_values(position: Pointing) -> dict[str, object]:
+    """Return the same for JSON; `skew_deg` is null on a dish without that axis."""
+    skew_deg = position.skew_deg
+    return {
+        "azimuth_deg": round(position.az_deg, 3),
+        "elevation_deg": round(position.el_deg, 3),
+        "skew_deg": None if skew_deg is None else round(skew_deg, 3),
+    }
 
 
 class Progress:

@@ -62,8 +62,9 @@ class Talk:
         _tell(KEYS)
         self._wait_for_the_port()
         try:
-            while True:
+            while not self._setup.begin_anew:
                 self._turn()
+            return False
         except Left:
             return self._setup.finished
 
@@ -96,7 +97,11 @@ class Talk:
         skipped = [each.title for each in self._setup.steps() if each.mark is Mark.SKIPPED]
         left = f", but for {', '.join(skipped)} (skipped)" if skipped else ""
         _tell(f"The setup is complete{left}: q leaves, l lists all of it.", 3)
-        _tell("After each power-up home the dish: `birdcage home`, or H in the app.", 3)
+        model = self._dish.state.dish
+        if model is not None and model.homing_s is None:
+            _tell("After each power-up wait until it has homed: `birdcage init` does, and ends its TV search.", 3)
+        else:
+            _tell("After each power-up home the dish: `birdcage home`, or H in the app.", 3)
 
     @staticmethod
     def _shape(view: StepView) -> object:

@@ -33,6 +33,8 @@ class Bench:
         self.ports, self.system = ports, system
         self._environ = os.environ if environ is None else environ
         self._flags = dict(flags or {})
+        self.begin_anew = ""
+        """The firmware to speak instead, once a person has said that it is another dish; empty otherwise."""
         self.completed: set[str] = set()
         """Names of steps that were done since the engine looked last."""
 

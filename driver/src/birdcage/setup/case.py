@@ -41,11 +41,19 @@ class Case:
     """Whether the boot text of the dish has come, and nobody has acknowledged that yet."""
     firmware_baud: int | None = None
     """The rate of the firmware that was chosen; None where none was."""
+    boot_s: float | None = None
+    """The longest that its boot takes; None where it is not known which one it is."""
 
     @property
     def answered_before(self) -> bool:
         """Whether the dish has answered since the program started: then the wires were right."""
         return self.link.last_reply is not None
+
+    @property
+    def patience(self) -> str:
+        """How long a dish that starts is waited for, in words."""
+        minutes = 3 if self.boot_s is None else max(1, round(self.boot_s / 60))
+        return {3: "three minutes", 15: "fifteen minutes"}.get(minutes, f"{minutes} minutes")
 
     @property
     def sets_rate(self) -> bool:

@@ -28,7 +28,7 @@ from birdcage.station.session import Session
 
 CLEAR_QUESTION = (
     "The dish is about to move by motor, and homing turns it through its whole range. Is its area clear of people, "
-    "animals and things, the cable free, and a hand near the 12 V switch?"
+    "animals and things, the cable free, and a hand near its power switch?"
 )
 """To be answered with yes once a run, before anything that moves is taken."""
 
@@ -88,6 +88,14 @@ class Setup:
         """Return one step. NoSuchChoice for a name that is none."""
         step = self._known(name)
         return step.view(NAMES.index(name) + 1)
+
+    @property
+    def begin_anew(self) -> str:
+        """The firmware that a person has chosen instead of the one spoken; empty while it is the right one.
+
+        It is kept in birdcage.toml, and needs a new session and a new `Setup`: the face closes these, and goes on.
+        """
+        return self._bench.begin_anew
 
     @property
     def area_clear(self) -> bool:

@@ -11,7 +11,9 @@ RATES_NAMED = 3
 """Rates that are listed one by one; of more, their number is told."""
 DRAWING = "`birdcage wiring` draws the plug."
 
-_POWER_CYCLE = "Switch the dish's power off, wait ten seconds, switch it on, and give it three minutes to start."
+
+def _power_cycle(case: Case) -> str:
+    return f"Switch the dish's power off, wait ten seconds, switch it on, and give it {case.patience} to start."
 
 
 def prompt(case: Case) -> list[Cause]:
@@ -37,7 +39,7 @@ def text(case: Case) -> list[Cause]:
     starting = "No prompt yet: a dish that starts prints what it does, homes, and only then answers."
     return [
         *causes,
-        Cause("The dish is starting", f"{quoted} {starting}", "Wait up to three minutes.", likely=not causes),
+        Cause("The dish is starting", f"{quoted} {starting}", f"Wait up to {case.patience}.", likely=not causes),
         Cause(
             "Something else is on this port", f"{quoted} A modem or a GPS receiver talks like that too.",
             "Compare the text. `birdcage ports` lists the other ports.", likely=False,
@@ -94,7 +96,7 @@ def echo(case: Case) -> list[Cause]:
         Cause(
             "The dish's shell is deadlocked",
             f"{seen} {taken}",
-            f"Nothing sent can end that. {_POWER_CYCLE}",
+            f"Nothing sent can end that. {_power_cycle(case)}",
             likely=one_of_many or case.answered_before,
         ),
     ]
@@ -107,13 +109,13 @@ def silence(case: Case) -> list[Cause]:
     starting = Cause(
         "The dish is starting",
         "Its boot text came." if case.restarted else f"{seen} After power-up it is silent while it homes.",
-        "Wait up to three minutes." + ("" if case.restarted else " Then listen again."),
+        f"Wait up to {case.patience}." + ("" if case.restarted else " Then listen again."),
         likely=case.restarted or not before,
     )
     causes = [
         _wrong_rate(case, seen),
         Cause(
-            "The dish has no power", seen, "Is 12 V on at the dish, and does its lamp or its motor show it?",
+            "The dish has no power", seen, "Is its power on, and does its lamp or its motor show it?",
             likely=True,
         ),
         Cause(
@@ -131,7 +133,7 @@ def silence(case: Case) -> list[Cause]:
             "The dish's shell is deadlocked",
             f"{seen} " + ("It has answered before. " if before else "")
             + "Some commands end its shell for good: a scan while it is not homed, perhaps a `q` at its root menu.",
-            f"Nothing sent can end that. {_POWER_CYCLE}", likely=before,
+            f"Nothing sent can end that. {_power_cycle(case)}", likely=before,
         ),
     ]  # fmt: skip
     if not case.restarted:

@@ -48,6 +48,8 @@ class Connector:
     supported_by: str
     """Where the order of the pins comes from."""
     notes: tuple[str, ...]
+    firmwares: tuple[str, ...] = ()
+    """What runs behind this plug, as `--firmware` has it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,6 +93,7 @@ CONNECTORS = (
             _G2_DISAGREEMENT,
             "At 9600, 19200, 38400 and 57600 baud a G2 is silent.",
         ),
+        ("g2",),
     ),
     Connector(
         "travler",
@@ -111,6 +114,7 @@ CONNECTORS = (
             _TRAVLER_DISAGREEMENT,
             "The Carryout's socket is on the control board, under the radome.",
         ),
+        ("hal205", "hal000"),
     ),
     Connector(
         "pro",
@@ -139,7 +143,8 @@ CAUTIONS = (
 SYMPTOMS = (
     Symptom(
         Saw.SILENCE, "no power at the dish, plug out, shell deadlocked, or the dish is still starting",
-        "look at 12 V and at the plug; switch off and on; wait three minutes", "several owners",
+        "look at the power and at the plug; switch off and on; wait three minutes, for a Trav'ler fifteen",
+        "several owners",
     ),
     Symptom(Saw.SILENCE, "TX+ and TX- are swapped", "swap the two wires of the TX pair", "an earlier project, on a G2"),
     Symptom(Saw.SILENCE, "wrong baud rate", "listen at the other rates", "an earlier project, on a G2"),

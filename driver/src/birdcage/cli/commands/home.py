@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from birdcage.cli.exits import EPILOG
-from birdcage.cli.options import flags, global_options, wanted
+from birdcage.cli.options import Wanted, flags, global_options, wanted
 
 if TYPE_CHECKING:
     from birdcage.station.events import Event
@@ -27,18 +27,20 @@ def command(axis: str | None, yes: bool) -> None:
     """
     from birdcage.base.errors import PositionUnknown
     from birdcage.cli.dish import open_dish
-    from birdcage.cli.say import position_lines, say, tell, tell_json
+    from birdcage.cli.say import position_lines, position_values, say, tell, tell_json
     from birdcage.station.events import ActivityChanged
     from birdcage.station.requests import Home
     from birdcage.station.state import Activity
 
+    dish_wanted = wanted()
+    _refuse_if_by_itself(dish_wanted)
     _confirm(axis, yes)
 
     def hear(event: Event) -> None:
         if isinstance(event, ActivityChanged) and event.activity is Activity.HOMING:
             say(f"Homing the {event.text}. Cut the power of the dish to stop it.")
 
-    with open_dish(wanted(), moves=True) as dish:
+    with open_dish(dish_wanted, moves=True) as dish:
         model = dish.come_up(15.0).dish
         assert model is not None, "a station knows its dish from the start"
         axes = {None: (), "az": (model.azimuth.index,), "el": (model.elevation.index,)}[axis]
@@ -48,9 +50,22 @@ def command(axis: str | None, yes: bool) -> None:
     if position is None or state.position_lost is not None:
         raise PositionUnknown("The dish still does not know where it is: home the other axis too.", reason="unhomed")
     if flags().json:
-        tell_json({"azimuth_deg": position.az_deg, "elevation_deg": position.el_deg, "demo": state.demo})
+        tell_json({**position_values(position), "demo": state.demo})
     else:
-        tell(position_lines(position.az_deg, position.el_deg))
+        tell(position_lines(position))
+
+
+def _refuse_if_by_itself(dish: Wanted) -> None:
+    """Raise MotionRefused for a firmware that has no command for it: nothing is opened, nothing asked."""
+    from birdcage.base.errors import MotionRefused
+
+    model = dish.model
+    if model is not None and model.homing_s is None:
+        raise MotionRefused(
+            f"The {model.name} homes only by itself, at power-up: switch it off and on, and wait with "
+            f"`birdcage init --firmware {model.firmware}`.",
+            reason="unsupported",
+        )
 
 
 def _confirm(axis: str | None, yes: bool) -> None:

@@ -13,8 +13,11 @@ from birdcage.cli.options import flags, global_options, wanted
 if TYPE_CHECKING:
     from birdcage.cli.dish import Dish
     from birdcage.station.events import Event
+    from birdcage.station.known import DishModel
 
 HOLDER = "birdcage init"
+PATIENCE_S = 180.0
+"""How long a dish is waited for of which not even the model is known."""
 
 DISABLE = (
     "This saves NVS 20 (Disable Tracker Proc) as TRUE in the dish, after a copy of its whole table was kept here. "
@@ -27,33 +30,59 @@ RESTORE = (
     "From the next power-up on the dish homes by itself and searches for TV satellites: it moves without being asked."
 )
 
+SEARCHES = {
+    "off until power-up": "Its TV search is ended, until the dish is next switched on: run this again then.",
+    "running": "Its TV search runs and moves the dish.",
+    "off": "Its TV search is off.",
+    "unknown": "What its TV search does is not known.",
+}
+"""What is said of a search that can only be ended while it runs."""
+
 
 @click.command("init", epilog=EPILOG)
-@click.option("--disable-search", "switch", flag_value="disable", help="Switch the TV search off for good.")
-@click.option("--restore-search", "switch", flag_value="restore", help="Walk that back.")
+@click.option(
+    "--disable-search",
+    "switch",
+    flag_value="disable",
+    help="Switch the TV search off: on a G2 for good, on a Trav'ler until power-up (done anyway).",
+)
+@click.option("--restore-search", "switch", flag_value="restore", help="Walk that back, where it was for good.")
 @click.option("--yes", is_flag=True, help="Do not ask before the dish's settings are written.")
-@click.option("--timeout", "timeout_s", type=click.FloatRange(1.0, 3600.0), default=180.0, show_default=True,
-              help="Seconds to wait for the dish.")  # fmt: skip
+@click.option(
+    "--timeout",
+    "timeout_s",
+    type=click.FloatRange(1.0, 3600.0),
+    help="Seconds to wait for the dish.  [default: as long as its boot may take]",
+)
 @global_options()
-def command(switch: str | None, yes: bool, timeout_s: float) -> None:
+def command(switch: str | None, yes: bool, timeout_s: float | None) -> None:
     """Wait until the dish answers, then say how it is and what its TV search does.
 
-    A dish that has been up for long answers at once; the boot of one just switched on is shown as it goes. Nothing
-    moves. Ctrl+C ends it.
+    A dish that has been up for long answers at once; the boot of one just switched on is shown as it goes. The TV
+    search of a Trav'ler is ended, which lasts until its next power-up; that of a G2 is left alone unless asked for.
+    Nothing is moved. Ctrl+C ends it.
     """
     from birdcage.cli.dish import open_dish
     from birdcage.cli.say import say, tell_json
     from birdcage.station.report import status_report
 
-    if switch is not None:
+    dish_wanted = wanted()
+    at_once = _ends_at_once(dish_wanted.model)
+    if switch == "restore" and at_once:
+        raise click.UsageError("Nothing switches this dish's TV search off for good: it begins at each power-up.")
+    if switch is not None and not at_once:
         _confirm(DISABLE if switch == "disable" else RESTORE, yes)
-    with open_dish(wanted()) as dish:
+    if timeout_s is None:
+        timeout_s = PATIENCE_S if dish_wanted.model is None else dish_wanted.model.boot_s
+    with open_dish(dish_wanted) as dish:
         follower = Follower(dish)
         dish.come_up(timeout_s, patient=True, hear=follower.hear, each_time=follower.show)
         dish.survey()
         dish.progress.clear()
+        if at_once:
+            _end_search(dish, booted=follower.booted)
         _describe(dish)
-        if switch is not None:
+        if switch is not None and not at_once:
             _switch(dish, disabled=switch == "disable", booted=follower.booted)
         report = status_report(dish.state, dish.now)
     if flags().json:
@@ -92,6 +121,7 @@ class Follower:
 
 
 def _describe(dish: Dish) -> None:
+    from birdcage.cli.dish import how_to_home
     from birdcage.cli.say import say
     from birdcage.station.state import Activity
 
@@ -101,9 +131,14 @@ def _describe(dish: Dish) -> None:
     if state.activity is Activity.MOVING_UNASKED:
         say("It moves, though nobody asked: its own TV search, or homing after power-up. Keep clear of it.")
     elif state.homed is False:
-        say("It is not homed, so it does not know where it is: run `birdcage home`.")
+        say(f"It is not homed, so it does not know where it is. {how_to_home(state)}")
     elif state.position is not None and state.position_lost is None:
-        say(f"It points at AZ {state.position.az_deg:.2f}° EL {state.position.el_deg:.2f}°.")
+        at = state.position
+        skew = "" if at.skew_deg is None else f" SK {at.skew_deg:.2f}°"
+        say(f"It points at AZ {at.az_deg:.2f}° EL {at.el_deg:.2f}°{skew}.")
+    if _ends_at_once(state.dish):
+        say(SEARCHES[state.search.value])
+        return
     tracker = state.readings.get("nvs.20")
     if tracker is None:
         say("What its TV search does is not known.")
@@ -116,14 +151,35 @@ def _describe(dish: Dish) -> None:
         )
 
 
-def _switch(dish: Dish, *, disabled: bool, booted: bool) -> None:
-    from birdcage.cli.say import say
-    from birdcage.station.requests import AcknowledgeFault, Release, SetSearch
+def _ends_at_once(model: DishModel | None) -> bool:
+    """Return whether the TV search is ended while it runs, and by no setting."""
+    from birdcage.station.known import SearchSwitch
+
+    return model is not None and model.search_switch is SearchSwitch.UNTIL_POWER_UP
+
+
+def _end_search(dish: Dish, *, booted: bool) -> None:
+    from birdcage.station.requests import SetSearch
 
     if booted:
-        # The restart that a station holds for is here what was waited for.
-        dish.ask(AcknowledgeFault(HOLDER), 5.0)
-        dish.ask(Release(HOLDER), 5.0)
+        _release(dish)
+    dish.ask(SetSearch(HOLDER, disabled=True), 60.0)
+
+
+def _release(dish: Dish) -> None:
+    """Let go of what a restart has latched: here it was waited for."""
+    from birdcage.station.requests import AcknowledgeFault, Release
+
+    dish.ask(AcknowledgeFault(HOLDER), 5.0)
+    dish.ask(Release(HOLDER), 5.0)
+
+
+def _switch(dish: Dish, *, disabled: bool, booted: bool) -> None:
+    from birdcage.cli.say import say
+    from birdcage.station.requests import SetSearch
+
+    if booted:
+        _release(dish)
     backup = dish.ask(SetSearch(HOLDER, disabled), 60.0)
     say(f"The dish's settings as they were are kept in {backup}.")
     say(f"NVS 20 is saved as {'TRUE' if disabled else 'FALSE'}. Now switch the dish off and on.")

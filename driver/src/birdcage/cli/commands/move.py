@@ -32,7 +32,7 @@ def command(
 ) -> None:  # fmt: skip
     """Point the dish, and wait until it is there. Ctrl+C stops it."""
     from birdcage.cli.dish import open_dish
-    from birdcage.cli.say import position_lines, tell, tell_json
+    from birdcage.cli.say import position_lines, position_values, tell, tell_json
     from birdcage.station.requests import Goto
     from birdcage.station.state import Pointing
 
@@ -49,26 +49,21 @@ def command(
         arrived = dish.ask(request, timeout_s, Shown(dish))
     assert isinstance(arrived, Pointing), "a go-to resolves with the position at arrival"
     if flags().json:
-        tell_json(
-            {
-                "azimuth_deg": round(arrived.az_deg, 3),
-                "elevation_deg": round(arrived.el_deg, 3),
-                "demo": dish.state.demo,
-            }
-        )
+        tell_json({**position_values(arrived), "demo": dish.state.demo})
     else:
-        tell(position_lines(arrived.az_deg, arrived.el_deg))
+        tell(position_lines(arrived))
 
 
 def _beyond(dish: Dish, az_deg: float, el_deg: float) -> tuple[float, float]:
     """Apply the fixed overshoot of document 003 against the position that was just read."""
     from birdcage.base.errors import PositionUnknown
+    from birdcage.cli.dish import how_to_home
     from birdcage.cli.say import say
     from birdcage.leapfrog import apply_leapfrog
 
     position = dish.state.position
     if position is None or dish.state.position_lost is not None:
-        raise PositionUnknown("--leapfrog needs to know where the dish is. `birdcage home` homes it.")
+        raise PositionUnknown(f"--leapfrog needs to know where the dish is. {how_to_home(dish.state)}")
     beyond = apply_leapfrog(az_deg, el_deg, position.az_deg, position.el_deg)
     if beyond != (az_deg, el_deg):
         say(f"Leap-frog: aiming at AZ {beyond[0]:.2f}° EL {beyond[1]:.2f}°.")
@@ -107,6 +102,8 @@ class Shown:
 
         if isinstance(event, MoveProgress):
             at = event.position
+            mark = "~" if at.modelled else " "
             self._progress.show(
-                f"AZ {at.az_deg:6.2f}° EL {at.el_deg:5.2f}°  {event.to_go_deg:.2f}° to go, {event.left_s:.1f} s"
+                f"AZ{mark}{at.az_deg:6.2f}° EL{mark}{at.el_deg:5.2f}°  "
+                f"{event.to_go_deg:.2f}° to go, {event.left_s:.1f} s{', modelled' if at.modelled else ''}"
             )

@@ -33,34 +33,45 @@ def command(listing: bool, step: str | None) -> None:
     from birdcage.cli.say import say
     from birdcage.cli.talk import Answers, Talk
 
-    dish_wanted = _with_firmware(wanted())
+    dish_wanted = wanted()
+    dish_wanted = _with_firmware(dish_wanted, detect=not listing and not flags().json)
     if listing or flags().json:
         _print(dish_wanted)
         return
     if not sys.stdin.isatty():
         raise click.UsageError("The setup asks questions, and there is no terminal to answer on. --list needs none.")
-    with open_dish(dish_wanted, moves=True) as dish:
-        setup = _setup(dish.session, dish_wanted)
-        if step is not None:
-            setup.go(step)
-        try:
-            finished = Talk(setup, dish, Answers(sys.stdin)).run()
-        finally:
-            setup.close()
-        say("The setup is complete." if finished else "Left. Run `birdcage setup` again to go on where it was.")
+    answers = Answers(sys.stdin)
+    while True:
+        with open_dish(dish_wanted, moves=True) as dish:
+            setup = _setup(dish.session, dish_wanted)
+            if step is not None:
+                setup.go(step)
+            try:
+                finished = Talk(setup, dish, answers).run()
+            finally:
+                setup.close()
+            firmware = setup.begin_anew
+        if not firmware:
+            break
+        # Another dish than was thought: its firmware is kept by now, and counts over what was given at the start.
+        for name in ("firmware", "baud"):
+            flags().values.pop(name, None)
+        dish_wanted = replace(wanted(), firmware=firmware, firmware_given=True)
+        say(f"Beginning again, speaking {firmware}.")
+    say("The setup is complete." if finished else "Left. Run `birdcage setup` again to go on where it was.")
 
 
-def _with_firmware(dish: Wanted) -> Wanted:
-    """Take the only firmware there is, when none was named: a new user can't know its name."""
-    from birdcage.base.errors import ConfigError
-    from birdcage.station.known import list_firmwares
-
-    if dish.firmware_given:
+def _with_firmware(dish: Wanted, *, detect: bool) -> Wanted:
+    """Listen which firmware answers, when none was named: a new user can't know its name."""
+    if dish.firmware_given or not detect:
         return dish
-    known = list_firmwares()
-    if len(known) > 1:
-        raise ConfigError(f"Say which firmware the dish has: --firmware with one of {', '.join(known)}.")
-    return replace(dish, firmware=known[0], firmware_given=True)
+    from birdcage.base.clock import RealClock
+    from birdcage.cli.say import say
+    from birdcage.station.detecting import detect_firmware
+
+    found = detect_firmware(dish.port, RealClock(), baud=dish.baud, tell=say)
+    say(found.sentence)
+    return dish if found.firmware is None else replace(dish, firmware=found.firmware, firmware_given=True)
 
 
 def _setup(session: Session, dish: Wanted) -> Setup:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from birdcage.setup.step import Choice
 from birdcage.setup.steps.base import Step
+from birdcage.setup.steps.firmware import OTHER, other_firmwares, speak_another
 
 
 class DishStep(Step):
@@ -34,14 +35,22 @@ class DishStep(Step):
         return (f"Asking the {name} for its version and settings: some seconds after it answers. Nothing moves.",)
 
     def choices(self) -> tuple[Choice, ...]:
-        """For a dish that does not tell: take it for what it was spoken to as."""
+        """For a dish that does not tell: take it for what it was spoken to as; or it is another one."""
         model = self.bench.state.dish
-        if not self.bench.is_up or model is None or self._told():
+        if not self.bench.is_up or model is None:
+            return other_firmwares(self.bench)
+        if self._told():
             return ()
-        return (Choice("keep", "k", f"Do not wait: it is a {model.name} ({model.firmware})"),)
+        return (
+            *other_firmwares(self.bench),
+            Choice("keep", "k", f"Do not wait: it is a {model.name} ({model.firmware})"),
+        )
 
     def take(self, choice: str, values: Mapping[str, str]) -> None:  # noqa: ARG002 - a step's signature
-        """Keep the firmware without a version."""
+        """Keep the firmware without a version, or speak another one."""
+        if choice.startswith(OTHER):
+            speak_another(self.bench, choice)
+            return
         model = self.bench.state.dish
         assert model is not None, "the choice is only there with a model"
         self.bench.done(self.name, f"{model.name}, version not read", {"dish.firmware": model.firmware})

@@ -21,7 +21,14 @@ class HomeStep(Step):
     def proven(self) -> bool | None:
         """Only the dish knows, and what it says counts."""
         state = self.bench.state
-        return self.bench.is_up and state.homed is True and state.position_lost is None
+        homed = state.homed is not False and state.position is not None if self._by_itself else state.homed is True
+        return self.bench.is_up and homed and state.position_lost is None
+
+    @property
+    def _by_itself(self) -> bool:
+        """Whether the dish homes at power-up, and by no command."""
+        model = self.bench.state.dish
+        return model is not None and model.homing_s is None
 
     def evidence(self) -> str:
         """Say where it stands."""
@@ -29,7 +36,8 @@ class HomeStep(Step):
         if not self.bench.is_up:
             return "not known before the dish answers"
         if self.proven and state.position is not None:
-            return f"homed, now at AZ {state.position.az_deg:.2f} EL {state.position.el_deg:.2f}"
+            how = "homed by itself at power-up" if self._by_itself else "homed"
+            return f"{how}, now at AZ {state.position.az_deg:.2f} EL {state.position.el_deg:.2f}"
         if state.activity is Activity.HOMING:
             return f"homing the {state.activity_text}"
         return "not homed: it does not know where it is" if state.homed is False else "not known yet"
@@ -37,15 +45,28 @@ class HomeStep(Step):
     def words(self) -> tuple[str, ...]:
         """Name the consequence."""
         model = self.bench.state.dish
+        if model is not None and self._by_itself:
+            return (*self._wait(model.boot_s), *self.trouble())
         words = ["Turns through its whole range, knocks at its stops, ~20 s. Keep its swing clear."]
         if model is None or not model.homing_stoppable:
             words.append("Homing cannot be stopped from here: keep a hand on the 12 V switch.")
         return (*words, *self.trouble())
 
+    def _wait(self, boot_s: float) -> tuple[str, ...]:
+        """Say that there is nothing to press: the power switch homes it."""
+        if self.proven:
+            return ("This dish homes by itself at power-up, and has done so. There is no command for it.",)
+        return (
+            "This dish homes by itself at power-up; there is no command for it.",
+            f"Switch it off and on, keep its swing clear, and wait: up to {boot_s / 60:.0f} min with its TV search.",
+        )
+
     def choices(self) -> tuple[Choice, ...]:
-        """Home it, once it answers."""
+        """Home it, once it answers; where it homes by itself there is nothing to press."""
         if not self.bench.is_up:
             return ()
+        if self._by_itself:
+            return self.release_choice()
         label = "Home again" if self.proven else "Area is clear: home"
         return (*self.release_choice(), Choice("home", "h" if self.proven else "enter", label, moves=True))
 

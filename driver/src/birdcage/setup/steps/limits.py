@@ -18,6 +18,11 @@ _KEYS = {
 """By field: the key of `[motion]`, its label, and what may be typed."""
 
 
+READ = {"g2": (101, 102), "hal205": (125, 127), "hal000": (125, 127)}
+"""By firmware: the settings of the dish that hold its limits. Of the HAL family both are floors: that of the search and
+the safe one (reference sections 3 and 7.5)."""
+
+
 class LimitsStep(Step):
     """The dish's own, read from it; a person's only where they are narrower."""
 
@@ -33,8 +38,7 @@ class LimitsStep(Step):
         if state.dish is None or state.el_min_deg is None or state.el_max_deg is None:
             return "not known yet"
         offset = state.el_offset_deg
-        read = {"nvs.101", "nvs.102"} <= set(state.readings)
-        origin = "read from the dish" if read else "of the model: this dish was not read"
+        origin = self._origin()
         own = self.bench.settings.motion
         if own.min_elevation_deg is not None or own.max_elevation_deg is not None:
             origin += ", narrowed by yours"
@@ -45,6 +49,18 @@ class LimitsStep(Step):
         low = cable.min_deg if own.cable_min_deg is None else max(cable.min_deg, own.cable_min_deg)
         high = cable.max_deg if own.cable_max_deg is None else min(cable.max_deg, own.cable_max_deg)
         return f"{text}; cable {low:+.0f}..{high:+.0f}"
+
+    def _origin(self) -> str:
+        """Say where floor and ceiling come from: each dish keeps them under numbers of its own, or keeps none."""
+        state = self.bench.state
+        kept = [number for number in READ.get(state.dish.firmware if state.dish else "", ())
+                if f"nvs.{number}" in state.readings]  # fmt: skip
+        if not kept:
+            return "of the model: this dish was not read"
+        if state.dish is not None and state.dish.firmware == "g2":
+            return "read from the dish" if len(kept) == len(READ["g2"]) else "of the model: this dish was not read"
+        told = ", ".join(f"NVS {number} is {state.readings[f'nvs.{number}'].value}" for number in kept)
+        return f"floor read from the dish: {told}"
 
     def words(self) -> tuple[str, ...]:
         """Ask for what the dish can't know."""

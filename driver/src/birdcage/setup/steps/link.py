@@ -10,6 +10,7 @@ from birdcage.setup.case import Case, Cause, describe
 from birdcage.setup.causes import find_causes
 from birdcage.setup.step import Choice, Field, Mark, NoSuchChoice
 from birdcage.setup.steps.base import Plan, Step
+from birdcage.setup.steps.firmware import OTHER, other_firmwares, speak_another
 from birdcage.station.finding import BaudFinding, Saw
 from birdcage.station.known import PortInfo, SystemFacts
 from birdcage.station.requests import Connect, ProbePort
@@ -103,7 +104,7 @@ class LinkStep(Step):
         state = self.bench.state
         if state.link.state is Link.UP:
             return (f"A dish answers on {_short(state.port)}.",)
-        words = ["Choose the port that the RS-422 adapter has. Nothing is sent to the others."]
+        words = ["Choose the port that the RS-422/485 adapter has. Nothing is sent to the others."]
         if self.busy:
             words = ["Nothing moves by this."]
         elif state.link.state is Link.SILENT:
@@ -123,10 +124,11 @@ class LinkStep(Step):
         if state.link.state not in (Link.SILENT, Link.LOST) or self._boots:
             return ()
         baud = state.dish.baud if state.dish else None
+        boot_s = state.dish.boot_s if state.dish else None
         return find_causes(
             Case(
                 state.port, state.link, self.findings, self._system, tuple(self._ports), firmware_baud=baud,
-                restarted=state.fault is not None and state.fault.reason == "reboot",
+                boot_s=boot_s, restarted=state.fault is not None and state.fault.reason == "reboot",
             )
         )  # fmt: skip
 
@@ -145,6 +147,8 @@ class LinkStep(Step):
         for key, info in enumerate(self._ports[:MOST_PORTS], 1):
             maker = "" if info.vid_pid is None else f", {_MAKERS.get(info.vid_pid[:4], info.description or '')}"
             choices.append(Choice(f"port-{key}", str(key), f"{info.device}{maker}"))
+        if state.link.state is Link.SILENT:
+            choices += other_firmwares(self.bench)
         field = Field("port", "port", hint="/dev/ttyUSB0, COM4, socket://host:port", value=state.port)
         baud = Field("baud", "speed", "baud", "empty: the firmware's own")
         return (*choices, Choice("other", "t", "Type a port", fields=(field, baud)))
@@ -161,6 +165,8 @@ class LinkStep(Step):
         """Change over, or listen."""
         if choice == "keep":
             self._keep()
+        elif choice.startswith(OTHER):
+            speak_another(self.bench, choice)
         elif choice == "probe":
             self.begin(self._probe(), "listening at several speeds, some seconds each")
         elif choice == "connect":

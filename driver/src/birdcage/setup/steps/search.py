@@ -7,8 +7,17 @@ from pathlib import Path
 
 from birdcage.setup.step import Choice
 from birdcage.setup.steps.base import Plan, Step
+from birdcage.station.known import SearchSwitch
 from birdcage.station.requests import Connect, SetSearch
 from birdcage.station.state import Activity, Search
+
+_AT_ONCE = {
+    Search.OFF_UNTIL_POWER_UP: "ended: it begins again at each power-up",
+    Search.RUNNING: "runs, and moves the dish without being asked",
+    Search.OFF: "off",
+    Search.UNKNOWN: "whether it runs is not known",
+}
+"""What is known of a search that no setting switches off."""
 
 
 class SearchStep(Step):
@@ -28,9 +37,17 @@ class SearchStep(Step):
         return kept.evidence if kept is not None and kept.word == "begun" else ""
 
     @property
+    def _at_once(self) -> bool:
+        """Whether this dish's search is ended while it runs, and begins again at each power-up."""
+        model = self.bench.state.dish
+        return model is not None and model.search_switch is SearchSwitch.UNTIL_POWER_UP
+
+    @property
     def proven(self) -> bool | None:
         """Off in force, and a restart acknowledged; None while the dish has not told."""
         state = self.bench.state
+        if self._at_once:
+            return state.search is Search.OFF_UNTIL_POWER_UP if self.bench.is_up else None
         if self.written:
             return False
         if not self.bench.is_up or "nvs.20" not in state.readings:
@@ -40,6 +57,8 @@ class SearchStep(Step):
     def evidence(self) -> str:
         """Say what the dish says, and where the backup is."""
         state, kept = self.bench.state, self.bench.kept(self.name)
+        if self._at_once:
+            return _AT_ONCE.get(state.search, "not known") if self.bench.is_up else "begins at each power-up"
         if self.written:
             waits = "in force once you go on" if self._restarted else "waits for the dish to be switched off and on"
             return f"saved as off; {waits}"
@@ -50,6 +69,13 @@ class SearchStep(Step):
 
     def words(self) -> tuple[str, ...]:
         """Name the consequences."""
+        if self._at_once:
+            return (
+                "After power-up the dish homes and then searches for TV satellites: it moves without being asked.",
+                "This ends the search now, whether it runs or not. The dish stays where it is then.",
+                "No setting keeps it off: it comes back at each power-up. `birdcage init` ends it then; in the app, K.",
+                *self.trouble(),
+            )
         if self.written:
             return (*self._awaited(), f"A copy of the dish's settings is kept here: {self.written}.")
         return (
@@ -83,6 +109,9 @@ class SearchStep(Step):
         """Switch it off, or say that the power was cycled."""
         if not self.bench.is_up:
             return ()
+        if self._at_once:
+            key, label = ("e", "End it again") if self.proven else ("enter", "End the TV search now")
+            return (*self.release_choice(), Choice("end", key, label))
         if self.written and self._restarted:
             return (Choice("release", "enter", "I did that: go on"),)
         if self.written:
@@ -96,10 +125,17 @@ class SearchStep(Step):
         """Write, or go on after the power cycle."""
         if choice == "release":
             self.begin(self.release(), "releasing")
+        elif choice == "end":
+            self.begin(self._end_now(), "ending the TV search")
         elif choice == "cycled":
             self.begin(self._look_again(), "looking at the dish anew")
         else:
             self.begin(self._off(), "copying the dish's settings, then writing")
+
+    def _end_now(self) -> Plan:
+        yield from self.release_after_restart()  # its search may be what moved it
+        yield self.bench.ask(SetSearch(self.bench.holder, disabled=True))
+        self.bench.done(self.name, _AT_ONCE[Search.OFF_UNTIL_POWER_UP])
 
     def _off(self) -> Plan:
         yield from self.release_after_restart()  # its search may be what moved it
@@ -115,6 +151,8 @@ class SearchStep(Step):
     def look(self) -> None:
         """Notice the power cycle, and that the search is off."""
         state = self.bench.state
+        if self._at_once:
+            return
         if self.written:
             self.gone = self.gone or self._restarted or state.activity is Activity.INITIALIZING
             if not self.gone or not self._off_now() or state.fault is not None:

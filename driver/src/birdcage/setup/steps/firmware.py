@@ -1,0 +1,30 @@
+"""Another firmware than the one that is spoken: a choice of the steps that find out which dish it is."""
+
+from __future__ import annotations
+
+from birdcage.setup.bench import Bench
+from birdcage.setup.step import Choice
+from birdcage.station.known import list_models
+
+OTHER = "firmware-"
+"""How the names of these choices begin."""
+KEYS = "fhe"
+
+
+def other_firmwares(bench: Bench) -> tuple[Choice, ...]:
+    """Return a choice for each firmware that is known and not spoken now."""
+    present = bench.state.dish
+    others = [model for model in list_models() if present is None or model.firmware != present.firmware]
+    return tuple(
+        Choice(f"{OTHER}{model.firmware}", key, f"It is a {model.name} ({model.firmware})")
+        for key, model in zip(KEYS, others, strict=False)
+    )
+
+
+def speak_another(bench: Bench, choice: str) -> None:
+    """Keep the firmware of that choice, at its own rate. The session has to begin anew to speak it."""
+    firmware = choice.removeprefix(OTHER)
+    bench.write({"dish.firmware": firmware, "dish.baud": None})
+    for step in ("link", "dish"):
+        bench.forget(step)  # what was kept of them was of another dish
+    bench.begin_anew = firmware
