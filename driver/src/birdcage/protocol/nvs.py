@@ -65,6 +65,12 @@ def typed(text: str) -> NvsValue:
     return text
 
 
+def same_value(printed: str, given: str) -> bool:
+    """Return whether a dish that was given one text prints the other for it: `1` is `TRUE`, `18` is `18.00`."""
+    one, other = typed(printed), typed(given.upper() if given.upper() in ("TRUE", "FALSE") else given)
+    return one == other
+
+
 def parse_nvs(lines: Iterable[str]) -> dict[int, NvsRow]:
     """Return the rows by index; header, ruler and other lines are passed over."""
     rows = {}

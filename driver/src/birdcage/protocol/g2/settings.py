@@ -6,7 +6,7 @@ from typing import ClassVar
 
 from birdcage.base.errors import CommandRefused, NoReply
 from birdcage.protocol.g2.room import Room
-from birdcage.protocol.nvs import NvsRow, parse_edit, parse_nvs
+from birdcage.protocol.nvs import NvsRow, parse_edit, parse_nvs, same_value
 
 UNITS = {
     27: "rpm",
@@ -50,15 +50,23 @@ class SettingsMemory(Room):
     def write(self, index: int, value: str) -> NvsRow:
         """Write one row in RAM, save all that RAM holds to flash, and read the row back.
 
-        In force after a power cycle. CommandRefused (`bad_parameter`) when the dish edits another row or does not say
-        that it saved.
+        In force after a power cycle. CommandRefused (`bad_parameter`) when the dish changes another row or to another
+        value (nothing is then saved: a power cycle takes it back), does not say that it saved, or shows another value
+        as saved.
         """
         edit = parse_edit(self._run(f"e {index} {value}").lines)
-        if edit is not None and edit.index != index:
+        if edit is not None and (edit.index != index or not same_value(edit.after, value)):
             raise CommandRefused(
-                f"Told to change NVS row {index}, the dish changed {edit.index}.", reason="bad_parameter"
+                f"Told to set NVS row {index} to {value}, the dish set row {edit.index} to {edit.after}. It was not "
+                "saved: a power cycle takes it back.",
+                reason="bad_parameter",
             )
         saved = self._run("s", takes_s=_SAVE_S)
         if not any("Success" in line for line in saved.lines):
             raise CommandRefused(f"The dish did not save: {' / '.join(saved.lines)!r}.", reason="bad_parameter")
-        return self.read(index)
+        row = self.read(index)
+        if not same_value(row.saved, value):
+            raise CommandRefused(
+                f"Told to save {value} in NVS row {index}, the dish shows {row.saved} there.", reason="bad_parameter"
+            )
+        return row
