@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from birdcage.protocol.g2 import CarryoutG2Protocol
+    from birdcage.protocol.hal import HAL205Protocol
     from birdcage.protocol.protocol import FirmwareProtocol
     from birdcage.protocol.registry import FIRMWARE_REGISTRY, get_protocol
     from birdcage.protocol.types import MOTOR_AZIMUTH, MOTOR_ELEVATION, Position, RssiReading
@@ -18,6 +19,7 @@ _HOMES = {
     "CarryoutG2Protocol": "g2",
     "FIRMWARE_REGISTRY": "registry",
     "FirmwareProtocol": "protocol",
+    "HAL205Protocol": "hal",
     "MOTOR_AZIMUTH": "types",
     "MOTOR_ELEVATION": "types",
     "Position": "types",
@@ -31,6 +33,7 @@ __all__ = [
     "MOTOR_ELEVATION",
     "CarryoutG2Protocol",
     "FirmwareProtocol",
+    "HAL205Protocol",
     "Position",
     "RssiReading",
     "get_protocol",

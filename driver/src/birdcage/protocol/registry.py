@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from birdcage.protocol.g2 import CarryoutG2Protocol
+from birdcage.protocol.hal import HAL205Protocol
 from birdcage.protocol.protocol import FirmwareProtocol
 
-FIRMWARE_REGISTRY: dict[str, type[FirmwareProtocol]] = {"g2": CarryoutG2Protocol}
+FIRMWARE_REGISTRY: dict[str, type[FirmwareProtocol]] = {"hal205": HAL205Protocol, "g2": CarryoutG2Protocol}
 
 
 def get_protocol(name: str) -> FirmwareProtocol:

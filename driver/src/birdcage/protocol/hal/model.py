@@ -22,6 +22,9 @@ _SPEED_DEG_S = 20.0
 _ACCELERATION_DEG_S2 = 20.0
 _STEP_DEG = 0.01
 
+SKEW = Axis(2, "skew", 0.0, 180.0, _SPEED_DEG_S, _ACCELERATION_DEG_S2, _STEP_DEG, times=MOVE_TIMES)
+"""The axis that turns the feed. Its range is documented nowhere: 0 to 180 degrees is an assumption."""
+
 TRAVLER = DishModel(
     name="Trav'ler",
     firmware="hal205",
@@ -49,11 +52,11 @@ TRAVLER = DishModel(
     has_nvs=True,
     has_stow=True,
     position_reported=True,
-    skew=Axis(2, "skew", 0.0, 180.0, _SPEED_DEG_S, _ACCELERATION_DEG_S2, _STEP_DEG, times=MOVE_TIMES),
+    skew=SKEW,
 )
 """The Trav'ler LG-2112.
 
 Its cable ends "usually" at 360 or 455 degrees, changes its turn by itself, and is told in no known form: the turn is
-unknown. The range of its skew is documented nowhere: 0 to 180 degrees is an assumption. Its boot is as long as the
+unknown. Its boot is as long as the
 longest of the family (10 to 15 minutes with a search).
 """

@@ -1,0 +1,32 @@
+"""How the console of HAL 2.05 looks, as far as anybody knows (reference sections 2 to 4): its prompts are learnt."""
+
+from __future__ import annotations
+
+import re
+
+from birdcage.console.dialect import UNKNOWN_TOKEN, ConsoleDialect
+
+MOTOR, SEARCH, NVS = "motor", "ngsearch", "nvs"
+
+DIALECT = ConsoleDialect(
+    prompts=dict.fromkeys(("root", MOTOR, SEARCH, NVS), UNKNOWN_TOKEN),
+    root_marks=frozenset({MOTOR, SEARCH}),
+    stranger_marks=frozenset({"mot"}),
+    stranger=(
+        "This dish answers like a Carryout G2 or an older Trav'ler (prompt `{prompt}`, menu `mot`), not like HAL 2.05. "
+        "Give --firmware g2 if it is a Carryout G2. Nothing was moved."
+    ),
+    # No source has the texts of this firmware (section 14, unknown 1), but for the stalls of section 4. Words, then.
+    refusals=(
+        (re.compile(r"\b(invalid|unknown|unrecognized|bad) command\b", re.IGNORECASE), "unknown_command"),
+        (
+            re.compile(r"\b(invalid|bad|illegal)\b.*\b(parameter|argument|value|motor|angle)\b", re.IGNORECASE),
+            "bad_parameter",
+        ),
+        (re.compile(r"\b(out of range|outside|limit exceeded)\b", re.IGNORECASE), "bad_parameter"),
+        (
+            re.compile(r"^\s*(error|failed)\b|\bSTALLED\b|\bHome Failure\b|\bnot (calibrated|homed)\b", re.IGNORECASE),
+            "failed",
+        ),
+    ),
+)

@@ -1,0 +1,244 @@
+"""Winegard Trav'ler, firmware HAL 2.05.003 (reference section 4, public API in source document 003)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING, ClassVar
+
+from birdcage.base.clock import Clock
+from birdcage.base.errors import CommandRefused, MotionRefused, NoReply, PositionUnknown
+from birdcage.console.dialect import ConsoleDialect
+from birdcage.console.raw import Typed
+from birdcage.protocol.command_list import CommandDoc
+from birdcage.protocol.hal.answers import parse_position, parse_setting
+from birdcage.protocol.hal.boot import BootWatch
+from birdcage.protocol.hal.commands import COMMANDS
+from birdcage.protocol.hal.dialect import DIALECT, MOTOR, NVS, SEARCH
+from birdcage.protocol.hal.hazards import HAZARDS
+from birdcage.protocol.hal.model import MOVE_TIMES, SKEW, TRAVLER
+from birdcage.protocol.hazard import HazardTable
+from birdcage.protocol.model import DishModel
+from birdcage.protocol.protocol import FirmwareProtocol
+from birdcage.protocol.types import Position, Survey
+
+if TYPE_CHECKING:
+    from birdcage.base.wake import Wake
+    from birdcage.link.link import Link
+
+SEARCH_MINIMUM, SAFE_MINIMUM = 125, 127
+"""Rows of the settings memory: the lowest elevation of the search, and of any motion (section 3)."""
+_QUEUED_S = MOVE_TIMES.seconds(455.0) + 2.0
+"""How long a move may wait for the motor before it (section 2.6), should the prompt wait with it."""
+_SKEW_THERE_DEG = 0.1
+_STOW_S = 60.0
+"""How long `stow` may keep the shell: no source says whether it does. Only a deadline depends on it."""
+
+
+class HAL205Protocol(FirmwareProtocol):
+    """The Trav'ler's console: submenu `motor`, search ended by `ngsearch`, `s`, `q`; prompts are learnt."""
+
+    name: ClassVar[str] = "hal205"
+    model: ClassVar[DishModel] = TRAVLER
+    dialect: ClassVar[ConsoleDialect] = DIALECT
+    motor_menu: ClassVar[str] = MOTOR
+    hazards: ClassVar[HazardTable] = HAZARDS
+    commands: ClassVar[tuple[CommandDoc, ...]] = COMMANDS
+    boot_marks: ClassVar[tuple[str, ...]] = ("NoGPS", "No LNB Voltage")
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._slew: Typed | None = None
+        self._skew_goal: float | None = None
+        """Where the skew was sent and has not been seen yet."""
+        self._boot = BootWatch(self.boot_marks)
+
+    def attach(
+        self,
+        link: Link,
+        clock: Clock,
+        *,
+        delay_s: float = 2.0,
+        wake: Wake | None = None,
+        on_wake: Callable[[], None] | None = None,
+        on_line: Callable[[str], None] | None = None,
+    ) -> None:
+        """Speak over an open link; see `FirmwareProtocol.attach`."""
+        watch = self._boot = BootWatch(self.boot_marks)
+
+        def hear(text: str) -> None:
+            watch.hear(text, clock.monotonic())
+            if on_line is not None:
+                on_line(text)
+
+        self._slew = self._skew_goal = None
+        super().attach(link, clock, delay_s=delay_s, wake=wake, on_wake=on_wake, on_line=hear)
+
+    def initialize(self, callback: Callable[[str], None] | None = None, *, timeout_s: float = TRAVLER.boot_s) -> None:
+        """Wait for the end of the boot, end the TV search, and go into the motor menu.
+
+        From power-up the boot log streams until a line holds `NoGPS` or `No LNB Voltage`; a dish that has been up, or
+        that searches, answers at once. Ending a search that does not run is harmless. NoReply after `timeout_s`: a
+        shell that stays silent for so long is deadlocked, which only a power cycle ends; reason `wrong_firmware` at
+        once for a dish that is plainly another.
+        """
+        tell = callback or (lambda _line: None)
+        self._boot.wait(self.console, self.is_homed, tell, timeout_s)
+        tell("The dish answers. Ending its TV search.")
+        self.kill_search()
+        tell("The TV search is over. It begins again at the next power-up.")
+
+    def enter_motor_menu(self) -> None:
+        """Enter `motor`."""
+        self.console.enter(MOTOR)
+
+    def is_homed(self) -> bool:
+        """Return whether the dish tells where it is."""
+        try:
+            self.get_position()
+        except PositionUnknown:
+            return False
+        return True
+
+    def get_position(self) -> Position:
+        """Read all axes with one `a` (section 3). PositionUnknown: not homed."""
+        reply = self.console.run(MOTOR, "a")
+        try:
+            position = parse_position(reply.lines)
+        except PositionUnknown:
+            self.gate.forget("unhomed")
+            raise
+        except NoReply:
+            self.gate.forget("unread")
+            raise
+        self.gate.see(position)
+        if self._skew_goal is not None and position.skew is not None:
+            self._skew_goal = None if abs(position.skew - self._skew_goal) < _SKEW_THERE_DEG else self._skew_goal
+        return position
+
+    def move_motor(self, motor_id: int, degrees: float) -> None:
+        """Send one axis to an absolute angle, through the gate; the skew too."""
+        if motor_id == SKEW.index:
+            self.turn_skew(degrees)
+        else:
+            super().move_motor(motor_id, degrees)
+
+    def _send_move(self, motor_id: int, degrees: float) -> None:
+        # What it answers no source tells: all that is no refusal counts as taken.
+        self.console.run(MOTOR, f"a {motor_id} {_text(degrees)}", takes_s=_QUEUED_S, permit=self.permit)
+
+    def stop_lines(self, az_deg: float, el_deg: float) -> tuple[str, ...]:  # noqa: ARG002
+        """Return nothing: a new target is queued behind the one under way (section 2.6)."""
+        return ()
+
+    def abort_lines(self) -> tuple[str, ...]:
+        """Two bare Enters: the first ends the slew, and may be swallowed by that; the second brings the prompt."""
+        return ("", "")
+
+    def begin_slew(self, az_deg: float, el_deg: float) -> None:
+        """Send `g <az> <el> <sk>` (section 2.6) with the skew where it stands or was sent, and return at once.
+
+        CommandRefused (`unsupported`) when the dish does not tell its skew.
+        """
+        if self.gate.position is None:
+            self._skew_goal = None  # whatever made the position doubtful may have turned the skew as well
+        position = self.gate.position or self.get_position()
+        self.gate.check(az_deg, el_deg)
+        sk_deg = position.skew if self._skew_goal is None else self._skew_goal
+        if sk_deg is None:
+            raise CommandRefused(
+                "The dish did not tell its skew, which a combined move needs. Nothing was sent.", reason="unsupported"
+            )
+        takes_s = sum(MOVE_TIMES.seconds(way) for way in (455.0, el_deg - position.elevation)) + 2.0
+        line = f"g {_text(az_deg)} {_text(el_deg)} {_text(sk_deg)}"
+        self.console.enter(MOTOR)
+        self._slew = self.console.type_line(line, takes_s=takes_s, permit=self.permit)
+
+    def slew_is_over(self) -> bool:
+        """Return whether the prompt came since `begin_slew`; CommandRefused, once, when the dish refused the slew.
+
+        Some firmware may give its prompt at once (no source says).
+        """
+        slew = self._slew
+        if slew is None:
+            return True
+        if not slew.is_over:
+            return False
+        self._slew = None
+        refusal = self.console.refusal(slew.reply) if slew.reply is not None else None
+        if refusal is not None:
+            raise refusal
+        return True
+
+    def turn_skew(self, degrees: float) -> None:
+        """Send `a 2 <deg>`: the skew may turn while another axis does (section 2.6)."""
+        if self.gate.bounds.closed_because is not None:
+            raise MotionRefused(self.gate.bounds.closed_because, reason="settings")
+        if not (math.isfinite(degrees) and SKEW.min_deg <= degrees <= SKEW.max_deg):
+            raise MotionRefused(
+                f"The skew goes from {SKEW.min_deg:g}° to {SKEW.max_deg:g}°, not to {degrees:g}°. Nothing was sent.",
+                reason="skew_limit" if math.isfinite(degrees) else "not_a_number",
+            )
+        self._skew_goal = degrees
+        self._send_move(SKEW.index, degrees)
+
+    def stow(self) -> None:
+        """Fold the dish flat (`stow` at the root: section 2.9). Nothing that is known stops it."""
+        self.console.enter(self.dialect.root)
+        self.gate.forget("unread")
+        self.console.run(self.dialect.root, "stow", takes_s=_STOW_S, permit=self.permit)
+
+    def survey(self) -> Survey:
+        """Read the lowest elevations (NVS 125 and 127): nothing else is told by a known command."""
+        try:
+            rows = {index: self.read_nvs(index) for index in (SEARCH_MINIMUM, SAFE_MINIMUM)}
+        except CommandRefused as refused:
+            if refused.reason == "wrong_menu":
+                raise
+            return Survey()  # a dish without these rows, or without this menu: its model's limits hold
+        lowest = rows[SAFE_MINIMUM]
+        usable = lowest is not None and TRAVLER.elevation.max_deg > float(lowest) > -90.0
+        return Survey(
+            settings={f"nvs.{index}": value for index, value in rows.items() if value is not None},
+            el_min_deg=float(lowest) if lowest is not None and usable else None,
+        )
+
+    def read_nvs(self, index: int) -> str | None:
+        """Read one row of the settings memory (`nvs`, `e <index>`: section 2.10), as printed; None: no value."""
+        return parse_setting(index, self.console.run(NVS, f"e {index}").lines)
+
+    def settings_table(self) -> tuple[str, ...]:
+        """Read what `nvs`, `d` shows (section 2.10). CommandRefused (`unsupported`) when it shows nothing."""
+        try:
+            lines = self.console.run(NVS, "d", takes_s=10.0).lines
+        except CommandRefused as refused:
+            if refused.reason != "unknown_command":
+                raise
+            lines = ()
+        if not lines:
+            raise self._lacks("listing its settings")
+        return lines
+
+    def kill_search(self) -> None:
+        """End the TV search until the next power-up: `ngsearch`, `s`, `q` (section 4); then go to the motor menu."""
+        self.console.enter(SEARCH)
+        try:
+            self.console.exchange("s")
+        except CommandRefused as refused:
+            if refused.reason != "failed":
+                raise  # `failed` is said of a search that does not run
+        finally:
+            self.gate.forget("unread")
+        self.console.leave()
+        self.enter_motor_menu()
+
+    def restore_search(self) -> None:
+        """Raise CommandRefused (`unsupported`): the next power-up does it."""
+        raise CommandRefused(
+            "The Trav'ler has no command that begins its TV search: it begins by itself at the next power-up.",
+            reason="unsupported",
+        )
+
+
+def _text(degrees: float) -> str:
+    return f"{degrees:.2f}".replace("-0.00", "0.00")
