@@ -9,9 +9,12 @@ from birdcage.protocol.g2.reading import PerAxis
 from birdcage.protocol.g2.scan import parse_scan_point
 
 
-@pytest.fixture
-def g2(simulated):
-    return simulated("seed=1&az=-180&el=45&overshoot=0")
+@pytest.fixture(
+    params=["", "&line_end=lf", "&line_end=cr&stream_key=keep", "&stream_s=0.9&latency_min=0.3&latency_max=0.4"]
+)
+def g2(simulated, request):
+    """A G2 in front of a dish out of the box, and of dishes that differ in what no source tells."""
+    return simulated(f"seed=1&az=-180&el=45&overshoot=0{request.param}")
 
 
 def test_drivers(g2):

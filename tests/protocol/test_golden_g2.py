@@ -112,6 +112,20 @@ def test_t_g2plus_home(play, line_end, spaces):
     assert port.written == b"\rmot\rh *\r"
 
 
+@LINE_ENDS
+def test_t_fox(play, line_end):
+    g2, port = play(
+        "TRK>mot\nMOT>h *\nMOT>a\nAngle[0] = 0.00\nAngle[1] = 65.00\n"
+        "MOT>a 0 90.00\nAngle = 90.00\nMOT>a 1 45.00\nAngle = 45.00\nMOT>\n",
+        line_end,
+    )
+    g2.enter_motor_menu()
+    g2.home_motors()
+    g2.move_motor(0, 90.0)
+    g2.move_motor(1, 45.0)
+    assert port.written == b"\rmot\rh *\ra\ra 0 90.00\ra 1 45.00\r"
+
+
 def test_homing_may_keep_the_shell_for_long(play):
     g2, _port = play([(b"\r", b"\r\nTRK>"), (b"mot\r", b"mot\r\nMOT>"), (b"h *\r", 25.0, b"h *\r\nMOT>")])
     g2.enter_motor_menu()
