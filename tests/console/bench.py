@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import replace
 
 from birdcage.base.clock import Endpoint, Outcome, VirtualClock
 from birdcage.base.errors import BirdcageError, Cancelled
@@ -12,6 +11,7 @@ from birdcage.base.wake import Wake
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.session import Console
 from birdcage.link.port import Port
+from birdcage.protocol.hal import HAL205Protocol
 from hypothesis import strategies as st
 
 D = 2.0
@@ -25,10 +25,10 @@ LEARNT = ConsoleDialect(
     prompts=dict.fromkeys(("root", "mot", "dvb", "nvs"), ""),
     refusals=DIALECT.refusals,
     root_marks=frozenset({"mot", "dvb"}),
+    root_hints=frozenset({"nvs", "reboot"}),
+    submenu_marks={"mot": frozenset("ah"), "dvb": frozenset({"agc"}), "nvs": frozenset("de")},
 )
-HAL = replace(
-    LEARNT, prompts=dict.fromkeys(("root", "motor", "ngsearch", "nvs"), ""), root_marks=frozenset({"motor", "ngsearch"})
-)
+HAL = HAL205Protocol.dialect
 HAL_NAMES = {"mot": "motor", "dvb": "ngsearch", "agc": "?"}
 """What the drawn steps mean on a Trav'ler."""
 

@@ -148,15 +148,31 @@ def test_an_enter_that_was_swallowed_is_answered_by_the_other(console, dish, clo
     assert clock.monotonic() - began < 0.5
 
 
-def test_another_firmware_is_told_by_its_help(clock):
-    dish = scripted.Dish(clock, help_of=scripted.HELP_OF)
-    stranger = bench.replace(
-        bench.HAL, stranger_marks=frozenset({"mot"}), stranger="A G2 (`{prompt}`). Give --firmware g2."
-    )
-    console = bench.Owner(dish, clock, stranger).console
-    with pytest.raises(NoReply, match=r"TRK>.*--firmware g2") as caught:
-        console.enter("motor")
-    assert caught.value.reason == "wrong_firmware"
+@pytest.mark.parametrize("menu", ["root", "mot", "dvb", "nvs"])
+def test_another_firmware_is_told_by_its_help_and_never_left_for_dead(clock, menu):
+    help_of = {**scripted.HELP_OF, "mot": ("a [<motor>]", "g <az> <el>", "q")}
+    dish = scripted.Dish(clock, help_of=help_of)
+    dish.menu = menu
+    console = bench.Owner(dish, clock, bench.HAL).console
+    for _ in range(4):
+        with pytest.raises(NoReply) as caught:
+            console.enter("motor")
+        clock.advance(5.0)
+    if menu in ("root", "mot"):
+        assert caught.value.reason == "wrong_firmware"
+        assert "(prompt `TRK>`, menu `mot`)" in str(caught.value)
+    assert dish.alive
+    assert ("root", "q") not in dish.heard
+
+
+def test_a_root_without_its_marks_is_never_taken_for_a_submenu(clock):
+    help_of = {**scripted.HELP_OF, "root": ("move", "tune", "nvs", "q")}
+    dish = scripted.Dish(clock, prompts=scripted.ALIKE, help_of=help_of)
+    console = bench.Owner(dish, clock, bench.LEARNT).console
+    for _ in range(4):
+        with pytest.raises(NoReply, match="does not tell which menu"):
+            console.leave()
+        clock.advance(5.0)
     assert "q" not in dish.written.decode()
 
 

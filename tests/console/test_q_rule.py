@@ -79,6 +79,7 @@ LEARNT_SIMULATORS = [f"hal205?root_q=kill&prompts={prompts}" for prompts in ("na
 
 
 QUICK = settings(max_examples=1000, derandomize=True, deadline=None, database=None)
+BRIEF = settings(QUICK, max_examples=300)
 LONG = settings(max_examples=5_000, deadline=None, database=None, suppress_health_check=list(HealthCheck))
 drawn = given(bench.STEPS, bench.FAULTS, bench.FAULTS)
 
@@ -96,14 +97,14 @@ def test_no_q_reaches_the_scripted_root(steps, to_dish, to_host):
 
 
 @pytest.mark.parametrize("script", SCRIPTS)
-@QUICK
+@BRIEF
 @drawn
 def test_no_q_reaches_a_scripted_root_whose_prompt_was_learnt(script, steps, to_dish, to_host):
     drive_scripted(steps, to_dish, to_host, **SCRIPTS[script])
 
 
 @pytest.mark.parametrize("address", LEARNT_SIMULATORS)
-@QUICK
+@BRIEF
 @drawn
 def test_no_q_reaches_the_root_of_a_simulated_travler(address, steps, to_dish, to_host):
     drive_simulator(steps, to_dish, to_host, address, dialect=bench.HAL, names=bench.HAL_NAMES)

@@ -5,10 +5,11 @@ from __future__ import annotations
 import re
 
 from birdcage.base.errors import NoReply
+from birdcage.console.dialect import ConsoleDialect
 
 KEPT = 512
 """Bytes of a failed exchange that are kept to judge it by."""
-_PROMPT = re.compile(r"\S.{0,31}(?<=[>#$%:\]])")
+_PROMPT = re.compile(r"[!-~][ -~]{0,31}(?<=[>#$%:\]])")
 """What a prompt looks like: all that are known of these and like dishes end in a sign, not in a letter."""
 _GARBAGE_SHARE = 0.3
 _QUOTED = 60
@@ -23,6 +24,13 @@ def is_garbage(seen: bytes) -> bool:
 def looks_like_prompt(text: str) -> bool:
     """Return whether what stands without a line end may be a prompt."""
     return _PROMPT.fullmatch(text) is not None
+
+
+def stranger(dialect: ConsoleDialect, standing: str) -> NoReply | None:
+    """Return what to say when a dish that has never shown a known prompt shows another; None when it does not."""
+    if dialect.learnt or not dialect.stranger or not looks_like_prompt(standing):
+        return None
+    return NoReply(dialect.stranger.format(prompt=standing), reason="wrong_firmware")
 
 
 def no_reply(port: str, command: str, seen: bytes, waited_s: float) -> NoReply:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 UNKNOWN_TOKEN = ""
 """Stands for a prompt that no source tells: it is learnt from the dish (decision 0010)."""
@@ -28,10 +28,14 @@ class ConsoleDialect:
     """Reply lines that mean that nothing was done, each with the `CommandRefused` reason it stands for."""
     root_marks: frozenset[str] = frozenset()
     """Commands that the root's help lists and no submenu's does. They tell menus apart whose prompts are learnt."""
+    root_hints: frozenset[str] = frozenset()
+    """Further commands that no submenu's help lists: what lists one is no submenu, though it may be no root either."""
+    submenu_marks: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    """Commands that the help of a submenu lists, by menu. Until the root was seen, nothing else counts as a submenu."""
     stranger_marks: frozenset[str] = frozenset()
     """Commands in a menu's help that show, where no root mark stands beside them, that this is another firmware."""
     stranger: str = ""
-    """What to say to a person whose dish is another firmware; `{prompt}` is what it shows."""
+    """What to say to a person whose dish is another firmware; `{prompt}` is what it shows. Empty: nothing is said."""
 
     @property
     def learnt(self) -> bool:

@@ -13,8 +13,8 @@ SUBMENU = "submenu"
 _ENTER = re.compile(r"\s*enter\s*<(\w+)>", re.IGNORECASE)
 _EXPLAINED = re.compile(r"\s-|[:<\[(]")
 _WORD = re.compile(r"[a-z0-9_]+")
-_LEAST_SHARE = 0.5
-"""A help that shares more of its words with the root's may be the root's with bytes lost."""
+_MOST_SHARED = 0.5
+"""A help that shares more of its words, or of the root's, with the root's may be the root's with bytes lost."""
 
 
 def commands(lines: Iterable[str]) -> frozenset[str]:
@@ -51,7 +51,7 @@ class Places:
         if dialect.root_marks <= listed:
             self._listed[dialect.root] = words
             return dialect.root
-        if self._may_be_root(words, listed) or not self._is_list(lines, listed):
+        if self.is_stranger(lines) or not self._is_submenu(words, listed) or not self._is_list(lines, listed):
             return None
         self._judged = words
         known = [menu for menu, seen in self._listed.items() if menu != dialect.root and seen <= words]
@@ -83,11 +83,17 @@ class Places:
         root = self._tokens.get(self._dialect.root)
         return root is not None and token != root and self._tokens.get(menu) == token
 
-    def _may_be_root(self, words: frozenset[str], listed: frozenset[str]) -> bool:
-        root = self._listed.get(self._dialect.root)
+    def _is_submenu(self, words: frozenset[str], listed: frozenset[str]) -> bool:
+        """Return whether this is surely not the root's help, whole or with bytes lost."""
+        dialect = self._dialect
+        root = self._listed.get(dialect.root)
         if root is not None:
-            return len(words & root) > _LEAST_SHARE * len(root)
-        return any(_alike(mark, word) for mark in self._dialect.root_marks for word in listed)
+            common = {dialect.leave, "help"}  # every menu may list these
+            shared = len((words & root) - common)
+            return shared <= _MOST_SHARED * min(len(root - common), len(words - common))
+        if listed & dialect.root_hints or any(_alike(mark, word) for mark in dialect.root_marks for word in listed):
+            return False
+        return any(marks <= listed for marks in dialect.submenu_marks.values())
 
     def _is_list(self, lines: tuple[str, ...], listed: frozenset[str]) -> bool:
         """Return whether this is a list of commands, and not an error in words that nobody knows."""

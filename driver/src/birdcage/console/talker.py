@@ -7,7 +7,7 @@ from collections.abc import Callable
 from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused, NoReply
 from birdcage.base.wake import Wake
-from birdcage.console.diagnosis import no_reply
+from birdcage.console.diagnosis import no_reply, stranger
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.events import LineSink, Reply
 from birdcage.console.learner import Learner
@@ -230,6 +230,9 @@ class Talker:
             wire.forget(ticket)
             raise
         if reply is None:
+            strange = None if wire.token else stranger(self.dialect, wire.codec.unfinished)
             wire.forget(ticket)
+            if strange is not None:
+                raise strange
             raise no_reply(wire.link.name, line, bytes(wire.seen), timeout_s)
         return reply

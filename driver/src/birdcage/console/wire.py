@@ -240,7 +240,7 @@ class Wire:
     def _placed(self, reply: Reply) -> Reply:
         """Take in the menu that a prompt names; a learnt one names none, and only says whether it is still the same."""
         if not self.dialect.learnt:
-            self.menu = reply.menu
+            self.menu, self.token = reply.menu, reply.token
             return reply
         if reply.token != self.token:
             self.menu = None

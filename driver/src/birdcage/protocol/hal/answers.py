@@ -44,7 +44,7 @@ def parse_setting(index: int, lines: Iterable[str]) -> str | None:
     How `e <index>` prints it no source tells: taken is the first number that stands by itself after the index.
     """
     for line in lines:
-        text = re.sub(rf"^\W*{index}\b[^\w\s]*", " ", line)
+        text = re.sub(rf"^\D*\b{index}\b[^\w\s]*", " ", line)
         if found := _NUMBER.search(text):
             return found[1]
     return None

@@ -11,6 +11,12 @@ MOTOR, SEARCH, NVS = "motor", "ngsearch", "nvs"
 DIALECT = ConsoleDialect(
     prompts=dict.fromkeys(("root", MOTOR, SEARCH, NVS), UNKNOWN_TOKEN),
     root_marks=frozenset({MOTOR, SEARCH}),
+    root_hints=frozenset({MOTOR, SEARCH, NVS, "mot", "os", "reboot", "stow"}),
+    submenu_marks={
+        MOTOR: frozenset({"a", "g"}),
+        SEARCH: frozenset({"s"}),
+        NVS: frozenset({"d", "e", "s"}),
+    },
     stranger_marks=frozenset({"mot"}),
     stranger=(
         "This dish answers like a Carryout G2 or an older Trav'ler (prompt `{prompt}`, menu `mot`), not like HAL 2.05. "
