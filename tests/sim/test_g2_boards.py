@@ -147,20 +147,7 @@ def test_the_root_enters_twelve_menus_and_says_so(terminal):
     assert "help [<command>]" in lines
     assert "Enter <dvb> - DVB Tuner" in lines
     entered = re.findall(r"Enter <(\w+)> - \S", "\n".join(lines))
-    assert entered == [
-        "a3981",
-        "adc",
-        "dipswitch",
-        "dvb",
-        "eeprom",
-        "gpio",
-        "latlon",
-        "mot",
-        "nvs",
-        "os",
-        "peak",
-        "step",
-    ]
+    assert " ".join(entered) == "a3981 adc dipswitch dvb eeprom gpio latlon mot nvs os peak step"
 
 
 def test_help_of_one_command(terminal):
