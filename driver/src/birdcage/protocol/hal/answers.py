@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from birdcage.base.errors import NoReply, PositionUnknown
 from birdcage.protocol.types import Position
 
-_ANGLE = re.compile(r"\b(AZ|EL|SK) =\s+([-+]?\d+(?:\.\d+)?)(?![\d.])")
+_ANGLE = re.compile(r"\b(AZ|EL|SK) =\s+([-+]?\d+(?:\.\d+)?)(?!\S)")
 """Section 3 [P]: label, space, `=`, at least one space, a decimal; on one line or on three."""
 _UNHOMED = frozenset({2147483647.0, -2147483648.0, 21474836.47, -21474836.48})
 """INT_MAX and INT_MIN, as degrees or as hundredths: known of an unhomed G2 (section 7.2), assumed here."""
