@@ -64,7 +64,7 @@ class Transcript:
             self.menu = line
         elif line == "a":
             self.say(self.position)
-        elif line and line.split()[0] not in HELP[self.menu]:
+        elif line and line.split(maxsplit=1)[0] not in HELP[self.menu]:
             self.say("Invalid command\n")
 
     def pending(self) -> bool:

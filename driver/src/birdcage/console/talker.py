@@ -54,6 +54,11 @@ class Talker:
         return self._wire.menu
 
     @property
+    def prompt(self) -> str:
+        """The prompt that last answered, as the dish shows it; empty before the first."""
+        return self._wire.token
+
+    @property
     def in_step(self) -> bool:
         """Whether all that was sent is accounted for and nothing came unasked since the last proof."""
         wire = self._wire

@@ -181,10 +181,15 @@ class FirmwareProtocol(ABC):
         return with_motion(verdict, match, self.gate)
 
     def only_asks(self, line: str, prompt: str) -> bool:
-        """Return whether a line at this prompt changes nothing but the menu, in every menu that has such a prompt."""
-        menus = [menu for menu, token in self.dialect.prompts.items() if token == prompt]
+        """Return whether a line at this prompt changes nothing but the menu, in every menu that has such a prompt.
+
+        A learnt prompt names no menu: then those menus count whose command it is.
+        """
+        learnt = self.dialect.learnt
+        menus = [menu for menu, token in self.dialect.prompts.items() if learnt or token == prompt]
         verdicts = [self.hazards.judge(line, menu, homed=True)[0] for menu in menus]
-        return bool(menus) and all(verdict.grade is Grade.HARMLESS for verdict in verdicts)
+        verdicts = [verdict for verdict in verdicts if verdict.listed or not learnt]
+        return bool(verdicts) and all(verdict.grade is Grade.HARMLESS for verdict in verdicts)
 
     def survey(self) -> Survey:
         """Read what the dish tells about itself; on a firmware that tells nothing, nothing is sent."""

@@ -193,7 +193,7 @@ class Talk:
         console.leave()
         self._last = self._board.clock.monotonic()
         menu = console.dialect.root
-        future.set_result(RawReply(text, (), menu, console.dialect.prompts[menu], self._last - began))
+        future.set_result(RawReply(text, (), menu, console.prompt, self._last - began))
 
     def _type(self, request: ask.Raw, verdict: Verdict, menu: str, future: Future[object]) -> None:
         console, motors = self._protocol.console, menu == self._protocol.motor_menu

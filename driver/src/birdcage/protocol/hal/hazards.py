@@ -52,11 +52,11 @@ HAZARDS = HazardTable(
         _row("ngsearch", "s( .*)?", Grade.SETTING, "Ends the TV search; it begins again at the next power-up.",
              forgets=frozenset({"position", "search"})),
         _row("nvs", r"d( \S+)?", takes_s=10.0),
-        _row("nvs", r"e( \d+)?"),
+        _row("nvs", r"e( \S+)?"),
         _row("nvs", "e 12[57] .+", Grade.SETTING,
              "Changes the lowest elevation that the dish takes; `s` makes it permanent. Below 15° its own moves are "
              "unreliable, and a feed may strike.", forgets=_NVS),
-        _row("nvs", "e .+", Grade.SETTING,
+        _row("nvs", r"e \S+ .+", Grade.SETTING,
              "Changes a setting of the dish; `s` makes it permanent. Disabling the GPS of a dish that has one is said "
              "to cut its two units off from each other for good.", forgets=_NVS),
         _row("nvs", "s( .*)?", Grade.SETTING,
