@@ -124,5 +124,5 @@ def test_it_counts_what_it_reads(terminal):
 
 def test_a_survey_looks_at_the_voltage_of_the_transponder_and_goes_back(terminal):
     board = pointed(terminal, -119.0)
-    assert all(board.tuner.survey(number, board.now_s).locked for number in (1, 2, 31, 32))
+    assert all(board.tuner.survey(number, board.now_s).locked for number in (2, 32, 31))
     assert (board.tuner.transponder, board.tuner.lnb_volts) == (15, 18.0)

@@ -10,7 +10,7 @@ from birdcage.sim.g2.menu import Command, G2Menu
 from birdcage.sim.g2.tuner import NO_NETWORK
 from birdcage.sim.shell import Pause, Script
 
-RANGE_READS = 50
+RANGE_READS = 20
 PORTS = 4
 
 

@@ -15,6 +15,7 @@ from birdcage.sim.shell import Die, Pause, Script
 READS = 10
 TOGGLE_S = 0.3
 """How long the LNB takes to follow its voltage. [I]"""
+SMALLEST_STEP_DEG = 0.05
 NAMES = ("AZ", "EL")
 
 
@@ -84,8 +85,9 @@ class Peak(G2Menu):
         axis, row = board.dish.axes[index], board.nvram.active
         low, high = (row[101], row[102]) if index else (axis.data.low_deg, axis.data.high_deg)
         middle = axis.count(board.now_s)[0]
-        steps = int(settings.peak_reach / settings.peak_step)
-        places = [middle + step * settings.peak_step for step in range(-steps, steps + 1)]
+        step_deg = max(settings.peak_step, SMALLEST_STEP_DEG)
+        steps = int(settings.peak_reach / step_deg)
+        places = [middle + step * step_deg for step in range(-steps, steps + 1)]
         found: list[tuple[int, float]] = []
         for wanted in (min(max(place, low), high) for place in places):
             yield from self._go(index, wanted)
