@@ -153,8 +153,9 @@ class Tuner:
         settings = self._board.settings
         level, above = self.level(dish_s)
         noise = self._rng.gauss(0.0, settings.rssi_noise)
-        network = self._network_in_view(dish_s)
-        locked = network is not None and above >= settings.lock_counts and self._tuned()
+        heeds = above >= settings.lock_counts and self._tuned()
+        network = self._network_in_view(dish_s) if heeds else None
+        locked = network is not None
         rssi = max(round(level + noise), 0) if self.on else 0
         snr = max(above + noise, 0.0) / settings.snr_counts if locked else 0.0
         heard = Heard(rssi, locked, snr, (network or NO_NETWORK) if locked else NO_NETWORK)
