@@ -171,3 +171,29 @@ def test_without_a_search_nothing_moves_after_power_on(terminal):
     still = dish.port.dish.truth()
     dish.listen(120.0)
     assert dish.port.dish.truth() == still
+
+
+def test_the_row_that_comes_next_is_forgotten_at_power_on(terminal):
+    dish = terminal()
+    dish.ask("nvs", "NVS>")
+    dish.ask("foo", "NVS>")
+    dish.device.power_cycle()
+    boot(dish)
+    dish.ask("nvs", "NVS>")
+    assert "  0) Log ID's" in dish.ask("foo", "NVS>")
+
+
+def test_an_edit_is_in_ram_until_saved_and_counts_from_power_on(terminal):
+    dish = terminal("nvs20=0")
+    dish.ask("nvs", "NVS>")
+    dish.ask("e 102 60", "NVS>")
+    assert dish.ask("d 102", "NVS>").split()[-4:-1] == ["60.00", "65.00", "65.00"]
+    dish.ask("s", "Success\r\nNVS>")
+    assert dish.ask("d 102", "NVS>").split()[-4:-1] == ["60.00", "60.00", "65.00"]
+    dish.ask("q", "TRK>")
+    dish.ask("mot", "MOT>")
+    assert "Max: 65.00" in dish.ask("elminmaxhome", "MOT>")
+    dish.device.power_cycle()
+    boot(dish)
+    dish.ask("mot", "MOT>")
+    assert "Max: 60.00" in dish.ask("elminmaxhome", "MOT>")
