@@ -48,7 +48,7 @@ def ask(play):
         g2, _port = play(
             [
                 (b"\r", f"\r\n{CarryoutG2Protocol.dialect.prompts[menu]}".encode()),
-                (f"{line}\r".encode(), f"{line}\r\n{text}{CarryoutG2Protocol.dialect.prompts[menu]}".encode()),
+                (f"{line}\r".encode(), f"{line}\r\n{text}{CarryoutG2Protocol.dialect.prompts[menu]}".encode("latin-1")),
             ]
         )
         return question(g2)

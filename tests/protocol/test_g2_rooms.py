@@ -11,80 +11,79 @@ from birdcage.protocol.g2.pins import Dipswitch
 from birdcage.protocol.g2.reading import PerAxis
 from birdcage.protocol.g2.scan import ScanPoint, parse_scan_point
 
+VALUES = [
+    ("a3981", "diag", "AZ DIAG: OK EL DIAG: OK", lambda g: g.drivers.faults(), PerAxis(False, False)),
+    ("a3981", "diag", "AZ DIAG: OK\nEL DIAG: FAULT", lambda g: g.drivers.faults(), PerAxis(False, True)),
+    ("a3981", "cm", "AZ: AUTO EL: HiZ", lambda g: g.drivers.current_mode(), PerAxis("AUTO", "HiZ")),
+    ("a3981", "cm", "AZ/EL AUTO", lambda g: g.drivers.current_mode(), PerAxis("AUTO", "AUTO")),
+    ("a3981", "cm", "AZ CM: LoZ\nEL CM: auto", lambda g: g.drivers.current_mode(), PerAxis("LoZ", "AUTO")),
+    ("a3981", "sm", "AZ SM: AUTO EL SM: FULL", lambda g: g.drivers.step_mode(), PerAxis("AUTO", "FULL")),
+    ("a3981", "ss", "1", lambda g: g.drivers.step_size_sixteenths(), PerAxis(1, 1)),
+    ("a3981", "ss", "AZ: 16\nEL: 1", lambda g: g.drivers.step_size_sixteenths(), PerAxis(16, 1)),
+    ("a3981", "st", "AZ: HIGH EL: LOW", lambda g: g.drivers.torque(), PerAxis("HIGH", "LOW")),
+    ("a3981", "reset", "", lambda g: g.drivers.clear_faults(), None),
+    ("adc", "bdid", "STATIONARY", lambda g: g.adc.board_id(), "STATIONARY"),
+    ("adc", "bdid", "Board ID: STATIONARY", lambda g: g.adc.board_id(), "STATIONARY"),
+    ("adc", "bdrevid", "A", lambda g: g.adc.board_revision(), "A"),
+    ("adc", "rssi", "235", lambda g: g.adc.rssi_counts(), 235),
+    ("adc", "rssi", "RSSI: 235 (12 bits)", lambda g: g.adc.rssi_counts(), 235),
+    (
+        "dipswitch", "dipswitch", "val:ffffff01\napp_dipswitch:101",
+        lambda g: g.dipswitch.read(), Dipswitch(0xFFFFFF01, 101),
+    ),
+    ("eeprom", "ee 3", "Index:3 Read value = 0", lambda g: g.eeprom.read(3), 0),
+    ("eeprom", "ee 3", "Failed to read eeprom index:3 val:65793", lambda g: g.eeprom.read(3), None),
+    ("gpio", "dir B0", "INPUT", lambda g: g.gpio.direction("B0"), "INPUT"),
+    ("gpio", "dir E29", "Unknown bit E29", lambda g: g.gpio.direction("E29"), None),
+    ("gpio", "r E29", "Unknown bit E29", lambda g: g.gpio.read("E29"), None),
+    ("gpio", "r B0", "1", lambda g: g.gpio.read("B0"), 1),
+    ("gpio", "r E12", "E12 = 0", lambda g: g.gpio.read("E12"), 0),
+    (
+        "gpio", "regs", "A0: 1 A1: 0\nE28 = 1\nUnknown bit E29", lambda g: g.gpio.registers().states,
+        {"A0": 1, "A1": 0, "E28": 1, "E29": None},
+    ),
+    ("peak", "rssits", "Even_sig = 489, Odd_sig = 235", lambda g: g.peak.rssi(), PolarisedRssi(489, 235)),
+    ("peak", "ts", "SW Status: 0b0101 5", lambda g: g.peak.switch_status(), 5),
+    ("step", "pid", "Kp=250 Kv=50", lambda g: g.stepper.gains(), (Gains(None, 250.0, 50.0, None),)),
+    (
+        "mot", "pid", "AZ: Kp=250 Kv=50, EL: Kp=200 Kv=40", lambda g: g.motors.gains(),
+        (Gains(0, 250.0, 50.0, None), Gains(1, 200.0, 40.0, None)),
+    ),
+    (
+        "mot", "pid", "PID[0] Kp=250 Kv=50 Ki=1\nPID[1] Kp=200 Kv=40 Ki=0", lambda g: g.motors.gains(),
+        (Gains(0, 250.0, 50.0, 1.0), Gains(1, 200.0, 40.0, 0.0)),
+    ),
+    (
+        "mot", "elminmaxhome", "Min: 18.00 Max: 65.00 Home: 65.00",
+        lambda g: g.motors.elevation_limits(), ElevationLimits(18.0, 65.0, 65.0),
+    ),
+    (
+        "mot", "mv", "Max Vel [0] = 65.00 / Max Vel [1] = 45.00",
+        lambda g: g.motors.max_velocities(), Speeds(65.0, 45.0),
+    ),
+    ("mot", "v", "Velocity[0] = 0.00\nVelocity[1] = -3.50", lambda g: g.motors.velocities(), Speeds(0.0, -3.5)),
+    ("mot", "v", "Velocity[0] = 0\nVelocity[1] = 3", lambda g: g.motors.velocities(), Speeds(None, None)),
+    ("mot", "p", "Pos[0] = -20000\nPos[1] = 2147483647", lambda g: g.motors.steps(), StepCounts(-20000, None)),
+    (
+        "mot", "l", "0=AZIMUTH 1=ELEVATION", lambda g: g.motors.list(),
+        (MotorEntry(0, "AZIMUTH", None), MotorEntry(1, "ELEVATION", None)),
+    ),
+    (
+        "mot", "l", "0=AZIMUTH HOLDING\n1=ELEVATION MOVING", lambda g: g.motors.list(),
+        (MotorEntry(0, "AZIMUTH", "HOLDING"), MotorEntry(1, "ELEVATION", "MOVING")),
+    ),
+    ("mot", "ela2s 45.00", "3120", lambda g: g.motors.elevation_to_steps(45.0), 3120),
+    ("mot", "ela2s 45.00", "Angle = 4500 Steps = 3120", lambda g: g.motors.elevation_to_steps(45.0), 3120),
+    ("mot", "els2a 3120", "Angle = 45.00", lambda g: g.motors.steps_to_elevation(3120), 45.0),
+    ("mot", "els2a 3120", "Steps: 3120 Angle: 4500", lambda g: g.motors.steps_to_elevation(3120), 45.0),
+    ("mot", "els2a 3120", "45.00", lambda g: g.motors.steps_to_elevation(3120), 45.0),
+    ("mot", "els2a 9999999", "Overflow", lambda g: g.motors.steps_to_elevation(9999999), None),
+    ("mot", "life", "AZ moves: 12", lambda g: g.motors.life(), ("AZ moves: 12",)),
+    ("mot", "motorlife", "AZ: 12 EL: 3", lambda g: g.motors.life_details(), ("AZ: 12 EL: 3",)),
+]  # fmt: skip
 
-@pytest.mark.parametrize(
-    ("menu", "line", "answer", "question", "value"),
-    [
-        ("a3981", "diag", "AZ DIAG: OK EL DIAG: OK", lambda g: g.drivers.faults(), PerAxis(False, False)),
-        ("a3981", "diag", "AZ DIAG: OK\nEL DIAG: FAULT", lambda g: g.drivers.faults(), PerAxis(False, True)),
-        ("a3981", "cm", "AZ: AUTO EL: HiZ", lambda g: g.drivers.current_mode(), PerAxis("AUTO", "HiZ")),
-        ("a3981", "cm", "AZ/EL AUTO", lambda g: g.drivers.current_mode(), PerAxis("AUTO", "AUTO")),
-        ("a3981", "cm", "AZ CM: LoZ\nEL CM: auto", lambda g: g.drivers.current_mode(), PerAxis("LoZ", "AUTO")),
-        ("a3981", "sm", "AZ SM: AUTO EL SM: FULL", lambda g: g.drivers.step_mode(), PerAxis("AUTO", "FULL")),
-        ("a3981", "ss", "1", lambda g: g.drivers.step_size_sixteenths(), PerAxis(1, 1)),
-        ("a3981", "ss", "AZ: 16\nEL: 1", lambda g: g.drivers.step_size_sixteenths(), PerAxis(16, 1)),
-        ("a3981", "st", "AZ: HIGH EL: LOW", lambda g: g.drivers.torque(), PerAxis("HIGH", "LOW")),
-        ("a3981", "reset", "", lambda g: g.drivers.clear_faults(), None),
-        ("adc", "bdid", "STATIONARY", lambda g: g.adc.board_id(), "STATIONARY"),
-        ("adc", "bdid", "Board ID: STATIONARY", lambda g: g.adc.board_id(), "STATIONARY"),
-        ("adc", "bdrevid", "A", lambda g: g.adc.board_revision(), "A"),
-        ("adc", "rssi", "235", lambda g: g.adc.rssi_counts(), 235),
-        ("adc", "rssi", "RSSI: 235 (12 bits)", lambda g: g.adc.rssi_counts(), 235),
-        (
-            "dipswitch", "dipswitch", "val:ffffff01\napp_dipswitch:101",
-            lambda g: g.dipswitch.read(), Dipswitch(0xFFFFFF01, 101),
-        ),
-        ("eeprom", "ee 3", "Index:3 Read value = 0", lambda g: g.eeprom.read(3), 0),
-        ("eeprom", "ee 3", "Failed to read eeprom index:3 val:65793", lambda g: g.eeprom.read(3), None),
-        ("gpio", "dir B0", "INPUT", lambda g: g.gpio.direction("B0"), "INPUT"),
-        ("gpio", "dir E29", "Unknown bit E29", lambda g: g.gpio.direction("E29"), None),
-        ("gpio", "r E29", "Unknown bit E29", lambda g: g.gpio.read("E29"), None),
-        ("gpio", "r B0", "1", lambda g: g.gpio.read("B0"), 1),
-        ("gpio", "r E12", "E12 = 0", lambda g: g.gpio.read("E12"), 0),
-        (
-            "gpio", "regs", "A0: 1 A1: 0\nE28 = 1\nUnknown bit E29", lambda g: g.gpio.registers().states,
-            {"A0": 1, "A1": 0, "E28": 1, "E29": None},
-        ),
-        ("peak", "rssits", "Even_sig = 489, Odd_sig = 235", lambda g: g.peak.rssi(), PolarisedRssi(489, 235)),
-        ("peak", "ts", "SW Status: 0b0101 5", lambda g: g.peak.switch_status(), 5),
-        ("step", "pid", "Kp=250 Kv=50", lambda g: g.stepper.gains(), (Gains(None, 250.0, 50.0, None),)),
-        (
-            "mot", "pid", "AZ: Kp=250 Kv=50, EL: Kp=200 Kv=40", lambda g: g.motors.gains(),
-            (Gains(0, 250.0, 50.0, None), Gains(1, 200.0, 40.0, None)),
-        ),
-        (
-            "mot", "pid", "PID[0] Kp=250 Kv=50 Ki=1\nPID[1] Kp=200 Kv=40 Ki=0", lambda g: g.motors.gains(),
-            (Gains(0, 250.0, 50.0, 1.0), Gains(1, 200.0, 40.0, 0.0)),
-        ),
-        (
-            "mot", "elminmaxhome", "Min: 18.00 Max: 65.00 Home: 65.00",
-            lambda g: g.motors.elevation_limits(), ElevationLimits(18.0, 65.0, 65.0),
-        ),
-        (
-            "mot", "mv", "Max Vel [0] = 65.00 / Max Vel [1] = 45.00",
-            lambda g: g.motors.max_velocities(), Speeds(65.0, 45.0),
-        ),
-        ("mot", "v", "Velocity[0] = 0.00\nVelocity[1] = -3.50", lambda g: g.motors.velocities(), Speeds(0.0, -3.5)),
-        ("mot", "v", "Velocity[0] = 0\nVelocity[1] = 3", lambda g: g.motors.velocities(), Speeds(None, None)),
-        ("mot", "p", "Pos[0] = -20000\nPos[1] = 2147483647", lambda g: g.motors.steps(), StepCounts(-20000, None)),
-        (
-            "mot", "l", "0=AZIMUTH 1=ELEVATION", lambda g: g.motors.list(),
-            (MotorEntry(0, "AZIMUTH", None), MotorEntry(1, "ELEVATION", None)),
-        ),
-        (
-            "mot", "l", "0=AZIMUTH HOLDING\n1=ELEVATION MOVING", lambda g: g.motors.list(),
-            (MotorEntry(0, "AZIMUTH", "HOLDING"), MotorEntry(1, "ELEVATION", "MOVING")),
-        ),
-        ("mot", "ela2s 45.00", "3120", lambda g: g.motors.elevation_to_steps(45.0), 3120),
-        ("mot", "ela2s 45.00", "Angle = 4500 Steps = 3120", lambda g: g.motors.elevation_to_steps(45.0), 3120),
-        ("mot", "els2a 3120", "Angle = 45.00", lambda g: g.motors.steps_to_elevation(3120), 45.0),
-        ("mot", "els2a 3120", "Steps: 3120 Angle: 4500", lambda g: g.motors.steps_to_elevation(3120), 45.0),
-        ("mot", "els2a 3120", "45.00", lambda g: g.motors.steps_to_elevation(3120), 45.0),
-        ("mot", "els2a 9999999", "Overflow", lambda g: g.motors.steps_to_elevation(9999999), None),
-        ("mot", "life", "AZ moves: 12", lambda g: g.motors.life(), ("AZ moves: 12",)),
-        ("mot", "motorlife", "AZ: 12 EL: 3", lambda g: g.motors.life_details(), ("AZ: 12 EL: 3",)),
-    ],
-)  # fmt: skip
+
+@pytest.mark.parametrize(("menu", "line", "answer", "question", "value"), VALUES)
 def test_a_reply_becomes_a_value(ask, menu, line, answer, question, value):
     assert ask(menu, line, answer, question) == value
 
@@ -121,6 +120,31 @@ def test_what_makes_no_sense_is_no_value(ask, menu, line, answer, question):
     with pytest.raises(NoReply) as raised:
         ask(menu, line, answer, question)
     assert raised.value.reason == "garbage"
+
+
+PRINTED = ("life", "motorlife", "l", "bdid", "bdrevid")
+"""Their words are handed on as printed."""
+
+
+@pytest.mark.parametrize(
+    ("menu", "line", "answer", "question", "value"), [row for row in VALUES if row[1] not in PRINTED and row[2]]
+)
+def test_noise_in_a_reply_brings_no_wrong_value(ask, menu, line, answer, question, value):
+    for at in range(len(answer) + 1):
+        try:
+            found = ask(menu, line, f"{answer[:at]}\xff{answer[at:]}", question)
+        except (NoReply, CommandRefused):
+            continue
+        if isinstance(value, dict):
+            assert found.items() <= value.items()
+        elif isinstance(value, tuple):
+            assert {gain.kp for gain in found} <= {gain.kp for gain in value}
+            assert {gain.kv for gain in found} <= {gain.kv for gain in value}
+        elif isinstance(value, Speeds):
+            assert found.az_deg_s in (value.az_deg_s, None)
+            assert found.el_deg_s in (value.el_deg_s, None)
+        else:
+            assert found in (value, None), answer[:at]
 
 
 def test_a_refusal_is_told_from_garbage(ask):

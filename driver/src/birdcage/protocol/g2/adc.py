@@ -6,10 +6,10 @@ import re
 from typing import ClassVar
 
 from birdcage.console.events import Reply
-from birdcage.protocol.g2.reading import garbage, only_whole, search
+from birdcage.protocol.g2.reading import END, garbage, only_whole, search
 from birdcage.protocol.g2.room import Room
 
-_RSSI = re.compile(r"\bRSSI\s*[:=]?\s*(\d+)\b", re.IGNORECASE)
+_RSSI = re.compile(rf"\bRSSI\s*[:=]?\s*(\d+){END}", re.IGNORECASE)
 _BARE = re.compile(r"\s*(\d+)\s*")
 _WORD = re.compile(r"(?:[\w ]+[:=]\s*)?(\w+)")
 _STREAM_S = 3.0

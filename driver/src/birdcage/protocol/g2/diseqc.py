@@ -6,14 +6,14 @@ import re
 from dataclasses import dataclass
 from typing import ClassVar
 
-from birdcage.protocol.g2.reading import find, only_whole, search
+from birdcage.protocol.g2.reading import END, START, find, only_whole, search
 from birdcage.protocol.g2.room import Room
 
 LONGEST = 6
 """Bytes of a DiSEqC message that the dish takes."""
 
-_HEX = re.compile(r"0x([0-9A-Fa-f]{1,2})\b")
-_MS = re.compile(r"(?<![\w.])(\d+)\s*ms\b", re.IGNORECASE)
+_HEX = re.compile(rf"{START}0x([0-9A-Fa-f]{{1,2}}){END}")
+_MS = re.compile(rf"{START}(\d+)\s*ms{END}", re.IGNORECASE)
 _TIMEOUT = re.compile("RxReplyTimeout", re.IGNORECASE)
 _BUS_S = 2.0
 """How long a message and its answer may take beside the time for replies; only a deadline depends on it."""

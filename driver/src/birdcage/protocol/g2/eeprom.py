@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 from typing import ClassVar
 
-from birdcage.protocol.g2.reading import garbage, search
+from birdcage.protocol.g2.reading import END, garbage, search
 from birdcage.protocol.g2.room import Room
 
-_READ = re.compile(r"Index:\s*(\d+)\s+Read value\s*=\s*([-+]?\d+)\b")
-_UNWRITTEN = re.compile(r"Failed to read eeprom index:\s*(\d+)\s+val:\s*65793\b")
+_READ = re.compile(rf"Index:\s*(\d+)\s+Read value\s*=\s*([-+]?\d+){END}")
+_UNWRITTEN = re.compile(rf"Failed to read eeprom index:\s*(\d+)\s+val:\s*65793{END}")
 
 
 class Eeprom(Room):

@@ -6,9 +6,10 @@ import re
 from collections.abc import Iterable
 
 from birdcage.protocol.g2.motor_values import HomingReport
+from birdcage.protocol.g2.reading import END
 
-_WRAP = re.compile(r"wrap_min:\s*([-+]?\d+)\s+wrap_max:\s*([-+]?\d+)\b")
-_END = re.compile(r"\bAZ\s*-\s*Angle:\s*([-+]?\d+)\s+Wrap:\s*([-+]?\d+)\b")
+_WRAP = re.compile(rf"wrap_min:\s*([-+]?\d+)\s+wrap_max:\s*([-+]?\d+){END}")
+_END = re.compile(rf"\bAZ\s*-\s*Angle:\s*([-+]?\d+)\s+Wrap:\s*([-+]?\d+){END}")
 
 
 def parse_homing(lines: Iterable[str]) -> HomingReport:

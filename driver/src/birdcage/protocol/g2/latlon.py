@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from birdcage.base.errors import CommandRefused
-from birdcage.protocol.g2.reading import find, search
+from birdcage.protocol.g2.reading import END, find, search
 from birdcage.protocol.g2.room import Room
 
 _CALCULATE_S = 5.0
 _ROUNDING_DEG = 0.015
-_PLACE = re.compile(r"\bLat\s*=\s*([-+]?\d+)\s+Lon\s*=\s*([-+]?\d+)\b")
-_ENTERED = re.compile(r"anglesentered\s*=\s*([-+]?\d+)\s+([-+]?\d+)\s+([-+]?\d+)\s+([-+]?\d+)\b")
+_PLACE = re.compile(rf"\bLat\s*=\s*([-+]?\d+)\s+Lon\s*=\s*([-+]?\d+){END}")
+_ENTERED = re.compile(rf"anglesentered\s*=\s*([-+]?\d+)\s+([-+]?\d+)\s+([-+]?\d+)\s+([-+]?\d+){END}")
 
 
 @dataclass(frozen=True, slots=True)

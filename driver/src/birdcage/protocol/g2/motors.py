@@ -12,12 +12,12 @@ from typing import ClassVar
 
 from birdcage.protocol.g2.gains import read_gains
 from birdcage.protocol.g2.motor_values import Accelerations, ElevationLimits, Gains, MotorEntry, Speeds, StepCounts
-from birdcage.protocol.g2.reading import INT_MAX, NUMBER, by_motor, find, garbage, only_text, only_whole, search
+from birdcage.protocol.g2.reading import END, INT_MAX, NUMBER, by_motor, find, garbage, only_text, only_whole, search
 from birdcage.protocol.g2.room import Room
 
 _LIMITS = re.compile(rf"Min:\s*({NUMBER})\s+Max:\s*({NUMBER})\s+Home:\s*({NUMBER})")
 _MOTOR = re.compile(r"(?<!\w)([01])\s*[=:)]\s*(AZIMUTH|ELEVATION)\b")
-_STEPS = re.compile(r"\bsteps?\s*[=:]\s*([-+]?\d+)\b", re.IGNORECASE)
+_STEPS = re.compile(rf"\bsteps?\s*[=:]\s*([-+]?\d+){END}", re.IGNORECASE)
 _ANGLE = re.compile(rf"\bangle\s*[=:]\s*({NUMBER})", re.IGNORECASE)
 _OVERFLOW = re.compile(r"\boverflow", re.IGNORECASE)
 _STEEPEST_DEG = 180.0

@@ -6,11 +6,11 @@ import re
 from dataclasses import dataclass
 from typing import ClassVar
 
-from birdcage.protocol.g2.reading import find, garbage
+from birdcage.protocol.g2.reading import END, find, garbage
 from birdcage.protocol.g2.room import Room
 
-_SIGNALS = re.compile(r"Even_sig\s*=\s*(\d+)\s*,?\s*Odd_sig\s*=\s*(\d+)\b")
-_SWITCH = re.compile(r"SW Status:\s*0b([01]+)\s+(\d+)\b")
+_SIGNALS = re.compile(rf"Even_sig\s*=\s*(\d+)\s*,?\s*Odd_sig\s*=\s*(\d+){END}")
+_SWITCH = re.compile(rf"SW Status:\s*0b([01]+)\s+(\d+){END}")
 _TOGGLE_S = 10.0
 
 

@@ -7,15 +7,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from birdcage.protocol.g2.reading import find, garbage, only_whole, search
+from birdcage.protocol.g2.reading import END, START, find, garbage, only_whole, search
 from birdcage.protocol.g2.room import Room
 
 _PIN = re.compile(r"[A-E]\d{1,2}")
 _DIRECTION = re.compile(r"\b(INPUT|OUTPUT)\b")
-_STATE = re.compile(r"\b([A-E]\d{1,2})\b\s*[:= ]\s*([01])\b")
-_UNKNOWN = re.compile(r"Unknown bit\s+([A-E]\d{1,2})\b", re.IGNORECASE)
-_RAW = re.compile(r"(?<!\w)val:\s*(?:0x)?([0-9A-Fa-f]{8})\b")
-_CODE = re.compile(r"app_dipswitch:\s*(\d+)\b")
+_STATE = re.compile(rf"{START}([A-E]\d{{1,2}})\s*[:= ]\s*([01]){END}")
+_UNKNOWN = re.compile(rf"Unknown bit\s+([A-E]\d{{1,2}}){END}", re.IGNORECASE)
+_RAW = re.compile(rf"(?<!\w)val:\s*(?:0x)?([0-9A-Fa-f]{{8}}){END}")
+_CODE = re.compile(rf"app_dipswitch:\s*(\d+){END}")
 _REGS_S = 5.0
 
 

@@ -10,14 +10,21 @@ from typing import Generic, TypeVar
 from birdcage.base.errors import NoReply
 from birdcage.console.events import Reply
 
-NUMBER = r"[-+]?\d+(?:\.\d+)?(?![\dxX]|\.\d)"
+START = r"(?<![^\s=:(])"
+"""Where a value may begin."""
+END = r"(?=[.,;)\]]*(?:\s|$))"
+"""Where a value ends: what noise has cut in two is none."""
+NUMBER = r"[-+]?\d+(?:\.\d+)?(?=[A-Za-z%°/²]*[.,;)\]]*(?:\s|$))"
+"""With its unit right behind it, or none."""
 INT_MAX = 2147483647
 """What an axis reports until it is homed (section 7.2)."""
 
-_NUMBER = re.compile(rf"(?<![\w.]){NUMBER}")
+_NUMBER = re.compile(rf"{START}{NUMBER}")
 _BY_MOTOR = re.compile(rf"\[\s*([01])\s*\]\s*[=:]\s*({NUMBER})")
+_WITH_DIGIT = re.compile(r"\S*\d\S*")
 _IN_BRACKETS = re.compile(r"\([^)]*\)")
 _BOTH = re.compile(r"\bAZ\s*/\s*EL\b(.*)")
+_WORD = re.compile(r"[^\s:,;.=/()\[\]]+")
 _AZ = re.compile(r"\bAZ\w*\b(.*?)(?=\bEL\w*\b|$)")
 _EL = re.compile(r"\bEL\w*\b(.*?)(?=\bAZ\w*\b|$)")
 
@@ -52,9 +59,13 @@ def find(reply: Reply, pattern: re.Pattern[str]) -> re.Match[str]:
 
 
 def only_text(reply: Reply) -> str:
-    """Return the number of a reply that holds a single one, remarks in brackets aside; NoReply (garbage) otherwise."""
-    numbers: list[str] = [text for line in reply.lines for text in _NUMBER.findall(_IN_BRACKETS.sub("", line))]
-    if len(numbers) != 1:
+    """Return the number of a reply that holds a single one, remarks in brackets aside; NoReply (garbage) otherwise.
+
+    A word with a digit in it counts as another, as noise may have made it of one.
+    """
+    text = _IN_BRACKETS.sub("", "\n".join(reply.lines))
+    numbers: list[str] = _NUMBER.findall(text)
+    if len(numbers) != 1 or len(_WITH_DIGIT.findall(text)) != 1:
         raise garbage(reply)
     return numbers[0]
 
@@ -90,4 +101,4 @@ def by_axis(reply: Reply, words: Mapping[str, T]) -> PerAxis[T]:
 
 def _word(text: str, words: Mapping[str, T]) -> str | None:
     spelt = {word.lower(): word for word in words}
-    return next((spelt[word.lower()] for word in re.findall(r"\w+", text) if word.lower() in spelt), None)
+    return next((spelt[word.lower()] for word in _WORD.findall(text) if word.lower() in spelt), None)

@@ -11,10 +11,10 @@ from birdcage.console.events import Reply
 from birdcage.protocol.g2.gains import read_gains
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.g2.motor_values import Accelerations, Gains
-from birdcage.protocol.g2.reading import by_motor
+from birdcage.protocol.g2.reading import END, by_motor
 from birdcage.protocol.g2.room import Room
 
-_MAX_VEL = re.compile(r"Max Vel\s*\[(\d)\]\s*=\s*(\d+)(?![\d.])")
+_MAX_VEL = re.compile(rf"Max Vel\s*\[(\d)\]\s*=\s*(\d+){END}")
 _AXES = {axis.index: axis for axis in (CARRYOUT_G2.azimuth, CARRYOUT_G2.elevation)}
 
 

@@ -8,10 +8,11 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from birdcage.base.errors import NoReply
+from birdcage.protocol.g2.reading import END
 from birdcage.protocol.g2.room import Room
 
 _FIELD = re.compile(r"^\s*([A-Za-z][\w -]*?):\s+(.+?)\s*$")
-_WHOLE = re.compile(r"0x[0-9A-Fa-f]+|\d+")
+_WHOLE = re.compile(rf"(?:0x[0-9A-Fa-f]+|\d+){END}")
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,13 +9,13 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from birdcage.protocol.g2.reading import NUMBER
+from birdcage.protocol.g2.reading import END, NUMBER, START
 
 _RF = re.compile(rf"\bRF[ _]?(?:AGC)?\s*[:=]?\s*({NUMBER})", re.IGNORECASE)
 _IF = re.compile(rf"\bIF[ _]?(?:AGC)?\s*[:=]?\s*({NUMBER})", re.IGNORECASE)
 _SNR = re.compile(rf"\bSNR(?:\s+level)?\s*[:=]?\s*({NUMBER})", re.IGNORECASE)
-_NID = re.compile(r"\bNID\s*[:=]?\s*(?:0x)?([0-9A-F]{1,4})\b", re.IGNORECASE)
-_VOLTS = re.compile(rf"(?<![\w.])({NUMBER})\s*V?\s*$|[:=]\s*({NUMBER})", re.IGNORECASE)
+_NID = re.compile(rf"\bNID\s*[:=]?\s*(?:0x)?([0-9A-F]{{1,4}}){END}", re.IGNORECASE)
+_VOLTS = re.compile(rf"{START}({NUMBER})\s*V?\s*$|[:=]\s*({NUMBER})", re.IGNORECASE)
 _NO_NETWORK = 0xFFFF
 
 
@@ -103,8 +103,8 @@ def read_identity(lines: tuple[str, ...]) -> TunerIdentity:
     chip, strap = _hex(text, r"\bID"), _hex(text, r"\bstrap\w*")
     return TunerIdentity(
         chip,
-        _text(text, r"\brev(?:ision)?\b\.?\s*[:=]?\s*([A-Z]\d)\b"),
-        _text(text, r"\b(?:FW|firmware)\b(?:\s*ver(?:sion)?)?\s*[:=]?\s*v?(\d+(?:\.\d+)+)"),
+        _text(text, r"\brev(?:ision)?\b\.?\s*[:=]?\s*([A-Z]\d)" + END),
+        _text(text, r"\b(?:FW|firmware)\b(?:\s*ver(?:sion)?)?\s*[:=]?\s*v?(\d+(?:\.\d+)+)" + END),
         strap,
         lines,
     )
@@ -116,7 +116,7 @@ def read_channel(lines: tuple[str, ...]) -> ChannelParameters:
     frequency = re.search(rf"\bfreq\w*[^\n\d]*({NUMBER})\s*([kMG])Hz", text, re.IGNORECASE)
     rate = re.search(rf"\bsym\w*[^\n\d]*({NUMBER})\s*([kM])(?:sps|sym/s|S/s|Bd|baud)", text, re.IGNORECASE)
     scale = {"k": 1e-3, "m": 1.0, "g": 1e3}
-    polarisation = _text(text, r"\bpol\w*[^\n:=]*[:=]\s*([HV])\b")
+    polarisation = _text(text, r"\bpol\w*[^\n:=]*[:=]\s*([HV])" + END)
     return ChannelParameters(
         float(frequency[1]) * scale[frequency[2].lower()] if frequency else None,
         float(rate[1]) * scale[rate[2].lower()] * 1e3 if rate else None,
@@ -128,7 +128,7 @@ def read_channel(lines: tuple[str, ...]) -> ChannelParameters:
 def read_lock(lines: tuple[str, ...]) -> LockStatus:
     """Read `ls` or `qls`."""
     text = "\n".join(lines)
-    locked = _text(text, r"\block(?:ed)?(?:\s+status)?\s*[:=]\s*(yes|no|locked|unlocked|true|false|[01])\b")
+    locked = _text(text, r"\block(?:ed)?(?:\s+status)?\s*[:=]\s*(yes|no|locked|unlocked|true|false|[01])" + END)
     return LockStatus(
         locked.lower() in ("yes", "locked", "true", "1") if locked else None,
         _count(text, r"reads"),
@@ -139,7 +139,7 @@ def read_lock(lines: tuple[str, ...]) -> LockStatus:
 
 
 def _hex(text: str, name: str) -> int | None:
-    match = re.search(rf"{name}\s*[:=]?\s*0x([0-9A-F]+)", text, re.IGNORECASE)
+    match = re.search(rf"{name}\s*[:=]?\s*0x([0-9A-F]+){END}", text, re.IGNORECASE)
     return int(match[1], 16) if match else None
 
 
@@ -149,5 +149,5 @@ def _text(text: str, pattern: str) -> str | None:
 
 
 def _count(text: str, name: str) -> int | None:
-    match = re.search(rf"\b{name}(?:\s+(?:count|reads))?\s*[:=]\s*(\d+)\b", text, re.IGNORECASE)
+    match = re.search(rf"\b{name}(?:\s+(?:count|reads))?\s*[:=]\s*(\d+){END}", text, re.IGNORECASE)
     return int(match[1]) if match else None
