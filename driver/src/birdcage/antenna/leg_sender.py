@@ -2,9 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.legs import Leg, leg_motion, plan_legs, skew_leg
 from birdcage.protocol.types import Position
+
+
+@dataclass(frozen=True, slots=True)
+class Way:
+    """The legs to a direction, which is true; none when the dish is there."""
+
+    legs: tuple[Leg, ...]
+    az_deg: float
+    el_deg: float
 
 
 class LegSender:
@@ -13,20 +24,26 @@ class LegSender:
     def __init__(self, antenna: BirdcageAntenna) -> None:
         self._antenna = antenna
 
-    def plan(self, az_deg: float, el_deg: float, *, leapfrog: bool = False, clamp: bool = False) -> tuple[Leg, ...]:
-        """Read the position and return the legs to a true direction; empty when the dish is there.
+    def plan(self, az_deg: float, el_deg: float, *, leapfrog: bool = False, clamp: bool = False) -> Way:
+        """Read the position and return the way to a true direction.
 
         Raises as `BirdcageAntenna.point`. Nothing is sent that moves.
         """
         antenna = self._antenna
-        dish_az, dish_el = antenna.aim(az_deg, el_deg, leapfrog=leapfrog, clamp=clamp)
-        turn = antenna.turn_known(dish_az)
-        return plan_legs(antenna.model, self._start, dish_az, dish_el, turn, antenna.first_motor())
+        dish = antenna.aim(az_deg, el_deg, leapfrog=leapfrog, clamp=clamp)
+        legs = plan_legs(antenna.model, self._start, *dish, antenna.turn_known(dish[0]), antenna.first_motor())
+        return Way(legs, *antenna.alignment.to_true(*dish))
 
-    def plan_skew(self, deg: float) -> Leg:
-        """Read the position and return the leg that turns the skew. MotionRefused on a dish without that axis."""
-        self._antenna.get_position()
-        return skew_leg(self._antenna.model, self._start, deg)
+    def plan_skew(self, deg: float) -> Way:
+        """Read the position and return the way of the skew. MotionRefused on a dish without that axis."""
+        here = self._antenna.get_position()
+        leg = skew_leg(self._antenna.model, self._start, deg)
+        return Way((leg,) if leg.seconds else (), here.azimuth, here.elevation)
+
+    def seconds(self, start: Position, az_deg: float, el_deg: float) -> float:
+        """Return about how long the way takes from somewhere (dish angles) to a true direction."""
+        dish_az, dish_el = self._antenna.alignment.to_dish(az_deg, el_deg)
+        return sum(leg.seconds for leg in plan_legs(self._antenna.model, start, dish_az, dish_el, None, 0))
 
     def send(self, leg: Leg) -> None:
         """Send one leg; returns when the dish has taken it, or as soon as it is sent if it is silent.

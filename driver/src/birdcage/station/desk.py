@@ -48,6 +48,9 @@ class Desk:
             case ask.Goto() | ask.Follow() | ask.Jog():
                 self._move(request, future)
                 return
+            case ask.TurnSkew():
+                self._turn_skew(request, future)
+                return
             case ask.Home():
                 self._home(request)
             case ask.ReleaseMotors(holder):
@@ -138,6 +141,19 @@ class Desk:
                 self._control.give_back(request.holder)
             raise
 
+    def _turn_skew(self, request: ask.TurnSkew, future: Future[object]) -> None:
+        had_lease = self._board.state.holder == request.holder
+        self._antenna.protocol.gate.check_skew(request.deg)
+        self._ready(request.holder)
+        here = self._board.state.position
+        az_deg, el_deg = (here.az_deg, here.el_deg) if here is not None else (0.0, 0.0)
+        try:
+            self._mover.turn_skew(Job(az_deg, el_deg, request.holder, future, skew_deg=request.deg))
+        except MotionRefused:
+            if not had_lease:
+                self._control.give_back(request.holder)
+            raise
+
     def _jogged(self, jog: ask.Jog) -> tuple[float, float]:
         base = self._mover.target
         if base is None:
@@ -149,6 +165,10 @@ class Desk:
 
     def _home(self, request: ask.Home) -> None:
         protocol = self._antenna.protocol
+        if protocol.model.homing_s is None:
+            raise MotionRefused(
+                f"The {protocol.model.name} homes only by itself, at power-up. Nothing was sent.", reason="unsupported"
+            )
         axes = (protocol.model.azimuth.index, protocol.model.elevation.index)
         if not set(request.axes) <= set(axes):
             raise MotionRefused(f"This dish has the axes {axes} only. Nothing was sent.", reason="unsupported")

@@ -27,6 +27,8 @@ class Look:
         self._survey = Survey()
         self.rules: Rules = settings
         """The user's own limits, as they are now."""
+        self.elsewhere = False
+        """Whether the console may be in another menu than the motors'."""
 
     def forget_survey(self) -> None:
         """The dish may be another one, or have other settings: read them again when the link comes up."""

@@ -74,8 +74,7 @@ class Mover(ABC):
         """Turn the skew to `job.skew_deg`. MotionRefused where that can't be done."""
         assert job.skew_deg is not None, "this is a motion of the skew"
         self._antenna.protocol.gate.check_skew(job.skew_deg)
-        name = self._antenna.model.name
-        raise MotionRefused(f"The skew of the {name} can't be turned from here. Nothing was sent.", reason="unsupported")
+        raise MotionRefused("The skew of this dish can't be turned from here. Nothing was sent.", reason="unsupported")
 
     def await_rest(self, job: Job) -> None:
         """Follow a motion of the firmware's own until the dish rests."""
@@ -126,7 +125,7 @@ class Mover(ABC):
     ) -> None:  # fmt: skip
         """Follow a motion from now on, and show it."""
         job.az_deg, job.el_deg = commanded
-        self._job = job
+        self._job, self._last_follow = job, (job.holder, now) if job.follow else None
         self.due = self._board.clock.monotonic() + POLL_S
         shown = Motion(
             start.az_deg if start else commanded[0], start.el_deg if start else commanded[1], *commanded, now, eta,
@@ -140,6 +139,11 @@ class Mover(ABC):
             self._board.change(target_az_deg=commanded[0], target_el_deg=commanded[1])
         self.activity(Activity.SLEWING, "")
         self._board.tell(MoveStarted(*self._board.stamp(), shown, job.holder))
+
+    def _is_stream(self, job: Job) -> bool:
+        """Return whether a target follows another one of its holder's closely."""
+        last, now = self._last_follow, self._board.clock.monotonic()
+        return job.follow and last is not None and last[0] == job.holder and now - last[1] < STREAM_S
 
     def _tell_progress(self, job: Job, pointing: Pointing, left_s: float) -> None:
         to_go = separation(pointing.az_deg, pointing.el_deg, job.az_deg, job.el_deg)

@@ -8,7 +8,7 @@ from birdcage.antenna.motion import stop_power_s
 from birdcage.base.errors import CommandRefused, PositionUnknown, Stopped, Superseded
 from birdcage.base.geometry import shortest_turn
 from birdcage.station.events import End
-from birdcage.station.mover import ARRIVED_DEG, POLL_S, STREAM_S, Job, Mover
+from birdcage.station.mover import ARRIVED_DEG, POLL_S, Job, Mover
 from birdcage.station.state import Activity
 
 
@@ -17,13 +17,10 @@ class RetargetMover(Mover):
 
     def go(self, job: Job, *, clamp: bool = False, leapfrog: bool = False) -> None:
         """Send a motion. What the gate refuses is raised, and the motion under way goes on."""
-        now, last = self._board.clock.monotonic(), self._last_follow
-        stream = job.follow and last is not None and last[0] == job.holder and now - last[1] < STREAM_S
-        start = self._board.state.position
-        commanded = self._point(job, clamp=clamp, leapfrog=leapfrog and stream)
+        now, start = self._board.clock.monotonic(), self._board.state.position
+        commanded = self._point(job, clamp=clamp, leapfrog=leapfrog and self._is_stream(job))
         self._end(End.SUPERSEDED, "a newer target replaced it", Superseded("A newer target replaced this one."))
         start = self._board.state.position if start is None else start
-        self._last_follow = (job.holder, now) if job.follow else None
         motion, model = self._antenna.motion, self._antenna.model
         assert motion is not None, "the antenna has just begun it"
         eta = motion.eta(self._board.clock.rate)

@@ -14,6 +14,7 @@ from birdcage.antenna.config import AntennaConfig
 from birdcage.base.clock import Clock
 from birdcage.base.errors import BirdcageError, LinkError, NoReply, Stopped
 from birdcage.base.wake import Wake
+from birdcage.protocol.model import SecondMove
 from birdcage.protocol.registry import get_protocol
 from birdcage.station.applying import Applying
 from birdcage.station.board import Board, Listener
@@ -21,6 +22,7 @@ from birdcage.station.connection import Connection
 from birdcage.station.control import Control
 from birdcage.station.desk import Desk
 from birdcage.station.look import Look
+from birdcage.station.queued_mover import QueuedMover
 from birdcage.station.raw import MenuCommand, Verdict
 from birdcage.station.raw_effects import RawEffects
 from birdcage.station.requests import Request
@@ -58,7 +60,8 @@ class Station:
         self._closing = threading.Event()
         self._control = Control(board)
         self._look = look = Look(board, antenna, settings)
-        self._mover = RetargetMover(board, antenna, look)
+        queues = protocol.model.second_move is SecondMove.QUEUE
+        self._mover = QueuedMover(board, antenna, look) if queues else RetargetMover(board, antenna, look)
         self._stopper = Stopper(board, antenna, self._control, self._mover, look)
         applying = Applying(board, antenna, self._mover, self._stopper, look)
         applying.use(settings)

@@ -9,16 +9,14 @@ from dataclasses import dataclass, replace
 from enum import Enum
 
 from birdcage.antenna.antenna import BirdcageAntenna
-from birdcage.antenna.motion import stop_power_s
-from birdcage.base.errors import BirdcageError, Held, LinkError, NoReply, PositionUnknown, Stopped
-from birdcage.base.geometry import shortest_turn
-from birdcage.protocol.types import Position
+from birdcage.base.errors import BirdcageError, CommandRefused, Held, LinkError, NoReply, PositionUnknown, Stopped
 from birdcage.station.board import Board
 from birdcage.station.control import Control
 from birdcage.station.events import End, StopConfirmed, StopSent
 from birdcage.station.look import Look
 from birdcage.station.mover import Mover
 from birdcage.station.state import Activity, Pointing, StopReport
+from birdcage.station.stop_ways import Grip, closes_in, stop_way
 
 MOST_REPEATS = 5
 COALESCE_S = 0.2
@@ -37,9 +35,13 @@ class Reach(Enum):
     SENT = "sent"
     AT_REST = "at rest"
     """Nothing was sent, as nothing moved."""
+    ENDS = "ends"
+    """Nothing could be sent: the move of one axis ends by itself, and nothing follows it."""
     NOT = "not"
 
 
+GRIPS = ("retarget", "abort", "search")
+"""Means that were sent."""
 LOOKING = ("nothing moved", "look")
 """Means of a STOP that has sent nothing yet, and does so as soon as the dish is seen moving."""
 
@@ -53,6 +55,9 @@ class Pending:
     answered: bool
     last: Pointing | None
     deadline: float
+    still_since: float | None = None
+    grip_is_complete: bool = False
+    """Whether what follows the answer was done."""
     lines: tuple[str, ...] = ()
     """What was sent, and is repeated as it was: a dish whose answers alone were lost must not be sent on."""
 
@@ -74,8 +79,7 @@ class Stopper:
         self._last_call = -math.inf
         self.homing = False
         """Set while homing (or a stow) keeps the shell busy, and nothing that is sent gets through."""
-        self.retarget_works: bool | None = None
-        """Learnt from the first STOP in motion; None until then."""
+        self.way = stop_way(board, antenna)
         self.due: float | None = None
         self.reach = Reach.NOT
 
@@ -93,32 +97,37 @@ class Stopper:
             if now - self._last_call < COALESCE_S:
                 return
             self._last_call = now
-            means, sentence = "nothing moved", "Nothing was moving. Looking where the dish is."
-            lines: tuple[str, ...] = ()
-            protocol = self._antenna.protocol
-            if not protocol.is_connected:
-                means, sentence = "no link", "There is no link to the dish: nothing could be sent. Cut its power."
-            elif self.homing:
-                what = "Stowing" if self._board.state.activity is Activity.STOWING else "Homing"
-                means, sentence = "none", f"{what} cannot be stopped from here: cut the power of the dish."
-            elif self._board.state.activity is Activity.STOWING:
-                # Where it goes is the firmware's own business: only two readings tell where to aim.
-                means, sentence = "look", "No STOP is documented for stowing: looking where it goes, to aim."
-            elif self._look.elsewhere:
-                means, sentence = "look", "The console is not in the motor menu: going there to look, and to aim."
-            elif self.retarget_works is not False:
-                try:
-                    if lines := self._antenna.stop_lines():
-                        means, sentence = "retarget", "A new target just ahead of the dish was sent."
-                        protocol.interject(lines)
-                except LinkError as error:
-                    means, sentence = "no link", str(error)
-            elif self._antenna.motion is not None:
-                means, sentence = "none", "This dish takes new targets at the end of a move only: cut its power."
-            self.reach = {"retarget": Reach.SENT, "look": Reach.LOOKING, "nothing moved": Reach.LOOKING}.get(
-                means, Reach.NOT
-            )
-            self._calls.append((StopReport(by, now, means, None, sentence), lines, reason))
+            grip = self._grip()
+            try:
+                if grip.lines:
+                    self._antenna.protocol.interject(grip.lines)
+            except LinkError as error:
+                grip = Grip("no link", str(error))
+            self.reach = self._reach(grip)
+            self._calls.append((StopReport(by, now, grip.means, None, grip.sentence), grip.lines, reason))
+
+    def _grip(self) -> Grip:
+        """Return what to do at once, by what is known of the dish."""
+        state = self._board.state
+        if not self._antenna.protocol.is_connected:
+            return Grip("no link", "There is no link to the dish: nothing could be sent. Cut its power.")
+        if self.homing:
+            what = "Stowing" if state.activity is Activity.STOWING else "Homing"
+            return Grip("none", f"{what} cannot be stopped from here: cut the power of the dish.")
+        if state.activity is Activity.STOWING:
+            # Where it goes is the firmware's own business: only two readings tell where to aim.
+            return Grip("look", "No STOP is documented for stowing: looking where it goes, to aim.")
+        if self._look.elsewhere and not self.way.anywhere:
+            return Grip("look", "The console is not in the motor menu: going there to look, and to aim.")
+        return self.way.at_once()
+
+    @staticmethod
+    def _reach(grip: Grip) -> Reach:
+        if grip.means in GRIPS or grip.lines:
+            return Reach.SENT
+        if grip.means in LOOKING:
+            return Reach.LOOKING
+        return Reach.ENDS if grip.means == "end of move" else Reach.NOT
 
     def release(self, stops_seen: int) -> None:
         """Let go of the latch, unless STOP was called after the release was asked for: then Held."""
@@ -150,8 +159,8 @@ class Stopper:
             now = self._board.clock.monotonic()
             repeats = self._pending.sent if self._pending is not None else 0
             self._pending = Pending(
-                report, repeats + (report.means == "retarget"), report.means != "retarget", None,
-                now + stop_power_s(self._antenna.model) + 1.0, lines,
+                report, repeats + bool(lines), not lines, None, now + self._lasts_s(report.means), lines=lines,
+                grip_is_complete=report.means not in GRIPS,
             )  # fmt: skip
             self.due = now
 
@@ -184,6 +193,9 @@ class Stopper:
             if not pending.answered:
                 self._repeat(pending)
                 return
+        if not pending.grip_is_complete:
+            pending.grip_is_complete = True
+            self._complete(pending)
         pointing = self._look.position()
         if self._pending is not pending:
             return
@@ -192,17 +204,37 @@ class Stopper:
         if pointing is None:
             released = bool(self._antenna.protocol.gate.released)
             self._finish(pending, None, RELEASED if released else UNKNOWN)
-        elif pending.last is not None and self._look.is_still(pointing, pending.last):
+        elif self._rests(pending, pointing, now):
             if pending.report.means == "retarget":
-                self.retarget_works = self.retarget_works is not False and now <= pending.deadline
+                self.way.retarget_works = self.way.retarget_works is not False and now <= pending.deadline
             self._finish(
                 pending, now <= pending.deadline or pending.report.means in LOOKING,
                 f"Stands still at {pointing.az_deg:.2f}°/{pointing.el_deg:.2f}°, "
                 f"{now - pending.report.at:.1f} s after STOP.",
             )  # fmt: skip
-        else:
+        elif pending.still_since is None:
             self._still_moving(pending, pointing, now)
         pending.last = pointing
+
+    def _rests(self, pending: Pending, pointing: Pointing, now: float) -> bool:
+        """Return whether the readings agree, and have done so for long enough."""
+        if pending.last is None or not self._look.is_still(pointing, pending.last):
+            pending.still_since = None
+            return False
+        pending.still_since = pending.last.at if pending.still_since is None else pending.still_since
+        long_enough = now - pending.still_since >= self.way.still_s / self._board.clock.rate
+        return long_enough and self.way.is_there(now)
+
+    def _complete(self, pending: Pending) -> None:
+        try:
+            self.way.answered(pending.report.means)
+        except CommandRefused as refused:
+            if self._pending is pending:
+                pending.report = replace(pending.report, sentence=f"The search was not ended: {refused}")
+                self._publish(pending.report, sent=False)
+
+    def _lasts_s(self, means: str) -> float:
+        return self.way.lasts_s(means) / self._board.clock.rate
 
     def _answered(self) -> bool:
         try:
@@ -223,37 +255,22 @@ class Stopper:
 
     def _still_moving(self, pending: Pending, pointing: Pointing, now: float) -> None:
         if pending.report.means in LOOKING and pending.last is not None:
-            seen = [(Position(p.dish_az_deg, p.dish_el_deg), p.at) for p in (pending.last, pointing)]
-            lines = self._antenna.stop_lines_seen(*seen[0], *seen[1])
-            self._antenna.protocol.interject(lines)
+            grip = self.way.on_sight(pending.last, pointing)
+            self._antenna.protocol.interject(grip.lines)
             self.reach = Reach.SENT
-            pending.lines = lines
-            pending.report = replace(
-                pending.report, means="retarget", sentence="The dish was seen moving: retargeted ahead of it."
-            )
-            pending.deadline = now + stop_power_s(self._antenna.model) + 1.0
-            pending.answered = False
+            pending.lines = grip.lines
+            pending.report = replace(pending.report, means=grip.means, sentence=grip.sentence)
+            pending.deadline = now + self._lasts_s(grip.means)
+            pending.answered = pending.grip_is_complete = False
             pending.sent += 1
-        elif self._closes_in(pending, pointing):
+        elif pending.last is not None and closes_in(self._antenna, pending.last, pointing):
             pending.deadline = max(pending.deadline, now + 1.0)  # slower than modelled, but on its way to rest
-        elif now > pending.deadline and pending.report.confirmed is None and pending.report.means == "retarget":
-            self.retarget_works = False
+        elif now > pending.deadline and pending.report.confirmed is None and pending.report.means not in LOOKING:
+            self.way.retarget_works = False
             pending.report = replace(pending.report, confirmed=False, sentence="The dish goes on: cut its power.")
             self._publish(pending.report, sent=False)
             if self.may_release:
                 self._release(pending)
-
-    def _closes_in(self, pending: Pending, pointing: Pointing) -> bool:
-        """Return whether the dish is nearer to where STOP has sent it than it was a moment ago."""
-        motion, last = self._antenna.motion, pending.last
-        if motion is None or last is None:
-            return False
-        az_deg, el_deg = motion.rest
-
-        def away_deg(seen: Pointing) -> float:
-            return max(abs(shortest_turn(seen.dish_az_deg, az_deg)), abs(seen.dish_el_deg - el_deg))
-
-        return away_deg(pointing) < away_deg(last)
 
     def _release(self, pending: Pending) -> None:
         """Climb the last rung: only if the user enabled it."""

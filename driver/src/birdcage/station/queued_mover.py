@@ -1,0 +1,228 @@
+"""Moves a dish whose moves queue: one command at a time, the next one when the dish rests (decision 0011)."""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import replace
+
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.leg_sender import LegSender
+from birdcage.antenna.legs import Leg
+from birdcage.antenna.motion import DishMotion
+from birdcage.base.errors import BirdcageError, CommandRefused, MotionRefused, PositionUnknown, Superseded
+from birdcage.base.geometry import shortest_turn
+from birdcage.station.board import Board
+from birdcage.station.events import End
+from birdcage.station.look import Look
+from birdcage.station.mover import ARRIVED_DEG, POLL_S, Job, Mover
+from birdcage.station.silence import MARGIN_S, Silence
+from birdcage.station.state import Activity, Pointing
+from birdcage.station.stop_power import stop_power
+
+STILL_S = 0.3
+"""How long the readings must agree where it is not known beforehand where the dish comes to rest."""
+
+
+class QueuedMover(Mover):
+    """Follows a motion leg by leg. A newer target waits until the leg under way has ended, or was aborted."""
+
+    def __init__(self, board: Board, antenna: BirdcageAntenna, look: Look) -> None:
+        super().__init__(board, antenna, look)
+        self._sender = LegSender(antenna)
+        self._silence = Silence(board, antenna)
+        self._legs: deque[Leg] | None = None
+        """What is left of the present motion after the leg under way; None while it waits to be planned."""
+        self._plans = 0
+        """How often the present motion was planned."""
+        self._asked = False, False
+        """Whether the present target was asked for with `clamp`, and with `leapfrog`."""
+
+    def go(self, job: Job, *, clamp: bool = False, leapfrog: bool = False) -> None:
+        """Begin a motion, or note it while a leg is under way: nothing is sent that would queue behind it."""
+        asked = clamp, leapfrog and self._is_stream(job)
+        antenna, under_way = self._antenna, self._antenna.motion
+        if under_way is not None:
+            dish = antenna.to_dish(job.az_deg, job.el_deg, clamp=clamp)
+            antenna.protocol.gate.check_target(*dish)
+            job.az_deg, job.el_deg = antenna.alignment.to_true(*dish)
+            if under_way.silent and not self._ends_near(under_way, *dish):
+                self._silence.abort()
+        self._begin_job(job, asked)
+
+    def turn_skew(self, job: Job) -> None:
+        """Turn the skew. Not while the dish goes somewhere: that would end it half-way."""
+        assert job.skew_deg is not None, "this is a motion of the skew"
+        self._antenna.protocol.gate.check_skew(job.skew_deg)
+        under_way = self._antenna.motion
+        if (self._job is not None and self._job.skew_deg is None) or (under_way is not None and under_way.skew is None):
+            raise MotionRefused(
+                "The skew is not turned while the dish moves. Wait until it rests, or stop it. Nothing was sent.",
+                reason="moving",
+            )
+        self._begin_job(job, (False, False))
+
+    def fail(self, end: End, sentence: str, error: BirdcageError) -> None:
+        """End the motion under way; what was left of it is not sent."""
+        self._legs = None
+        super().fail(end, sentence, error)
+
+    def _begin_job(self, job: Job, asked: tuple[bool, bool]) -> None:
+        """Send the first leg, at rest; else note what comes next. The motion before is superseded by either."""
+        now, start, before = self._board.clock.monotonic(), self._board.state.position, self._job
+        rests = self._antenna.motion is None
+        legs = self._plan(job, asked) if rests else None
+        if legs:
+            self._send(job, legs.popleft())
+        if self._job is before:  # else STOP has ended it meanwhile
+            self._end(End.SUPERSEDED, "a newer target replaced it", Superseded("A newer target replaced this one."))
+        permit = self._antenna.protocol.permit
+        if permit is not None:
+            permit()  # STOP may have come with the last answer: it has ended this motion
+        self._legs, self._plans, self._asked = legs, int(rests), asked
+        power = stop_power(self._antenna.model, self._antenna.motion, self._board.clock.rate)
+        start = start or self._board.state.position
+        self._begin(job, (job.az_deg, job.el_deg), start, now, self._eta(job), power.seconds, power.means,
+                    power.rests_at)  # fmt: skip
+
+    def _plan(self, job: Job, asked: tuple[bool, bool]) -> deque[Leg]:
+        """Read where the dish is, and plan from there. Raises what the gate refuses."""
+        clamp, leapfrog = asked
+        try:
+            if job.skew_deg is not None:
+                way = self._sender.plan_skew(job.skew_deg)
+            else:
+                way = self._sender.plan(job.az_deg, job.el_deg, clamp=clamp, leapfrog=leapfrog)
+        except PositionUnknown as unknown:
+            self._look.unknown(unknown)
+            raise
+        job.az_deg, job.el_deg = way.az_deg, way.el_deg
+        return deque(way.legs)
+
+    def _send(self, job: Job, leg: Leg) -> None:
+        job.last = job.still_since = None
+        self._silence.begin()
+        self._sender.send(leg)
+
+    def _follow(self, job: Job) -> None:
+        self.due = self._board.clock.monotonic() + POLL_S
+        motion = self._antenna.motion
+        if motion is None:
+            self._go_on(job)
+        elif not motion.silent:
+            self._follow_leg(job, motion)
+        elif self._silence.lasts(motion):
+            pointing = self._look.modelled()
+            if pointing is not None:
+                self._tell_progress(job, pointing, self._eta(job) - pointing.at)
+        elif self._silence.has_prompt():
+            self._follow_to_its_rest(job)
+
+    def _follow_leg(self, job: Job, motion: DishMotion) -> None:
+        """Watch one axis, which rests at its target or is stuck."""
+        pointing, clock = self._read(job), self._board.clock
+        if pointing is None:
+            return
+        now, eta = clock.monotonic(), motion.eta(clock.rate)
+        off_deg = _off_deg(pointing, *motion.rest)
+        if motion.skew is not None:
+            # One that is not printed is known by its time alone.
+            here = motion.skew.slew.end_deg if pointing.skew_deg is None else pointing.skew_deg
+            off_deg = max(off_deg, abs(here - motion.skew.slew.end_deg))
+        unseen_s = MARGIN_S / clock.rate if motion.skew is not None and pointing.skew_deg is None else 0.0
+        if job.still_since is not None and off_deg <= ARRIVED_DEG and now >= eta + unseen_s:
+            self._leg_over(job)
+        elif self._is_stuck(job, eta):
+            self.stuck(_stuck_sentence(pointing, off_deg))
+        else:
+            self._show(job)
+            self._tell_progress(job, pointing, self._eta(job) - now)
+
+    def _follow_to_its_rest(self, job: Job) -> None:
+        """After a silent slew: wherever it ends."""
+        pointing, clock = self._read(job), self._board.clock
+        if pointing is None:
+            return
+        now = clock.monotonic()
+        if job.still_since is not None and now - job.still_since >= max(STILL_S / clock.rate, 2 * POLL_S):
+            self._leg_over(job)
+        else:
+            self._tell_progress(job, pointing, self._eta(job) - now)
+
+    def _leg_over(self, job: Job) -> None:
+        self._antenna.motion = None
+        self._go_on(job)
+
+    def _go_on(self, job: Job) -> None:
+        """The dish rests: send what comes next, or see whether it has arrived."""
+        try:
+            if self._legs is None:
+                self._replan(job)
+                if self._job is not job:
+                    return  # STOP came in the middle of the exchange
+            if self._legs:
+                self._send(job, self._legs.popleft())
+                self._show(job)
+                return
+        except (MotionRefused, CommandRefused) as refused:
+            if self._job is job:
+                self.fail(End.REFUSED, str(refused), refused)
+                self.activity(Activity.IDLE, "")
+            return
+        pointing = self._board.state.position
+        if pointing is None or self._job is not job:
+            return
+        off_deg = self._away_deg(job, pointing)
+        slew = self._antenna.model.slew
+        if off_deg <= ARRIVED_DEG:
+            self._arrive(job, pointing)
+        elif self._plans < 2 and slew is not None and off_deg <= slew.least_deg:
+            self._legs = None  # short of it: the rest is gone axis by axis
+        else:
+            self.stuck(_stuck_sentence(pointing, off_deg))
+
+    def _replan(self, job: Job) -> None:
+        legs = self._plan(job, self._asked)
+        if self._job is job:
+            self._legs, self._plans = legs, self._plans + 1
+
+    def _away_deg(self, job: Job, pointing: Pointing) -> float:
+        if job.skew_deg is not None:
+            return 0.0 if pointing.skew_deg is None else abs(pointing.skew_deg - job.skew_deg)
+        return _off_deg(pointing, *self._antenna.alignment.to_dish(job.az_deg, job.el_deg))
+
+    def _ends_near(self, motion: DishMotion, az_deg: float, el_deg: float) -> bool:
+        """Return whether a silent slew leads so near to a newer target that it is best left alone."""
+        slew, rest = self._antenna.model.slew, motion.rest
+        least_deg = slew.least_deg if slew is not None else 0.0
+        return max(abs(shortest_turn(rest[0], az_deg)), abs(rest[1] - el_deg)) <= least_deg
+
+    def _eta(self, job: Job) -> float:
+        """Return when the dish should be there: the leg under way and all that are to come."""
+        clock, motion = self._board.clock, self._antenna.motion
+        now = clock.monotonic()
+        rests_at = now if motion is None else max(now, motion.eta(clock.rate))
+        if self._legs is not None:
+            return rests_at + sum(leg.seconds for leg in self._legs) / clock.rate
+        if motion is None or job.skew_deg is not None:
+            return rests_at
+        start = motion.at(rests_at, clock.rate)
+        return rests_at + self._sender.seconds(start, job.az_deg, job.el_deg) / clock.rate
+
+    def _show(self, job: Job) -> None:
+        shown, clock = self._board.state.motion, self._board.clock
+        if shown is None:
+            return
+        power, eta = stop_power(self._antenna.model, self._antenna.motion, clock.rate), self._eta(job)
+        if abs(eta - shown.eta) <= POLL_S and power.means == shown.stop_means == "abort":
+            return
+        self._board.change(
+            motion=replace(shown, eta=eta, stop_power_s=power.seconds, stop_means=power.means, rests_at=power.rests_at)
+        )
+
+
+def _off_deg(pointing: Pointing, az_deg: float, el_deg: float) -> float:
+    return max(abs(shortest_turn(az_deg, pointing.dish_az_deg)), abs(pointing.dish_el_deg - el_deg))
+
+
+def _stuck_sentence(pointing: Pointing, off_deg: float) -> str:
+    return f"The dish stands still at {pointing.az_deg:.2f}°/{pointing.el_deg:.2f}°, {off_deg:.2f}° from its target."

@@ -1,0 +1,69 @@
+"""A silent slew: how one knows that it is over without asking, and how it is ended before its time."""
+
+from __future__ import annotations
+
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.motion import DishMotion
+from birdcage.base.errors import NoReply
+from birdcage.station.board import Board
+
+MARGIN_S = 0.5
+"""How long after its modelled end it may still run; mechanical seconds."""
+TELLING_SHARE = 0.5
+"""A prompt that comes before this share of the modelled time does not tell the end: the dish gave it at the start."""
+LATE_S = 5.0
+"""How long after the longest that it may take the prompt is waited for."""
+ANSWER_S = 0.3
+MOST_REPEATS = 5
+
+
+class Silence:
+    """Watches one silent slew at a time."""
+
+    def __init__(self, board: Board, antenna: BirdcageAntenna) -> None:
+        self._board, self._antenna = board, antenna
+        self._prompt_at: float | None = None
+        self._sent = 0
+        """How often its end was asked for."""
+        self._over = False
+
+    def begin(self) -> None:
+        """A slew begins."""
+        self._prompt_at, self._sent, self._over = None, 0, False
+
+    def abort(self) -> None:
+        """End it where it is: any byte does."""
+        self._sent += 1
+        self._antenna.protocol.interject(self._antenna.protocol.abort_lines())
+
+    def lasts(self, motion: DishMotion) -> bool:
+        """Return whether nothing may be sent yet. A prompt that never came is asked for from then on."""
+        if self._over or self._sent:
+            return False
+        clock = self._board.clock
+        now, started, rate = clock.monotonic(), motion.azimuth.started, clock.rate
+        if self._prompt_at is None and self._antenna.protocol.slew_is_over():
+            self._prompt_at = now
+        modelled_s, longest_s = (motion.eta(rate) - started), motion.longest_s / rate
+        if self._prompt_at is None:
+            if now < started + longest_s + LATE_S:
+                return True
+            self.abort()
+            return False
+        tells = self._prompt_at - started >= TELLING_SHARE * modelled_s
+        self._over = now >= started + (modelled_s if tells else max(modelled_s, longest_s)) + MARGIN_S / rate
+        return not self._over
+
+    def has_prompt(self) -> bool:
+        """Wait a moment for the prompt, or ask for it once more. NoReply after five times."""
+        if self._over:
+            return True
+        try:
+            self._antenna.protocol.console.settle(ANSWER_S)
+        except NoReply:
+            if self._sent >= MOST_REPEATS:
+                raise
+            self.abort()
+            return False
+        self._over = True
+        return True

@@ -1,0 +1,27 @@
+"""What stops the motion under way, and how soon: said before it is needed (DESIGN section 5)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from birdcage.antenna.motion import DishMotion, stop_power_s
+from birdcage.protocol.model import DishModel, SecondMove
+
+
+@dataclass(frozen=True, slots=True)
+class StopPower:
+    """As on `Motion`: how long STOP takes, by what, and when a move ends that STOP must wait for."""
+
+    seconds: float
+    means: str
+    rests_at: float | None = None
+
+
+def stop_power(model: DishModel, motion: DishMotion | None, rate: float) -> StopPower:
+    """Return what STOP can do about this motion; without one, about the first that may begin."""
+    if motion is None or model.second_move is not SecondMove.QUEUE:
+        return StopPower(stop_power_s(model), model.stop_ladder[0].name)
+    if motion.silent:
+        return StopPower(stop_power_s(model), "abort")
+    rests_at = motion.eta(rate)
+    return StopPower(rests_at - motion.azimuth.started, "end of move", rests_at)

@@ -1,0 +1,163 @@
+"""How STOP gets a grip on a dish: by a new target ahead of it, or by a byte that ends its slew (SEAMS *STOP*)."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.motion import stop_power_s
+from birdcage.base.geometry import shortest_turn
+from birdcage.protocol.model import SecondMove
+from birdcage.protocol.types import Position
+from birdcage.station.board import Board
+from birdcage.station.state import Activity, Pointing, Search
+
+GRACE_S = 1.0
+"""How much longer than its stopping power a dish may take to rest, before STOP is reported as not working."""
+QUEUED_STILL_S = 0.3
+"""On a dish that speeds up slowly, readings in shorter order agree in mid-move too."""
+
+
+@dataclass(frozen=True, slots=True)
+class Grip:
+    """What is sent, and why; no lines when nothing can be, or need be."""
+
+    means: str
+    sentence: str
+    lines: tuple[str, ...] = ()
+
+
+NOTHING = Grip("nothing moved", "Nothing was moving. Looking where the dish is.")
+
+
+class StopWay(ABC):
+    """One kind of dish."""
+
+    anywhere = False
+    """Whether what stops it does so in every menu."""
+    still_s = 0.0
+    """How long the readings must agree before it counts as at rest."""
+
+    def __init__(self, board: Board, antenna: BirdcageAntenna) -> None:
+        self._board, self._antenna = board, antenna
+        self.retarget_works: bool | None = None
+        """Learnt from the first STOP in motion, where that is the means; None until then."""
+
+    @abstractmethod
+    def at_once(self) -> Grip:
+        """Return what stops the motion that is known. Any thread; sends nothing."""
+
+    @abstractmethod
+    def on_sight(self, earlier: Pointing, later: Pointing) -> Grip:
+        """Return what stops a motion that nobody asked for, and that two readings show."""
+
+    @abstractmethod
+    def lasts_s(self, means: str) -> float:
+        """Return how long this STOP may take from now on, in mechanical seconds."""
+
+    def answered(self, means: str) -> None:  # noqa: B027 - most dishes need no more
+        """Do what else there is to do, once the dish has answered. May raise LinkError, NoReply or CommandRefused."""
+
+    def is_there(self, now: float) -> bool:  # noqa: ARG002
+        """Return whether readings that agree mean rest, and no motion that has hardly begun."""
+        return True
+
+
+class Retarget(StopWay):
+    """A new target just ahead (decision 0004)."""
+
+    def at_once(self) -> Grip:
+        """Aim ahead of the motion as it is modelled."""
+        if self.retarget_works is not False:
+            lines = self._antenna.stop_lines()
+            return Grip("retarget", "A new target just ahead of the dish was sent.", lines) if lines else NOTHING
+        if self._antenna.motion is not None:
+            return Grip("none", "This dish takes new targets at the end of a move only: cut its power.")
+        return NOTHING
+
+    def on_sight(self, earlier: Pointing, later: Pointing) -> Grip:
+        """Aim ahead of the motion as it was seen."""
+        seen = [(Position(each.dish_az_deg, each.dish_el_deg), each.at) for each in (earlier, later)]
+        lines = self._antenna.stop_lines_seen(*seen[0], *seen[1])
+        return Grip("retarget", "The dish was seen moving: retargeted ahead of it.", lines)
+
+    def lasts_s(self, means: str) -> float:  # noqa: ARG002
+        """Return the stopping power, and some grace."""
+        return stop_power_s(self._antenna.model) + GRACE_S
+
+
+class Queued(StopWay):
+    """Any byte ends a silent slew; the move of one axis ends at its target, and nothing else is sent (decision 0011).
+
+    What nobody asked for is its TV search, or a slew of somebody else's: a byte, and then the search is ended.
+    """
+
+    anywhere = True
+    still_s = QUEUED_STILL_S
+
+    def at_once(self) -> Grip:
+        """Send a byte wherever it may do good: it moves nothing."""
+        antenna, state = self._antenna, self._board.state
+        motion, enter = antenna.motion, antenna.protocol.abort_lines()
+        if motion is not None and motion.silent:
+            return Grip("abort", "A byte that ends the slew was sent.", enter)
+        if motion is not None:
+            left_s = max(0.0, motion.eta(self._board.clock.rate) - self._board.clock.monotonic())
+            return Grip(
+                "end of move",
+                f"Nothing calls back the move of one axis: it ends in {left_s:.1f} s, and nothing follows it.",
+            )
+        if state.activity is Activity.MOVING_UNASKED:
+            return Grip("search", "A bare Enter was sent, and the TV search is being ended.", enter)
+        if state.activity is Activity.UNKNOWN:
+            return Grip("look", "A bare Enter was sent: it ends a combined move. Looking where the dish goes.", enter)
+        return NOTHING
+
+    def on_sight(self, earlier: Pointing, later: Pointing) -> Grip:  # noqa: ARG002
+        """End whatever it is."""
+        enter = self._antenna.protocol.abort_lines()
+        return Grip("search", "The dish was seen moving: a bare Enter was sent, and the TV search is ended.", enter)
+
+    def answered(self, means: str) -> None:
+        """End the search, and be in the motor menu again."""
+        if means != "search":
+            return
+        protocol = self._antenna.protocol
+        protocol.kill_search()
+        self._board.change(search=Search.OFF_UNTIL_POWER_UP)
+        protocol.enter_motor_menu()
+
+    def lasts_s(self, means: str) -> float:
+        """Return the stopping power, or what is left of the move, and some grace."""
+        clock, motion = self._board.clock, self._antenna.motion
+        left_s = stop_power_s(self._antenna.model)
+        if means == "end of move" and motion is not None:
+            left_s = max(0.0, motion.eta(clock.rate) - clock.monotonic()) * clock.rate
+        return left_s + GRACE_S + self.still_s
+
+    def is_there(self, now: float) -> bool:
+        """Give the move of one axis its time: it may hardly have begun."""
+        motion = self._antenna.motion
+        if motion is None or motion.silent:
+            return True
+        return now >= motion.eta(self._board.clock.rate)
+
+
+def stop_way(board: Board, antenna: BirdcageAntenna) -> StopWay:
+    """Return how this dish is stopped."""
+    queues = antenna.model.second_move is SecondMove.QUEUE
+    return Queued(board, antenna) if queues else Retarget(board, antenna)
+
+
+def closes_in(antenna: BirdcageAntenna, before: Pointing, now: Pointing) -> bool:
+    """Return whether the dish is nearer to where it comes to rest by its model than it was a moment ago."""
+    motion = antenna.motion
+    if motion is None:
+        return False
+    az_deg, el_deg = motion.rest
+
+    def away_deg(seen: Pointing) -> float:
+        return max(abs(shortest_turn(seen.dish_az_deg, az_deg)), abs(seen.dish_el_deg - el_deg))
+
+    return away_deg(now) < away_deg(before)
