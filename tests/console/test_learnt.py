@@ -96,6 +96,17 @@ def test_after_a_reboot_the_menu_is_asked_for_before_anything_else(console, dish
     assert dish.alive
 
 
+def test_an_unasked_line_leaves_the_menu_in_doubt(console, dish, clock):
+    calm(console, clock)
+    console.enter("mot")
+    dish.say("HAL 2.05.003\r\n")
+    console.listen(clock.monotonic() + 0.1)
+    assert console.menu is None
+    before = len(lines(dish))
+    assert console.run("mot", "a").menu == "mot"
+    assert lines(dish)[before:] == ["?", "a"]
+
+
 def test_a_quiet_reboot_ends_no_shell(console, dish, clock):
     calm(console, clock)
     console.enter("mot")

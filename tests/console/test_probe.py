@@ -42,6 +42,11 @@ def test_what_came_is_told_apart(heard, saw):
     assert judge(heard, TOKENS) is saw
 
 
+def test_a_prompt_that_must_be_learnt_is_known_by_its_shape_alone():
+    assert judge(b"\r\nHAL>", ("",)) is Saw.PROMPT
+    assert judge(b"Loc: NoGPS\r\n", ("",)) is Saw.TEXT
+
+
 def test_one_enter_is_sent_and_nothing_else():
     clock = VirtualClock()
     dish = Dish(clock)

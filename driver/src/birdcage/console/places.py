@@ -88,6 +88,8 @@ class Places:
         dialect = self._dialect
         root = self._listed.get(dialect.root)
         if root is not None:
+            if listed & (dialect.root_hints - set(dialect.prompts)):
+                return False
             common = {dialect.leave, "help"}  # every menu may list these
             shared = len((words & root) - common)
             return shared <= _MOST_SHARED * min(len(root - common), len(words - common))

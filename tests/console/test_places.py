@@ -1,0 +1,73 @@
+"""Which menu a help tells, with bytes lost and with other lines among it."""
+
+from __future__ import annotations
+
+import sys
+
+import pytest
+from birdcage.console.places import Places, commands
+
+bench = sys.modules["console_bench"]
+ROOT = ("motor", "ngsearch", "nvs", "reboot", "stow", "q")
+MOTOR = ("a [<motor> <angle>]", "g <az> <el> <sk>", "q")
+
+
+@pytest.fixture
+def places():
+    return Places(bench.HAL)
+
+
+@pytest.mark.parametrize(
+    ("line", "found"),
+    [
+        ("Enter <dvb> - DVB Tuner", {"dvb"}),
+        ("a [<motor> <angle>] - moves", {"a"}),
+        ("g <az> <el>", {"g"}),
+        ("stow: folds the dish", {"stow"}),
+        ("motor  ngsearch  nvs ? q", {"motor", "ngsearch", "nvs", "q"}),
+    ],
+)
+def test_commands_of_a_help_line(line, found):
+    assert commands([line]) == found
+
+
+@pytest.mark.parametrize("root", [ROOT, ("motor ngsearch nvs q",), ("Enter <motor> - x", "Enter <ngsearch> - y")])
+def test_the_root_is_told_at_once(places, root):
+    assert places.judge(root) == "root"
+
+
+def test_a_submenu_that_was_not_seen_before_must_show_twice(places):
+    assert places.judge(MOTOR) is None
+    assert places.judge(("d [<index>]", "e <index>", "s")) is None
+    assert places.judge(MOTOR) is None
+    told = places.judge(MOTOR)
+    assert told not in (None, "root")
+    places.entered("motor", ">")
+    assert places.judge((*MOTOR, "AZ calibrating")) == "motor"
+
+
+@pytest.mark.parametrize("known", [True, False])
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ("moor", "ngsarch", "nvs", "reboot", "stow", "q"),
+        ("mtr", "ngseach", "nvs", "reboot", "stw", "q"),
+        ("nvs", "reboot", "q"),
+        ("motor", "q"),
+        ("Invalid command", "q"),
+        (),
+    ],
+)
+def test_a_root_with_bytes_lost_is_never_a_submenu(places, lines, known):
+    if known:
+        places.judge(ROOT)
+    assert [places.judge(lines) for _ in range(4)] == [None] * 4
+
+
+def test_a_prompt_tells_a_menu_only_when_the_root_shows_another(places):
+    places.at_root(">")
+    places.entered("motor", ">")
+    assert not places.is_told_by(">", "motor")
+    places.entered("motor", "MOT>")
+    assert places.is_told_by("MOT>", "motor")
+    assert not places.is_told_by("MOT>", "nvs")
