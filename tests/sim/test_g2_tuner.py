@@ -103,7 +103,11 @@ def test_13_volts_may_shift_the_level_but_not_the_satellite(terminal):
 
 @pytest.mark.parametrize(
     ("change", "locks"),
-    [({"frequency_khz": 1_180_000}, True), ({"frequency_khz": 1_185_000}, False), ({"symbol_rate_ksps": 21_500}, False)],
+    [
+        ({"frequency_khz": 1_180_000}, True),
+        ({"frequency_khz": 1_185_000}, False),
+        ({"symbol_rate_ksps": 21_500}, False),
+    ],
 )
 def test_a_channel_beside_the_transponder_does_not_lock(terminal, change, locks):
     board = pointed(terminal, -119.0, "lock_polarity=0")
