@@ -48,6 +48,7 @@ PROMPTS = pytest.mark.parametrize("prompts", ["prompts=named", "prompts=alike"])
         ("", 7.0),
         ("searching=1", 7.0),
         ("searching=1&search_text=Sweep", 25.0),
+        ("searching=1&search_text=Sweep&search_speed=90", 40.0),
         ("boot=1", 150.0),
         ("boot=1&boot_line=nogps", 150.0),
         ("boot=1&boot_line=none", 150.0),
@@ -214,6 +215,21 @@ def test_a_g2_is_refused_by_name_on_every_way_in(ways_in):
         rig.clock.advance(6.0)
     assert rig.truth.shell_alive
     assert set(rig.lines()) == {"", "?"}
+
+
+@pytest.mark.parametrize("menu", ["mot", "dvb", "nvs", "os", "step", "eeprom", "gpio", "peak"])
+def test_a_g2_in_a_submenu_is_not_moved_and_its_shell_lives(menu):
+    rig = Rig(address="g2")
+    rig.port.write(menu.encode() + b"\r")
+    rig.clock.advance(1.0)
+    for _ in range(3):
+        with pytest.raises(NoReply) as caught:
+            rig.dish.get_position()
+        assert caught.value.reason in {"wrong_firmware", "garbage"}
+        assert ">" in str(caught.value)
+        rig.clock.advance(6.0)
+    assert rig.truth.shell_alive
+    assert set(rig.lines()) <= {menu, "", "?", "q"}
 
 
 @pytest.mark.parametrize("options", ["prompts=alike", "prompt_root=HAL>"])

@@ -150,8 +150,8 @@ class Talker:
                 wire.menu = menu
                 return menu
         raise NoReply(
-            f"The dish answers, but `{HELP}` does not tell which menu it is in: another firmware, or bytes are lost. "
-            "Nothing else was sent.",
+            f"The dish answers (prompt `{wire.token}`), but `{HELP}` does not tell which menu it is in: it is another "
+            "firmware, or bytes are lost. Nothing else was sent.",
             reason="garbage",
         )
 

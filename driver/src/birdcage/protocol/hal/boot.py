@@ -10,6 +10,8 @@ from birdcage.console.session import Console
 
 _STILL_S = 10.0
 """A boot that prints nothing for so long is over, or prints nothing at all."""
+_ASK_S = 30.0
+"""How often a dish that prints on is asked all the same: its search may print too."""
 
 
 class BootWatch:
@@ -33,14 +35,15 @@ class BootWatch:
     ) -> None:
         """Return when the dish answers and its boot is over; `tell` hears how it goes.
 
-        While the log streams nothing is asked. A dish with a GPS may end its boot with no known line (section 3), so an
+        While the log streams little is asked. A dish with a GPS may end its boot with no known line (section 3), so an
         answer and a position count too. NoReply after `timeout_s`, or at once from a dish that is another firmware.
         """
         clock = console.clock
         began = clock.monotonic()
-        until = began + timeout_s
+        self._ended = self._ended and self._streams(began)  # else it was another boot that ended
+        told = ""
         while True:
-            told = ""
+            until = min(began + timeout_s, clock.monotonic() + _ASK_S)
             while not self._ended and self._streams(clock.monotonic()) and clock.monotonic() < until:
                 if self.last != told:
                     told = self.last
