@@ -19,6 +19,8 @@ CLOCK_STEP_S = 2.0
 UNASKED_DEG = 0.3
 """At rest a reading repeats to a hundredth; this much is motion."""
 UNASKED_POLL_S = 0.2
+APART_S = 0.09
+"""Two readings closer together than this do not tell a dish at rest from one that moves."""
 
 
 class Vigil:
@@ -108,8 +110,11 @@ class Vigil:
             self.look_again()  # one reading says nothing about motion
             return
         activity, doubted, self._doubted = self._board.state.activity, self._doubted, None
-        # After a raw motion a slow dish must not pass for one at rest.
-        least_deg = STILL_DEG if self._unsettled else UNASKED_DEG
+        if activity is Activity.UNKNOWN and after.at - before.at < APART_S:
+            self.look_again()  # a dish that moves is seen twice at the same place, so soon
+            return
+        # After a raw motion, or out of sight, a slow dish must not pass for one at rest.
+        least_deg = STILL_DEG if self._unsettled or activity is Activity.UNKNOWN else UNASKED_DEG
         if self._look.apart_deg(doubted or before, after) <= least_deg:
             self._antenna.motion = None
             self._unsettled = False
