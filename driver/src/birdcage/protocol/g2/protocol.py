@@ -23,8 +23,10 @@ from birdcage.protocol.nvs import DISABLE_TRACKER, NvsRow
 from birdcage.protocol.protocol import BOOT_TIMEOUT_S
 from birdcage.protocol.types import Position, RssiReading, Survey
 
-_ANGLE = re.compile(r"Angle\[(\d)\]\s*=\s*([-+]?\d+(?:\.\d+)?)")
-_MOVE_TAKEN = re.compile(r"Angle\s*=\s*([-+]?\d+(?:\.\d+)?)")
+_DEGREES = r"([-+]?\d+(?:\.\d+)?)(?!\S)"
+"""A number that ends where its word ends: what noise has cut in two is none."""
+_ANGLE = re.compile(rf"Angle\[(\d)\]\s*=\s*{_DEGREES}")
+_MOVE_TAKEN = re.compile(rf"Angle\s*=\s*{_DEGREES}")
 _HOMING_S = 15.0
 _STOW_S = 60.0
 """How long `stow` may keep the shell: no source says whether it does. Only a deadline depends on it."""
