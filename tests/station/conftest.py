@@ -22,12 +22,13 @@ class Bench:
 
     address: str = "g2?seed=1"
     options: dict = field(default_factory=dict)
+    firmware: str = "g2"
 
     def __post_init__(self):
         self.clock = VirtualClock()
         self.device = open_device(self.address, clock=self.clock)
         self.opened = []
-        settings = StationSettings(port="sim:test", firmware="g2", open_link=self._open, **self.options)
+        settings = StationSettings(port="sim:test", firmware=self.firmware, open_link=self._open, **self.options)
         self.station = Station(self.clock, settings)
         self.session = Session(self.clock, self.station)
         self.events = []
