@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import sys
 from dataclasses import replace
+from functools import partial
 
 import pytest
 from birdcage.sim.port import open_port
 from birdcage.sim.wire import PASS, Byte
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, given, seed, settings
 
 bench, scripted = sys.modules["console_bench"], sys.modules["console_scripted"]
 
@@ -37,8 +38,21 @@ class Faults:
         return [(action.delay_s, bytes([one])) for one in action.noise + data]
 
 
-def drive(port, clock, steps, lanes, alive, dialect=bench.DIALECT, names=None) -> None:
-    """Do the steps; `alive` looks at the dish itself."""
+def count_lines(port) -> list[int]:
+    """Note how many lines each write to the port holds."""
+    counts, write = [], port.write
+
+    def writing(data: bytes) -> None:
+        counts.append(data.count(b"\r"))
+        write(data)
+
+    port.write = writing
+    return counts
+
+
+def drive(port, clock, steps, lanes, alive, dialect=bench.DIALECT, names=None) -> int:
+    """Do the steps; `alive` looks at the dish itself. Return how many lines went out."""
+    sent = count_lines(port)
     owner = bench.Owner(port, clock, dialect, names)
     for lags, nudge, action in steps:
         for lane, lag_s in zip(lanes, lags, strict=True):
@@ -48,17 +62,18 @@ def drive(port, clock, steps, lanes, alive, dialect=bench.DIALECT, names=None) -
     clock.advance(60.0)
     assert alive()
     clock.wake.close()
+    return sum(sent)
 
 
-def drive_simulator(steps, to_dish, to_host, address="g2?root_q=kill", **dialect) -> None:
+def drive_simulator(steps, to_dish, to_host, address="g2?root_q=kill", **dialect) -> int:
     clock, lanes = bench.NudgingClock(), (Faults(to_dish), Faults(to_host))
     port = open_port(address, clock=clock)
     port.wire.to_dish.set_plan(lanes[0])
     port.wire.to_host.set_plan(lanes[1])
-    drive(port, clock, steps, lanes, lambda: port.dish.truth().shell_alive, **dialect)
+    return drive(port, clock, steps, lanes, lambda: port.dish.truth().shell_alive, **dialect)
 
 
-def drive_scripted(steps, to_dish, to_host, dialect=bench.DIALECT, **script) -> None:
+def drive_scripted(steps, to_dish, to_host, dialect=bench.DIALECT, **script) -> int:
     clock, lanes = bench.NudgingClock(), (Faults(to_dish), Faults(to_host))
     dish = scripted.Dish(clock, **script)
     dish.in_fault, dish.out_fault = lanes[0].scripted, lanes[1].scripted
@@ -67,7 +82,7 @@ def drive_scripted(steps, to_dish, to_host, dialect=bench.DIALECT, **script) -> 
         dish.pending()
         return dish.alive
 
-    drive(dish, clock, steps, lanes, alive, dialect)
+    return drive(dish, clock, steps, lanes, alive, dialect)
 
 
 SCRIPTS = {
@@ -80,7 +95,9 @@ LEARNT_SIMULATORS = [f"hal205?root_q=kill&prompts={prompts}" for prompts in ("na
 
 QUICK = settings(max_examples=1000, derandomize=True, deadline=None, database=None)
 BRIEF = settings(QUICK, max_examples=300)
-LONG = settings(max_examples=5_000, deadline=None, database=None, suppress_health_check=list(HealthCheck))
+LONG = settings(
+    max_examples=750, derandomize=False, deadline=None, database=None, suppress_health_check=list(HealthCheck)
+)
 drawn = given(bench.STEPS, bench.FAULTS, bench.FAULTS)
 
 
@@ -110,23 +127,36 @@ def test_no_q_reaches_the_root_of_a_simulated_travler(address, steps, to_dish, t
     drive_simulator(steps, to_dish, to_host, address, dialect=bench.HAL, names=bench.HAL_NAMES)
 
 
-@pytest.mark.soak
-@LONG
-@drawn
-def test_no_q_reaches_the_simulators_root_however_long(steps, to_dish, to_host):
-    drive_simulator(steps, to_dish, to_host)
+DISHES = {
+    "g2": drive_simulator,
+    "scripted": drive_scripted,
+    **{f"scripted {name}": partial(drive_scripted, **script) for name, script in SCRIPTS.items()},
+    **{
+        address: partial(drive_simulator, address=address, dialect=bench.HAL, names=bench.HAL_NAMES)
+        for address in LEARNT_SIMULATORS
+    },
+}
+PARTS, SHARE = 4, 4_200
+"""Every dish goes through so many parts of so many exchanges at least: each part ends well within a minute."""
+
+
+def test_the_soak_is_of_a_hundred_thousand_exchanges():
+    assert len(DISHES) * PARTS * SHARE >= 100_000
 
 
 @pytest.mark.soak
-@LONG
-@drawn
-def test_no_q_reaches_the_scripted_root_however_long(steps, to_dish, to_host):
-    drive_scripted(steps, to_dish, to_host)
+@pytest.mark.parametrize("part", range(PARTS))
+@pytest.mark.parametrize("dish", DISHES)
+def test_no_q_reaches_a_root_in_a_hundred_thousand_exchanges(dish, part):
+    """A hundred thousand in all parts together; `SHARE` in this one. An exchange is a line that was sent."""
+    exchanges = 0
 
+    @seed(part)
+    @LONG
+    @drawn
+    def tell(steps, to_dish, to_host):
+        nonlocal exchanges
+        exchanges += DISHES[dish](steps, to_dish, to_host)
 
-@pytest.mark.soak
-@pytest.mark.parametrize("script", SCRIPTS)
-@LONG
-@drawn
-def test_no_q_reaches_a_scripted_learnt_root_however_long(script, steps, to_dish, to_host):
-    drive_scripted(steps, to_dish, to_host, **SCRIPTS[script])
+    tell()
+    assert exchanges >= SHARE
