@@ -203,3 +203,12 @@ def test_the_settings_memory(hal):
     dish.ask("q", "TRK>")
     dish.ask("reboot", "TRK>", within=200.0)
     assert low(dish) == "OK"
+
+
+@pytest.mark.parametrize("rate", [1.0, 3.0, 19.7])
+def test_a_search_with_blocked_motors_takes_its_time(hal, rate):
+    dish = hal("searching=1&search_finds=0&search_text=Sweep", rate=rate)
+    for axis in (0, 1):
+        dish.device.stall(axis)
+    assert 5 <= dish.listen(60.0 / rate).count("Sweep\r\n") <= 13
+    assert truth(dish).shell_alive

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from birdcage.sim.axis import Axis
 from birdcage.sim.hal.board import HalBoard
-from birdcage.sim.hal.lane import Order
+from birdcage.sim.hal.lane import TOUCH_S, Order
 from birdcage.sim.hal.memory import SEARCH_MINIMUM
 
 EL_STEP_DEG = 5.0
@@ -17,7 +17,7 @@ AZ_ENDS_DEG = 5.0, 355.0
 FOUND_COUNTS = 80.0
 """So far above the empty sky it believes that it has found a satellite."""
 SAMPLE_S = 0.05
-SHORTEST_SWEEP_S = 1.0
+SHORTEST_SWEEP_S = 5.0
 """A blocked motor is at its end at once: the search still takes its time."""
 
 
@@ -61,7 +61,7 @@ class Search:
         board, now = self._board, self._board.now_s
         self._run += 1
         run = self._run
-        if now < self._next_s:
+        if now < self._next_s - TOUCH_S:
             board.machine.at_dish(self._next_s, lambda: self._again(run))
             return
         az, el = board.dish.axes[:2]
