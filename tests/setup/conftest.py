@@ -27,8 +27,9 @@ ADAPTER = PortInfo("/dev/ttyUSB0", None, "FT232R USB UART", "0403:6001", "A5", "
 class House:
     """A dish in the garden, and a person who runs the setup on a laptop, maybe twice."""
 
-    def __init__(self, folder, address="g2?seed=1", utc=NOON):
+    def __init__(self, folder, address="g2?seed=1", utc=NOON, firmware=None):
         self.clock = VirtualClock(utc)
+        self.firmware = firmware or address.partition("?")[0]
         self.device = open_device(address, clock=self.clock)
         self.paths = Paths.in_folder(folder)
         self.environ = {}
@@ -41,7 +42,7 @@ class House:
         self.opened = []
         rules = rules_from(settings)
         wanted = StationSettings(
-            port=settings.dish.port or "/dev/ttyUSB0", firmware="g2", baud=settings.dish.baud, open_link=self._open,
+            port=settings.dish.port or "/dev/ttyUSB0", firmware=self.firmware, baud=settings.dish.baud, open_link=self._open,
             backup_folder=self.paths.backups,
             **{each.name: getattr(rules, each.name) for each in fields(rules)},
         )  # fmt: skip
@@ -75,7 +76,13 @@ class House:
             self.run(0.1)
 
     def up(self):
-        self.until(lambda: self.state.link.state is LinkNow.UP and self.state.readings and self.state.homed is not None)
+        self.until(
+            lambda: (
+                self.state.link.state is LinkNow.UP
+                and self.state.readings
+                and (self.state.homed is not None or self.state.dish.homing_s is None)
+            )
+        )
         return self
 
     def choose(self, step, choice, seconds=60.0, **values):

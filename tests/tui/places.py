@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 import setup_stand_in
 import stand_in
 from birdcage.base.presets import Preset, add_preset
+from birdcage.protocol.hal.model import TRAVLER
 from birdcage_tui.app import BirdcageApp
 from birdcage_tui.commands import PAGES
 
@@ -59,6 +60,8 @@ PLACES = (
     _page("control, presets", "f2", "p", holds=f"ControlPage/RosePane {LIST}"),
     _page("control, filter", "f2", "slash", holds=f"ControlPage/RosePane PresetsBox/Input {LIST}"),
     _page("go to", "g", holds="GotoLine/Input"),
+    _page("go to, skew", "S", holds="GotoLine/Input", state={"dish": TRAVLER}),
+    _page("control of a dish with a skew", "f2", holds=HANDS, state={"dish": TRAVLER}),
     _page("go to, over control", "f2", "g", holds=f"{HANDS} GotoLine/Input"),
     _page("console", "f5", holds=f"{LOG} {TYPED}"),
     _page("console, find", "f5", "slash", holds=f"{LOG} {FOUND}"),
@@ -72,6 +75,7 @@ PLACES = (
     _page("pocket", size=POCKET),
     _page("pocket, go to", "g", holds="GotoLine/Input", size=POCKET),
     _dialog("home", "BirdcageApp.ask_home", "H"),
+    _dialog("end the search", "BirdcageApp.ask_end_search", "K", state={"dish": TRAVLER}),
     _dialog("own limits", "BirdcageApp.ask_limits", "enter", state={"motion_refused_because": "line 7: not a number."}),
     _dialog("engage", "ControlPage._question", "f2", "E"),
     _dialog("release", "ControlPage._question", "f2", "R"),

@@ -118,6 +118,7 @@ class GotoLine(Vertical):
         self.add_class("-open")
         field.disabled = False
         field.value = text
+        field.select_on_focus = not text.endswith(" ")  # a word that waits for its number is not to be typed over
         field.cursor_position = len(text)
         field.focus()
         self._foretell(text)

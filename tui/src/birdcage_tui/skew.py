@@ -147,14 +147,14 @@ def _word(view: View) -> str:
     position = view.state.position
     if position is None or position.skew_deg is None:
         return "not known"
-    return "modelled, not read" if position.modelled else "of the feed about the beam"
+    return "modelled, not read" if position.modelled else "about the beam"
 
 
 def draw_arc(cells: Cells, x: int, y: int, width: int, height: int, view: View) -> None:
     """Draw the range as an arc, its low end at the left. From which side the dish is seen is not told by any source."""
     low, high = skew_limits(view)
     canvas = Braille(width, height)
-    radius = max(4.0, min(width - 6.0, height * 4 - 6.0))
+    radius = max(4.0, min(width - 12.0, height * 4 - 6.0))
     hub_x, hub_y = float(width), height * 4 - 3.0
 
     def dot(angle_deg: float, part: float = 1.0) -> tuple[float, float]:

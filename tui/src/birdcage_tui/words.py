@@ -66,7 +66,7 @@ def stop_text(view: View) -> str:
     if not view.link_up:
         return f"STOP cannot reach it: {power_switch(view)}"
     if motion is None:
-        return "STOP holds it where it is"
+        return "STOP ends the TV search" if searching(view) and view.moving else "STOP holds it where it is"
     if motion.stop_means == "end of move":
         rests = motion.eta if motion.rests_at is None else motion.rests_at
         return f"STOP at end of move, {max(0.0, rests - view.now):.0f} s"
@@ -100,7 +100,7 @@ def motion_text(view: View) -> str:
     if state.motion is not None and state.activity is Activity.SLEWING:
         to_go_deg, left_s = view.to_go_deg, state.motion.eta - view.now
         going = "" if to_go_deg is None else f" {to_go_deg:.1f}° to go,"
-        word = "SLEWING" if state.motion.to_skew_deg is None else "TURNING SKEW"
+        word = "SLEWING" if state.motion.to_skew_deg is None else "SKEW"
         return f"{word}{going} {left_s:.1f} s" if left_s > 0 else f"{word}{going} overdue {-left_s:.1f} s"
     word = ACTIVITY[state.activity]
     if state.activity is Activity.IDLE:
@@ -155,7 +155,7 @@ def bad_day(view: View) -> tuple[str, str] | None:
         how = home_hint(view).replace("H homes it", "H home it")
         return "warn-row", f"▲ NOT HOMED  The dish does not know where it points.  {how[:1].upper()}{how[1:]}"
     if searching(view):
-        return "warn-row", "▲ TV SEARCH RUNNING  It moves the dish by itself.  K ends it until the next power-up"
+        return "warn-row", "▲ TV SEARCH RUNNING  It moves the dish.  K ends it until the next power-up"
     if view.late:
         return (
             "warn",
@@ -250,7 +250,7 @@ def next_steps(view: View) -> list[tuple[str, str]]:
         else:
             steps.append(("text", "Next: H homes it. It turns through its whole range and knocks at its stops."))
     elif searching(view):
-        steps.append(("text", "Next: K ends its TV search. It begins again at each power-up."))
+        steps.append(("text", "The search begins again at each power-up."))
     elif state.motion_refused_because:
         steps.append(("text", "It takes no motion: mend the file, or accept the dish's own limits with Enter."))
     elif view.tour:
@@ -271,6 +271,8 @@ def _doing(view: View) -> tuple[str, str]:
         aim = f"{state.motion.to_az_deg:.2f}° / {state.motion.to_el_deg:.2f}°" if skew is None else f"skew {skew:.2f}°"
         who = state.holder or "somebody"
         return "accent-strong", f"{who.capitalize()} {'move' if who == 'you' else 'moves'} it to {aim}."
+    if searching(view):
+        return "fault-strong", "Its TV search moves it: K ends the search."
     if state.activity is Activity.MOVING_UNASKED:
         return "fault-strong", "It moves though nobody asked: TV search, wind, or a hand."
     if state.activity is Activity.HOMING:

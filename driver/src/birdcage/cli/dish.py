@@ -28,6 +28,8 @@ from birdcage.station.ring import owners_folder
 from birdcage.station.session import Session
 from birdcage.station.state import Activity, Link, StationState, StopReport
 
+WRONG_FIRMWARE = "wrong_firmware"
+"""The console is another dish's: waiting longer changes nothing."""
 SLICE_S = 0.1
 """How long a wait goes without looking round: on Windows no signal ends it."""
 CONFIRM_S = 4.0
@@ -91,8 +93,9 @@ class Dish:
             link, over = self.state.link, self.now >= deadline
             if link.state is Link.LOST and (over or not patient or link.last_reply is None):
                 raise LinkError(link.detail)
-            if over or (link.state is Link.SILENT and not patient):
-                raise NoReply(link.detail)
+            silent = link.state is Link.SILENT and (not patient or link.reason == WRONG_FIRMWARE)
+            if over or silent:
+                raise NoReply(link.detail, reason=link.reason or None)
             self.look(hear)
             each_time()
         return self.state

@@ -97,7 +97,7 @@ class Connection:
         try:
             link = self._settings.open_link(port, self.baud)
         except LinkError as error:
-            self._retry_later(Link.LOST, str(error))
+            self._retry_later(Link.LOST, str(error), error.reason)
             return False
         self._protocol.attach(
             link, self._board.clock, delay_s=self._settings.delay_s,
@@ -125,13 +125,13 @@ class Connection:
     def lost(self, error: LinkError) -> None:
         """The port is gone: forget what may have changed, and look for it again."""
         self.let_go()
-        self._retry_later(Link.LOST, str(error))
+        self._retry_later(Link.LOST, str(error), error.reason)
 
     def silent(self, silence: BirdcageError) -> None:
         """The port is there, the dish does not answer, or not what was asked."""
         self._forget()
         self.due = self._board.clock.monotonic() + SILENT_RETRY_S
-        self._set(Link.SILENT, str(silence))
+        self._set(Link.SILENT, str(silence), silence.reason)
 
     def _forget(self) -> None:
         self._look.forget(self._board.state.position_lost or "link")
@@ -147,19 +147,19 @@ class Connection:
         )
         self._board.change(link=link, menu=console.menu)
 
-    def _retry_later(self, state: Link, detail: str) -> None:
+    def _retry_later(self, state: Link, detail: str, reason: str = "") -> None:
         if not self._settings.reconnect:
             self.due = None
         else:
             self.due = self._board.clock.monotonic() + self._retry_s
             self._retry_s = min(self._retry_s * 2, LONGEST_RETRY_S)
-        self._set(state, detail)
+        self._set(state, detail, reason)
 
-    def _set(self, state: Link, detail: str) -> None:
+    def _set(self, state: Link, detail: str, reason: str = "") -> None:
         at, utc = self._board.stamp()
         before = self._board.state.link
         since = before.since if before.state is state else at
-        link = replace(before, state=state, since=since, detail=detail)
+        link = replace(before, state=state, since=since, detail=detail, reason=reason)
         self._board.change(link=link)
         if before.state is not state or before.detail != detail:
             self._board.tell(LinkChanged(at, utc, link))

@@ -77,6 +77,8 @@ class LinkState:
     round_trip_s: float | None = None
     detail: str = ""
     """A sentence for a person; while lost, what is being tried."""
+    reason: str = ""
+    """The word of the error that made it silent or lost: `silent`, `garbage`, `wrong_firmware`, `missing`, …"""
     stray_bytes: int = 0
     """Bytes of line noise since the link came up."""
 

@@ -99,7 +99,7 @@ class ElevationPane(Pane):
         canvas.onto(cells, 0, 0)
         self._labels(cells, quarter, view)
         self._limits(cells, quarter, view)
-        if state.motion is not None and view.link_up:
+        if state.motion is not None and state.motion.to_skew_deg is None and view.link_up:
             cells.put(*quarter.cell(state.motion.to_el_deg, 0.9), "+", "accent-strong")
         if target is not None:
             cells.put(*quarter.cell(target), "✕", "target-strong")

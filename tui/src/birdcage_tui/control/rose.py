@@ -133,7 +133,7 @@ class RosePane(Pane, can_focus=True):
     @staticmethod
     def _marks(cells: Cells, compass: Compass, view: View) -> None:
         state = view.state
-        if state.motion is not None and view.link_up:
+        if state.motion is not None and state.motion.to_skew_deg is None and view.link_up:
             cells.put(*compass.cell(state.motion.to_az_deg, 0.9), "+", "accent-strong")
         if state.target_az_deg is not None:
             cells.put(*compass.cell(state.target_az_deg), "✕", "target-strong")

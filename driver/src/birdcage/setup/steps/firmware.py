@@ -8,16 +8,16 @@ from birdcage.station.known import list_models
 
 OTHER = "firmware-"
 """How the names of these choices begin."""
-KEYS = "fhe"
+KEYS = ("f", "h", "e")
 
 
-def other_firmwares(bench: Bench) -> tuple[Choice, ...]:
-    """Return a choice for each firmware that is known and not spoken now."""
+def other_firmwares(bench: Bench, *, likely: bool = False) -> tuple[Choice, ...]:
+    """Return a choice for each firmware that is known and not spoken now; `likely` makes Enter take the first."""
     present = bench.state.dish
     others = [model for model in list_models() if present is None or model.firmware != present.firmware]
     return tuple(
         Choice(f"{OTHER}{model.firmware}", key, f"It is a {model.name} ({model.firmware})")
-        for key, model in zip(KEYS, others, strict=False)
+        for key, model in zip(("enter", *KEYS) if likely else KEYS, others, strict=False)
     )
 
 

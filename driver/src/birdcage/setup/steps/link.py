@@ -63,6 +63,12 @@ class LinkStep(Step):
         return self.bench.state.activity is Activity.INITIALIZING
 
     @property
+    def _another(self) -> bool:
+        """Whether the console that answers contradicts the firmware that is spoken."""
+        link = self.bench.state.link
+        return link.state is Link.SILENT and link.reason == "wrong_firmware"
+
+    @property
     def _rate(self) -> int:
         model = self.bench.state.dish
         assert model is not None, "a station knows its dish from the start"
@@ -75,6 +81,8 @@ class LinkStep(Step):
             return f"the dish is starting: {state.activity_text}"
         if state.link.state is Link.UP:
             return self._live()
+        if self._another:
+            return state.link.detail
         if state.link.state is Link.SILENT:
             return f"{_short(state.port)} opens, and at {self._rate} baud no dish answers"
         if state.link.state in (Link.LOST, Link.OPENING):
@@ -104,6 +112,8 @@ class LinkStep(Step):
         state = self.bench.state
         if state.link.state is Link.UP:
             return (f"A dish answers on {_short(state.port)}.",)
+        if self._another:
+            return ("The wires are right: a dish answers, and it is another one than was thought. Say which.",)
         words = ["Choose the port that the RS-422/485 adapter has. Nothing is sent to the others."]
         if self.busy:
             words = ["Nothing moves by this."]
@@ -121,7 +131,7 @@ class LinkStep(Step):
     def causes(self) -> tuple[Cause, ...]:
         """Return what may be wrong, likeliest first; empty while the dish answers or boots."""
         state = self.bench.state
-        if state.link.state not in (Link.SILENT, Link.LOST) or self._boots:
+        if state.link.state not in (Link.SILENT, Link.LOST) or self._boots or self._another:
             return ()
         baud = state.dish.baud if state.dish else None
         boot_s = state.dish.boot_s if state.dish else None
@@ -140,6 +150,8 @@ class LinkStep(Step):
             choices.append(Choice("keep", "enter", "Use this port"))
         elif answering is not None:
             choices.append(Choice("connect", "enter", f"Connect at {answering} baud"))
+        if self._another:
+            return other_firmwares(self.bench, likely=True)
         if state.link.state is Link.SILENT:
             again = " again" if self.findings and answering is None else ""
             probe_key = "enter" if answering is None else "p"

@@ -1,0 +1,78 @@
+"""The eleven steps with a Trav'ler: what it does by itself, what only lasts until power-up, where its limits are."""
+
+import pytest
+from birdcage.setup.step import NoSuchChoice
+from birdcage.station.state import Link, Search
+
+
+@pytest.fixture
+def travler(build):
+    return build("hal205?seed=1").up()
+
+
+def test_its_search_is_ended_at_once_and_said_to_come_back(travler):
+    words = " ".join(travler.view("search").words)
+    assert "comes back at each power-up" in words
+    assert "NVS 20" not in words
+    travler.choose("search", "end")
+    assert travler.state.search is Search.OFF_UNTIL_POWER_UP
+    assert travler.marks()["search"] == "done"
+    assert "begins again at each power-up" in travler.view("search").evidence
+    assert "ngsearch" in travler.lines()
+
+
+def test_that_it_was_ended_once_is_no_proof_after_the_next_power_up(travler, build):
+    travler.choose("search", "end")
+    travler.kill()
+    again = build("hal205?seed=1").up()
+    assert again.state.search is not Search.OFF_UNTIL_POWER_UP
+    assert again.marks()["search"] == "todo"
+
+
+def test_there_is_nothing_to_press_for_homing(travler):
+    step = travler.view("home")
+    assert step.mark.value == "done"
+    assert step.evidence.startswith("homed by itself at power-up, now at AZ ")
+    assert step.choices == ()
+    with pytest.raises(NoSuchChoice):
+        travler.setup.choose("home", "home")
+    assert travler.moves() == []
+
+
+def test_its_limits_are_its_own_and_name_their_source(travler):
+    travler.until(lambda: travler.state.surveyed)
+    assert travler.view("limits").evidence.startswith("el 15.00..90.00 (")
+    assert "NVS 12" in travler.view("limits").evidence
+    assert "cable +0..+455" in travler.view("limits").evidence
+
+
+def test_a_dish_that_tells_no_version_need_not_be_waited_for(travler):
+    travler.until(lambda: travler.view("dish").mark.value == "done")
+    assert travler.view("dish").evidence == "Trav'ler, speaks hal205; it tells no version"
+    assert travler.file().dish.firmware == "hal205"
+
+
+def test_direction_is_tried_by_moving_and_back(travler):
+    travler.until(lambda: travler.state.surveyed)
+    travler.setup.clear()
+    start = travler.looks_at()
+    for answer in ("start", "yes", "yes"):
+        travler.choose("direction", answer, 120.0)
+    assert travler.marks()["direction"] == "done"
+    assert travler.looks_at() == pytest.approx(start, abs=0.1)
+
+
+def test_another_dish_than_was_thought_is_chosen_and_kept_and_asks_for_a_new_session(build):
+    house = build("hal205?seed=1", firmware="g2")
+    house.until(lambda: house.state.link.state is Link.SILENT)
+    choice = next(each for each in house.view("link").choices if each.name == "firmware-hal205")
+    assert "Trav'ler" in choice.label
+    assert house.setup.begin_anew == ""
+    house.choose("link", "firmware-hal205")
+    assert house.setup.begin_anew == "hal205"
+    assert house.file().dish.firmware == "hal205"
+    assert house.file().dish.baud is None
+    assert house.moves() == []
+    house.kill()
+    again = build("hal205?seed=1").up()
+    assert again.setup.begin_anew == ""
