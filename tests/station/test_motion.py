@@ -103,10 +103,22 @@ def test_a_stalled_axis_is_a_fault_that_holds_until_acknowledged(bench):
     bench.step(0.5)
     bench.device.stall(0)
     bench.step(6)
-    assert "stands still" in str(future.exception(0))
+    assert "azimuth is stalled" in str(future.exception(0))
     assert bench.state.fault.reason == "stall"
+    assert "azimuth" in bench.state.fault.what
     with pytest.raises(Held):
         bench.do(go(200, 45))
+
+
+def test_a_stalled_axis_that_the_dish_does_not_tell_of_is_seen(bench):
+    bench.do(go(180, 45))
+    bench.device.firmware.stalled = lambda _axis: None
+    future = bench.station.submit(go(300, 45))
+    bench.step(0.5)
+    bench.device.stall(0)
+    bench.step(6)
+    assert "stands still" in str(future.exception(0))
+    assert bench.state.fault.reason == "stall"
 
 
 def test_settings_that_could_not_be_read_refuse_motion_until_accepted():

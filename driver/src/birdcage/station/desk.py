@@ -81,6 +81,7 @@ class Desk:
                 self._talk.line.make_way()
                 self._rewire.connect(port, baud)
             case ask.SetSearch(holder, disabled):
+                self._search.refuse(disabled=disabled)
                 self._ready(holder)
                 future.set_result(self._search.set(disabled=disabled))
                 return

@@ -151,7 +151,7 @@ class SetSearch:
 
     By a setting: for good, after a backup of the dish's settings, with effect from the next power cycle on; its future
     resolves with the path of the backup. Where it can only be ended while it runs, that is done at once, and the future
-    resolves with None; giving it back is then MotionRefused (`unsupported`): it begins by itself at power-up.
+    resolves with None; giving it back is then CommandRefused (`unsupported`): it begins by itself at power-up.
     """
 
     holder: str

@@ -1,4 +1,4 @@
-"""Switches the firmware's own TV search, never without a copy of the dish's settings first."""
+"""Switches the firmware's own TV search: by a setting, never without a copy of them first, or by ending it now."""
 
 from __future__ import annotations
 
@@ -7,21 +7,43 @@ from pathlib import Path
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.errors import ConfigError, StoreError
 from birdcage.base.paths import write_aside_and_rename
+from birdcage.protocol.model import SearchSwitch as Switch
+from birdcage.station.applying import refuse_while_moving
 from birdcage.station.board import Board
 from birdcage.station.look import Look
 from birdcage.station.settings import StationSettings
-from birdcage.station.state import Search
+from birdcage.station.state import Activity, Search
 
 
 class SearchSwitch:
-    """Backs the table up, writes, and looks again."""
+    """What the switch does depends on the dish: see `DishModel.search_switch`."""
 
     def __init__(self, board: Board, antenna: BirdcageAntenna, look: Look, settings: StationSettings) -> None:
         self._board, self._antenna, self._look, self._folder = board, antenna, look, settings.backup_folder
 
-    def set(self, *, disabled: bool) -> Path:
-        """Switch the search off for good, or back on; return the path of the backup."""
+    def refuse(self, *, disabled: bool) -> None:
+        """Raise CommandRefused (`unsupported`) where this can't be done, BirdcageError (`moving`) while it may not.
+
+        A search that is to be ended at once may well move the dish; a motion of ours must not be aborted by it.
+        """
+        if self._until_power_up and not disabled:
+            self._antenna.protocol.restore_search()  # says why not
+        if self._until_power_up and self._board.state.activity is not Activity.MOVING_UNASKED:
+            refuse_while_moving(self._board, self._antenna, "The search is not ended")
+
+    @property
+    def _until_power_up(self) -> bool:
+        return self._antenna.protocol.model.search_switch is Switch.UNTIL_POWER_UP
+
+    def set(self, *, disabled: bool) -> Path | None:
+        """Switch the search off, or back on; return the path of the backup, None where no setting was written."""
         protocol = self._antenna.protocol
+        if self._until_power_up:
+            protocol.kill_search()
+            protocol.enter_motor_menu()
+            self._board.change(search=Search.OFF_UNTIL_POWER_UP)
+            self._look.position()
+            return None
         backup = self._back_up(protocol.settings_table())
         if disabled:
             protocol.kill_search()

@@ -114,6 +114,8 @@ def farewell(position: Pointing | None, lost: str | None, reach: Reach | None) -
         )
     if reach is Reach.SENT:
         return f"STOP was sent. {where}"
+    if reach is Reach.ENDS:
+        return f"The dish ends its move by itself, which nothing can stop; nothing follows it. {where}"
     if reach in (None, Reach.AT_REST):
         return where
     return f"The dish may still be moving, and no STOP has reached it: look at it, or cut its power. {where}"

@@ -226,6 +226,7 @@ class Station:
                 self._link_gone(error)
         except BirdcageError as error:
             future.set_exception(error)
+            self._vigil.hear_refusal(error)
             if isinstance(error, NoReply) and error.reason != "no_row":
                 self._vigil.interrupted("link")
                 self._connection.silent(error)
@@ -245,6 +246,8 @@ class Station:
         except Stopped:
             pass  # STOP or the end of the station cut the exchange short; both have their own follow-up
         except BirdcageError as silence:
+            if self._vigil.hear_refusal(silence):
+                return
             # No answer, or one that makes no sense here: find out where the console is.
             self._vigil.interrupted("link")
             self._connection.silent(silence)

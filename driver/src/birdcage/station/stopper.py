@@ -228,6 +228,8 @@ class Stopper:
     def _complete(self, pending: Pending) -> None:
         try:
             self.way.answered(pending.report.means)
+            now = self._board.clock.monotonic()
+            pending.deadline = max(pending.deadline, now + self._lasts_s(pending.report.means))
         except CommandRefused as refused:
             if self._pending is pending:
                 pending.report = replace(pending.report, sentence=f"The search was not ended: {refused}")

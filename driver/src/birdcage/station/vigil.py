@@ -5,13 +5,16 @@ from __future__ import annotations
 import math
 
 from birdcage.antenna.antenna import STILL_DEG, BirdcageAntenna
-from birdcage.base.errors import Stopped
+from birdcage.base.errors import BirdcageError, CommandRefused, Stopped
+from birdcage.protocol.model import SearchSwitch
 from birdcage.station.board import Board
 from birdcage.station.control import Control
 from birdcage.station.events import End, FaultRaised, TranscriptLine
 from birdcage.station.look import Look
 from birdcage.station.mover import Mover
-from birdcage.station.state import Activity, Fault, Pointing
+from birdcage.station.stalls import stalled_axis
+from birdcage.station.starting import Starting
+from birdcage.station.state import Activity, Fault, Pointing, Search
 from birdcage.station.stopper import Stopper
 from birdcage.station.watches import Watches
 
@@ -21,6 +24,12 @@ UNASKED_DEG = 0.3
 UNASKED_POLL_S = 0.2
 APART_S = 0.09
 """Two readings closer together than this do not tell a dish at rest from one that moves."""
+
+STALL = (
+    "Something blocks it, or its motor lost steps.",
+    "Look at the dish before anything else. Free it, acknowledge, and home it if its angles are wrong.",
+)
+"""What a stall means, and what to do."""
 
 
 class Vigil:
@@ -43,6 +52,7 @@ class Vigil:
         """Whether the dish has answered this station before: else its boot text is the beginning, not a restart."""
         self._doubted: Pointing | None = None
         """Where the dish rested before a reading that says otherwise, until a second one agrees with either."""
+        self._starting = Starting(board, antenna, mover)
         mover.on_stall = self._stalled
 
     def due(self) -> float | None:
@@ -121,20 +131,30 @@ class Vigil:
             self._mover.activity(Activity.IDLE, "")
             return
         self.look_again()
-        if activity is Activity.IDLE and doubted is None:
+        if activity is Activity.UNKNOWN and self._searches_when_met and not self._board.state.raw_motion:
+            # No fault: it did so before anybody was here. Most likely it searches, as it does from power-up on.
+            self._mover.activity(Activity.MOVING_UNASKED, "")
+        elif activity is Activity.IDLE and doubted is None:
             self._doubted = before  # a digit may have been lost on the wire: only a second reading is proof
         elif activity is Activity.IDLE:
             self._mover.activity(Activity.MOVING_UNASKED, "")
             self._mover.forget_target()
+            if self._board.state.fault is not None and self._board.state.search is Search.RUNNING:
+                return  # it was told that the dish has restarted, and that it searches then
             self.raise_fault(
                 "moved", "The dish moves though nobody asked",
                 "Its own TV search, another program, a hand or the wind may move it.",
                 "Keep clear. Space stops it as far as it can be stopped; if not, cut its power.",
             )  # fmt: skip
 
+    @property
+    def _searches_when_met(self) -> bool:
+        return self._antenna.protocol.model.search_switch is SearchSwitch.UNTIL_POWER_UP
+
     def met(self) -> None:
         """The dish answers: see whether it moves."""
         self._met = True
+        self._starting.answers()
         if self._board.state.activity is Activity.INITIALIZING:
             self._mover.activity(Activity.UNKNOWN, "")
         self.look_again()
@@ -150,10 +170,7 @@ class Vigil:
 
     def _stalled(self, sentence: str) -> None:
         self._mover.activity(Activity.IDLE, "")
-        self.raise_fault(
-            "stall", sentence, "Something blocks it, or its motor lost steps.",
-            "Look at the dish before anything else. Free it, acknowledge, and home it if its angles are wrong.",
-        )  # fmt: skip
+        self.raise_fault("stall", sentence, *STALL)
 
     def raise_fault(self, reason: str, what: str, meaning: str, remedy: str) -> None:
         """Stop asking for motion, and say so until a person acknowledges."""
@@ -166,19 +183,47 @@ class Vigil:
     def on_line(self, line: str) -> None:
         """Hear a line that nobody asked for; boot text means that the dish has forgotten everything."""
         self._board.tell(TranscriptLine(*self._board.stamp(), "<", line))
-        if not any(mark in line for mark in self._antenna.protocol.boot_marks):
+        if self.hear_stall(line):
             return
+        if not any(mark in line for mark in self._antenna.protocol.boot_marks):
+            self._starting.hear(line, met=self._met)
+            return
+        self._starting.ended()
         fault = self._board.state.fault
         if not self._met:
             self._mover.activity(Activity.INITIALIZING, line.strip())
         elif fault is None or fault.reason != "reboot":
             self.forget("reboot")
             self.interrupted("fault")
+            self._starting.ended()
             self.raise_fault(
                 "reboot", f"The dish has restarted: {line.strip()!r}",
                 "It homes by itself or has to be homed, and may begin its TV search.",
                 "Check its power and cable. Wait until it is quiet, then acknowledge and home it.",
             )  # fmt: skip
+
+    def hear_stall(self, text: str) -> bool:
+        """Raise the fault if a line says that an axis is stalled; return whether it does."""
+        axis = stalled_axis(text)
+        if axis is None:
+            return False
+        sentence = f"The {axis} is stalled: the dish says {text.strip()!r}"
+        fault, motion = self._board.state.fault, self._antenna.motion
+        self._mover.fail(End.FAULT, sentence, Stopped(sentence, reason="stall"))
+        if motion is not None and motion.silent:
+            self._stopper.call("birdcage", "fault")  # the other axis is still on its way
+            self._stopper.take_calls()
+        else:
+            self._antenna.motion = None  # STOP must not send it to its target once more
+            self._mover.activity(Activity.UNKNOWN, "")
+            self.look_again()
+        if fault is None:
+            self.raise_fault("stall", sentence, *STALL)
+        return True
+
+    def hear_refusal(self, error: BirdcageError) -> bool:
+        """Return whether what the dish answered instead of its reply was that an axis is stalled."""
+        return isinstance(error, CommandRefused) and self.hear_stall(str(error))
 
     def forget(self, reason: str) -> None:
         """Drop what is known of the position."""
