@@ -9,7 +9,7 @@ from functools import partial
 import pytest
 from birdcage.sim.port import open_port
 from birdcage.sim.wire import PASS, Byte
-from hypothesis import HealthCheck, given, seed, settings
+from hypothesis import HealthCheck, Phase, given, seed, settings
 
 bench, scripted = sys.modules["console_bench"], sys.modules["console_scripted"]
 
@@ -96,8 +96,10 @@ LEARNT_SIMULATORS = [f"hal205?root_q=kill&prompts={prompts}" for prompts in ("na
 QUICK = settings(max_examples=1000, derandomize=True, deadline=None, database=None)
 BRIEF = settings(QUICK, max_examples=300)
 LONG = settings(
-    max_examples=750, derandomize=False, deadline=None, database=None, suppress_health_check=list(HealthCheck)
-)
+    max_examples=750, derandomize=False, deadline=None, database=None, suppress_health_check=list(HealthCheck),
+    phases=(Phase.generate,),
+)  # fmt: skip
+"""What fails is told as it was drawn: making it small would outlast a test's minute."""
 drawn = given(bench.STEPS, bench.FAULTS, bench.FAULTS)
 
 
