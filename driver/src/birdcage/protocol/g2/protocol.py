@@ -55,15 +55,16 @@ class CarryoutG2Protocol(Rooms):
         firmware: see `kill_search`. NoReply after `timeout_s`.
         """
         tell = callback or (lambda _line: None)
-        started = self.clock.monotonic()
+        started, before = self.clock.monotonic(), ""
         while True:
             try:
                 self.console.synchronize()
                 break
             except NoReply as silence:
                 elapsed = self.clock.monotonic() - started
-                if elapsed >= timeout_s:
+                if elapsed >= timeout_s or silence.reason == before == "wrong_firmware":
                     raise
+                before = silence.reason
                 tell(f"{elapsed:3.0f} s: no prompt yet ({silence.reason}). The dish may still be booting.")
         disabled = self.read_nvs(DISABLE_TRACKER).current == "TRUE"
         tell(
