@@ -31,11 +31,11 @@ main()
 
 
 class PtyDish:
-    """A simulated G2, served to any program that opens `path`."""
+    """A simulated dish, served to any program that opens `path`."""
 
-    def __init__(self, options: str = "seed=1") -> None:
-        self.device = open_device(f"g2?{options}", clock=RealClock())
-        self._server = Server(self.device, PtyChannel(None), "sim:g2")
+    def __init__(self, options: str = "seed=1", firmware: str = "g2") -> None:
+        self.device = open_device(f"{firmware}?{options}", clock=RealClock())
+        self._server = Server(self.device, PtyChannel(None), f"sim:{firmware}")
         self.path = self._server.channel.path
         self._stop = Wake()
         self._thread = threading.Thread(target=self._server.serve, args=(self._stop,), daemon=True)
@@ -82,6 +82,14 @@ class PtyDish:
 def pty_dish(request):
     """A dish on a pty; `parametrize` it indirectly with options of the simulator."""
     dish = PtyDish(getattr(request, "param", "seed=1"))
+    yield dish
+    dish.close()
+
+
+@pytest.fixture
+def pty_travler(request):
+    """The same with a Trav'ler."""
+    dish = PtyDish(getattr(request, "param", "seed=1"), "hal205")
     yield dish
     dish.close()
 

@@ -197,6 +197,8 @@ def open_dish(wanted: Wanted, *, moves: bool = False, survey: bool = True) -> It
             yield dish
         except (BirdcageError, Ended, click.ClickException) as error:
             _leave(dish, begun, error)
+            if isinstance(error, NoReply) and not wanted.firmware_given:
+                error.add_note(f"{wanted.firmware} is the default of --firmware: for a Carryout G2 give --firmware g2.")
             raise
         except BaseException as crash:
             if moves:

@@ -27,10 +27,13 @@ def status_report(state: StationState, now: float) -> dict[str, Value | dict[str
         "firmware_version": state.firmware_version,
         "azimuth_deg": _rounded(pointing.az_deg) if pointing else None,
         "elevation_deg": _rounded(pointing.el_deg) if pointing else None,
-        "age_s": _age(pointing.at, now) if pointing else None,
+        "skew_deg": _rounded(pointing.skew_deg) if pointing and pointing.skew_deg is not None else None,
+        "modelled": pointing.modelled if pointing else None,
+        "age_s": _age(pointing.told_at, now) if pointing else None,
         "position_lost": state.position_lost,
         "target_azimuth_deg": _rounded(motion.to_az_deg) if motion else None,
         "target_elevation_deg": _rounded(motion.to_el_deg) if motion else None,
+        "target_skew_deg": _rounded(motion.to_skew_deg) if motion and motion.to_skew_deg is not None else None,
         "homed": state.homed,
         "activity": None if state.activity is Activity.UNKNOWN else state.activity.value,
         "holder": state.holder,
@@ -44,6 +47,7 @@ def status_report(state: StationState, now: float) -> dict[str, Value | dict[str
         "cable_deg": _rounded(pointing.cable_deg) if pointing and pointing.cable_deg is not None else None,
         "stop_power_s": motion.stop_power_s if motion else None,
         "stop_means": motion.stop_means if motion else None,
+        "rests_in_s": _left(motion.rests_at, now) if motion else None,
         "last_stop": stop_report(state.last_stop) if state.last_stop else None,
     }
 
@@ -55,6 +59,10 @@ def stop_report(report: StopReport) -> dict[str, Value]:
 
 def _age(at: float | None, now: float) -> float | None:
     return None if at is None else round(max(0.0, now - at), 3)
+
+
+def _left(at: float | None, now: float) -> float | None:
+    return None if at is None else round(max(0.0, at - now), 3)
 
 
 def _rounded(angle_deg: float) -> float:

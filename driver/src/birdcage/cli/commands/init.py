@@ -127,7 +127,8 @@ def _describe(dish: Dish) -> None:
 
     state = dish.state
     assert state.dish is not None, "a station knows its dish from the start"
-    say(f"{state.dish.name}, firmware {state.firmware_version or '-'}, answers at {state.port}.")
+    version = f"firmware {state.firmware_version}" if state.firmware_version else f"speaks {state.dish.firmware}"
+    say(f"{state.dish.name}, {version}, answers at {state.port}.")
     if state.activity is Activity.MOVING_UNASKED:
         say("It moves, though nobody asked: its own TV search, or homing after power-up. Keep clear of it.")
     elif state.homed is False:
