@@ -1,8 +1,8 @@
 """Which firmware answers on a port, asked before a session begins: one bare Enter at each usual rate.
 
-A Carryout G2 shows a prompt that its dialect declares (reference section 7.3). The prompts of the HAL family are
-unknown (section 4), so any other prompt, and any text at its rate, is taken for HAL 2.05. The console proves it, or the
-session refuses to move: this is no more than a first guess.
+A Carryout G2 shows a prompt that its dialect declares, at its own rate (reference sections 7.2 and 7.3). The prompts of
+the HAL family are unknown (section 4), so any other prompt, and any text at its rate, is taken for HAL 2.05. The
+console proves it, or the session refuses to move: this is no more than a first guess.
 """
 
 from __future__ import annotations
@@ -56,16 +56,22 @@ def detect_firmware(
                 link.close()
         except LinkError as error:
             return Detection(None, str(error), tuple(findings))
-        firmware = firmware_of(findings[-1])
+        firmware = firmware_of(findings[-1], rate_counts=has_speed(port))
         if firmware is not None:
             return Detection(firmware, f"{port} shows `{findings[-1].sample}`: {firmware}.", tuple(findings))
     return Detection(None, f"{port} does not tell which firmware it is.", tuple(findings))
 
 
-def firmware_of(finding: BaudFinding) -> str | None:
-    """Return the firmware that shows this; None where it could be any."""
+def firmware_of(finding: BaudFinding, *, rate_counts: bool = True) -> str | None:
+    """Return the firmware that shows this; None where it could be any.
+
+    `rate_counts`: whether the port takes its rate from us. Then a prompt that a dialect declares is that firmware's
+    only at its own rate: one of the HAL family may show the same.
+    """
     for name, each in FIRMWARE_REGISTRY.items():
-        if any(token and token in finding.sample for token in each.dialect.prompts.values()):
+        if rate_counts and finding.baud != each.model.baud:
+            continue
+        if name != OTHERS and any(token in finding.sample for token in each.dialect.prompts.values()):
             return name
     others = FIRMWARE_REGISTRY.get(OTHERS)
     if others is None:
