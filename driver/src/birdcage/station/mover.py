@@ -56,6 +56,8 @@ class Mover(ABC):
         self._last_follow: tuple[str, float] | None = None
         self.on_stall: Callable[[str], None] = lambda _sentence: None
         """Told when the dish stands still away from its target."""
+        self.on_astray: Callable[[], None] = lambda: None
+        """Told when the dish moves on though its motion must be over."""
 
     @property
     def is_moving(self) -> bool:

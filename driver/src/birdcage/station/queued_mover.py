@@ -9,18 +9,21 @@ from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.leg_sender import LegSender
 from birdcage.antenna.legs import Leg
 from birdcage.antenna.motion import DishMotion
-from birdcage.base.errors import BirdcageError, CommandRefused, MotionRefused, PositionUnknown, Superseded
+from birdcage.base.errors import BirdcageError, CommandRefused, MotionRefused, PositionUnknown, Stopped, Superseded
 from birdcage.base.geometry import shortest_turn
 from birdcage.station.board import Board
 from birdcage.station.events import End
 from birdcage.station.look import Look
 from birdcage.station.mover import ARRIVED_DEG, POLL_S, Job, Mover
 from birdcage.station.silence import MARGIN_S, Silence
+from birdcage.station.stalls import stalled_axis
 from birdcage.station.state import Activity, Pointing
 from birdcage.station.stop_power import stop_power
 
 STILL_S = 0.3
 """How long the readings must agree where it is not known beforehand where the dish comes to rest."""
+ASTRAY_S = 20.0
+"""How much longer than a leg may take at the longest a dish may move, before it is not our motion any more."""
 
 
 class QueuedMover(Mover):
@@ -105,7 +108,17 @@ class QueuedMover(Mover):
 
     def _follow(self, job: Job) -> None:
         self.due = self._board.clock.monotonic() + POLL_S
-        motion = self._antenna.motion
+        try:
+            self._follow_motion(job, self._antenna.motion)
+        except CommandRefused as refused:
+            if stalled_axis(str(refused)) is not None:
+                raise  # whoever hears of stalls takes it from here
+            if self._job is job:
+                self.fail(End.REFUSED, str(refused), refused)
+                self._antenna.motion = None
+                self.activity(Activity.IDLE, "")
+
+    def _follow_motion(self, job: Job, motion: DishMotion | None) -> None:
         if motion is None:
             self._go_on(job)
         elif not motion.silent:
@@ -115,7 +128,7 @@ class QueuedMover(Mover):
             if pointing is not None:
                 self._tell_progress(job, pointing, self._eta(job) - pointing.at)
         elif self._silence.has_prompt():
-            self._follow_to_its_rest(job)
+            self._follow_to_its_rest(job, motion)
 
     def _follow_leg(self, job: Job, motion: DishMotion) -> None:
         """Watch one axis, which rests at its target or is stuck."""
@@ -131,13 +144,15 @@ class QueuedMover(Mover):
         unseen_s = MARGIN_S / clock.rate if motion.skew is not None and pointing.skew_deg is None else 0.0
         if job.still_since is not None and off_deg <= ARRIVED_DEG and now >= eta + unseen_s:
             self._leg_over(job)
+        elif self._is_astray(motion, now):
+            self._astray()
         elif self._is_stuck(job, eta):
             self.stuck(_stuck_sentence(pointing, off_deg))
         else:
             self._show(job)
             self._tell_progress(job, pointing, self._eta(job) - now)
 
-    def _follow_to_its_rest(self, job: Job) -> None:
+    def _follow_to_its_rest(self, job: Job, motion: DishMotion) -> None:
         """After a silent slew: wherever it ends."""
         pointing, clock = self._read(job), self._board.clock
         if pointing is None:
@@ -145,8 +160,19 @@ class QueuedMover(Mover):
         now = clock.monotonic()
         if job.still_since is not None and now - job.still_since >= max(STILL_S / clock.rate, 2 * POLL_S):
             self._leg_over(job)
+        elif self._is_astray(motion, now):
+            self._astray()
         else:
             self._tell_progress(job, pointing, self._eta(job) - now)
+
+    def _is_astray(self, motion: DishMotion, now: float) -> bool:
+        return now > motion.azimuth.started + ASTRAY_S + motion.longest_s / self._board.clock.rate
+
+    def _astray(self) -> None:
+        sentence = "The dish moves on though its motion must be over."
+        self.fail(End.FAULT, sentence, Stopped(sentence, reason="moved"))
+        self._antenna.motion = None
+        self.on_astray()
 
     def _leg_over(self, job: Job) -> None:
         self._antenna.motion = None
@@ -163,7 +189,7 @@ class QueuedMover(Mover):
                 self._send(job, self._legs.popleft())
                 self._show(job)
                 return
-        except (MotionRefused, CommandRefused) as refused:
+        except MotionRefused as refused:
             if self._job is job:
                 self.fail(End.REFUSED, str(refused), refused)
                 self.activity(Activity.IDLE, "")

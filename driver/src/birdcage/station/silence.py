@@ -55,7 +55,10 @@ class Silence:
         return not self._over
 
     def has_prompt(self) -> bool:
-        """Wait a moment for the prompt, or ask for it once more. NoReply after five times."""
+        """Wait a moment for the prompt, or ask for it once more. NoReply after five times.
+
+        CommandRefused when the dish has refused the slew, or says that it could not go on.
+        """
         if self._over:
             return True
         try:
@@ -66,4 +69,5 @@ class Silence:
             self.abort()
             return False
         self._over = True
+        self._antenna.protocol.slew_is_over()  # takes note of what it answered
         return True

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from contextlib import suppress
 from dataclasses import dataclass
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import stop_power_s
+from birdcage.base.errors import CommandRefused
 from birdcage.base.geometry import shortest_turn
 from birdcage.protocol.model import SecondMove
 from birdcage.protocol.types import Position
@@ -120,10 +122,13 @@ class Queued(StopWay):
         return Grip("search", "The dish was seen moving: a bare Enter was sent, and the TV search is ended.", enter)
 
     def answered(self, means: str) -> None:
-        """End the search, and be in the motor menu again."""
+        """Take note of how the slew ended, or end the search and be in the motor menu again."""
+        protocol = self._antenna.protocol
+        if means == "abort":
+            with suppress(CommandRefused):  # it has ended in either case
+                protocol.slew_is_over()
         if means != "search":
             return
-        protocol = self._antenna.protocol
         protocol.kill_search()
         self._board.change(search=Search.OFF_UNTIL_POWER_UP)
         protocol.enter_motor_menu()

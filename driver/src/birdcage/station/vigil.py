@@ -53,7 +53,7 @@ class Vigil:
         self._doubted: Pointing | None = None
         """Where the dish rested before a reading that says otherwise, until a second one agrees with either."""
         self._starting = Starting(board, antenna, mover)
-        mover.on_stall = self._stalled
+        mover.on_stall, mover.on_astray = self._stalled, self._moves_unasked
 
     def due(self) -> float | None:
         """Return when there is something to look at; nothing else is asked for while the dish moves."""
@@ -137,15 +137,19 @@ class Vigil:
         elif activity is Activity.IDLE and doubted is None:
             self._doubted = before  # a digit may have been lost on the wire: only a second reading is proof
         elif activity is Activity.IDLE:
-            self._mover.activity(Activity.MOVING_UNASKED, "")
-            self._mover.forget_target()
-            if self._board.state.fault is not None and self._board.state.search is Search.RUNNING:
-                return  # it was told that the dish has restarted, and that it searches then
-            self.raise_fault(
-                "moved", "The dish moves though nobody asked",
-                "Its own TV search, another program, a hand or the wind may move it.",
-                "Keep clear. Space stops it as far as it can be stopped; if not, cut its power.",
-            )  # fmt: skip
+            self._moves_unasked()
+
+    def _moves_unasked(self) -> None:
+        self._mover.activity(Activity.MOVING_UNASKED, "")
+        self._mover.forget_target()
+        self.look_again()
+        if self._board.state.fault is not None and self._board.state.search is Search.RUNNING:
+            return  # it was told that the dish has restarted, and that it searches then
+        self.raise_fault(
+            "moved", "The dish moves though nobody asked",
+            "Its own TV search, another program, a hand or the wind may move it.",
+            "Keep clear. Space stops it as far as it can be stopped; if not, cut its power.",
+        )  # fmt: skip
 
     @property
     def _searches_when_met(self) -> bool:
