@@ -52,6 +52,7 @@ class HAL205Protocol(FirmwareProtocol):
         self._skew_goal: float | None = None
         """Where the skew was sent and has not been seen yet."""
         self._boot = BootWatch(self.boot_marks)
+        self._hear: Callable[[str], None] = lambda _text: None
 
     def attach(
         self,
@@ -72,6 +73,7 @@ class HAL205Protocol(FirmwareProtocol):
                 on_line(text)
 
         self._slew = self._skew_goal = None
+        self._hear = hear
         super().attach(link, clock, delay_s=delay_s, wake=wake, on_wake=on_wake, on_line=hear)
 
     def initialize(self, callback: Callable[[str], None] | None = None, *, timeout_s: float = TRAVLER.boot_s) -> None:
@@ -165,6 +167,9 @@ class HAL205Protocol(FirmwareProtocol):
         if not slew.is_over:
             return False
         self._slew = None
+        for line in slew.reply.lines if slew.reply is not None else ():
+            if any(mark in line for mark in self.boot_marks):
+                self._hear(line)  # it has restarted meanwhile: its log passes for the answer
         refusal = self.console.refusal(slew.reply) if slew.reply is not None else None
         if refusal is not None:
             raise refusal
