@@ -10,6 +10,7 @@ from birdcage.base.clock import Clock, RealClock
 from birdcage.base.errors import BirdcageError, CommandRefused, LinkError
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.session import Console
+from birdcage.protocol.belief import Belief
 from birdcage.protocol.command_list import CommandDoc
 from birdcage.protocol.gate import MotionGate
 from birdcage.protocol.hazard import Grade, HazardTable, Verdict
@@ -49,6 +50,8 @@ class FirmwareProtocol(ABC):
         self._link: Link | None = None
         self._console: Console | None = None
         self.gate = MotionGate(self.model)
+        self.belief: Belief | None = None
+        """What readings of the position must pass before anything counts with them; None: each is taken as printed."""
         self.permit: Callable[[], None] | None = None
         """Asked, with writing locked, just before a line that moves the dish; raises to keep it from going out."""
 
@@ -127,6 +130,9 @@ class FirmwareProtocol(ABC):
     @abstractmethod
     def get_position(self) -> Position:
         """Read where the dish is. PositionUnknown when the axes are not homed."""
+
+    def _believed(self, once: Callable[[], Position]) -> Position:
+        return once() if self.belief is None else self.belief.read(once, self.clock.monotonic)
 
     def move_motor(self, motor_id: int, degrees: float) -> None:
         """Send one axis to an absolute angle, through the gate. Returns when the dish has taken the command.

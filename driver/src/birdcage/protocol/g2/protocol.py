@@ -80,6 +80,11 @@ class CarryoutG2Protocol(Rooms):
 
     def get_position(self) -> Position:
         """Read both axes with one `a` (section 7.4). PositionUnknown: not homed, or released since."""
+        position = self._believed(self._read_position)
+        self.gate.see(position)
+        return position
+
+    def _read_position(self) -> Position:
         reply = self.console.run("mot", "a")
         angles = {int(m[1]): float(m[2]) for m in map(_ANGLE.search, reply.lines) if m}
         if set(angles) != {0, 1}:
@@ -90,9 +95,7 @@ class CarryoutG2Protocol(Rooms):
             raise PositionUnknown(
                 "The dish is not homed, so it does not know where it is. Home it first.", reason="unhomed"
             )
-        position = Position(angles[0], angles[1])
-        self.gate.see(position)
-        return position
+        return Position(angles[0], angles[1])
 
     def _send_move(self, motor_id: int, degrees: float) -> None:
         line = self._move_line(motor_id, degrees)

@@ -104,9 +104,8 @@ class HAL205Protocol(FirmwareProtocol):
 
     def get_position(self) -> Position:
         """Read all axes with one `a` (section 3). PositionUnknown: not homed."""
-        reply = self.console.run(MOTOR, "a")
         try:
-            position = parse_position(reply.lines)
+            position = self._believed(lambda: parse_position(self.console.run(MOTOR, "a").lines))
         except PositionUnknown:
             self.gate.forget("unhomed")
             raise
