@@ -13,8 +13,8 @@ from birdcage_tui.view import View
 
 LEAST_GAUGE = 8
 """Columns below which a gauge tells nothing."""
-ARC_ROWS = 5
-"""Rows from which the arc is drawn instead of the gauge."""
+ARC_ROWS, ARC_WIDTH = 5, 46
+"""Rows and columns from which the arc is drawn instead of the gauge."""
 THERE_DEG = 0.05
 
 
@@ -97,7 +97,7 @@ class SkewPane(Pane):
         """Draw what there is room for; nothing for a dish without that axis."""
         if not has_skew(view):
             return
-        if cells.height >= ARC_ROWS and cells.width >= 36:
+        if cells.height >= ARC_ROWS and cells.width >= ARC_WIDTH:
             self._with_arc(cells, view)
             return
         if cells.height == 1 and cells.width < 36:

@@ -48,7 +48,7 @@ def sizes(width: int, height: int, *, with_skew: bool = False) -> Sizes:
     right = 57 if side >= 57 + 40 else 44
     readout = (8 if top >= 36 and right == 57 else 6) + FRAME
     digits, jog, actions = (4, 3, 4) if top >= 36 else (3, 2, 3) if top >= 25 else (3, 1, 2)
-    skew = 0 if not with_skew else 5 if top >= 36 else 2
+    skew = 0 if not with_skew else 5 if top >= 36 and right == 57 else 2
     upper = readout + digits + skew + jog + actions + FRAME
     log = side - right if side >= 80 else 0
     return Sizes(True, rose, side - right, readout, digits, jog, actions, cable, skew, upper, log)

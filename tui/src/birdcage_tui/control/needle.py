@@ -17,7 +17,7 @@ def draw_needle(canvas: Braille, x: float, y: float, angle_deg: float, length: f
     steps = max(1, round(half * 2))
     if hollow:
         for off in (-half, half):
-            canvas.line(x - along_y * off, y + along_x * off, tip_x, tip_y, ink, 3)
+            canvas.line(x - along_y * off, y + along_x * off, tip_x, tip_y, ink, 2)
         return
     for step in range(-steps, steps + 1):
         off = half * step / steps
