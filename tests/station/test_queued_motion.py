@@ -239,3 +239,59 @@ def test_homing_is_refused_before_anything_changes(bench):
     assert bench.state.position is not None
     assert bench.state.holder is None
     assert bench.sent_moves(since) == []
+
+
+def test_a_stream_of_targets_is_followed_without_a_backlog_or_a_fault(bench):
+    from birdcage.station.requests import Follow
+
+    bench.do(Goto(200, 30, "tracker"), 60)
+    since = bench.clock.monotonic()
+    for second in range(60):
+        bench.station.submit(Follow(200 + 0.4 * second, 30 + 0.2 * second, "tracker"))
+        bench.step(1)
+        lag = abs(bench.device.truth().az_deg - (200 + 0.4 * second))
+        assert lag < 4
+    assert bench.state.fault is None
+    bench.step(10)
+    there(bench, 223.6, 41.8)
+    assert len(bench.sent_moves(since)) <= 2 * 60
+
+
+def test_an_offset_stands_between_base_and_world():
+    from birdcage.antenna.alignment import Alignment
+
+    bench = connected(alignment=Alignment(10.0, 1.0))
+    bench.do(Goto(240, 31, "you"), 60)
+    there(bench, 230, 30)
+    since = bench.clock.monotonic()
+    bench.do(Goto(242, 30, "you"), 60)
+    there(bench, 232, 29)
+    assert sorted(bench.sent_moves(since)) == ["a 0 232.00", "a 1 29.00"]
+
+
+def test_a_way_through_a_no_go_sector_is_refused_also_for_what_waits():
+    bench = connected(sectors=((200.0, 220.0, 40.0),))
+    with pytest.raises(MotionRefused):
+        bench.do(Goto(250, 30, "you"))
+    going = bench.station.submit(Goto(100, 45, "you"))
+    bench.step(3)
+    with pytest.raises(MotionRefused):
+        bench.do(Goto(210, 30, "you"))
+    assert not going.done()
+    waits = bench.station.submit(Goto(250, 30, "you"))
+    bench.step(30)
+    assert isinstance(waits.exception(0), MotionRefused)
+    assert bench.state.motion is None
+    assert not bench.device.truth().moving
+
+
+def test_status_tells_what_is_modelled(bench):
+    from birdcage.station.report import status_report
+
+    bench.station.submit(Goto(290, 30, "you"))
+    bench.step(6)
+    told = status_report(bench.state, bench.clock.monotonic())
+    assert told["modelled"] is True
+    assert told["age_s"] > 5
+    assert told["skew_deg"] == 90.0
+    assert told["stop_means"] == "abort"

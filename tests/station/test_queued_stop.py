@@ -111,6 +111,21 @@ def test_a_move_that_has_hardly_begun_does_not_pass_for_one_at_rest(bench):
     assert bench.state.last_stop.confirmed is True
 
 
+def test_equal_readings_before_the_end_of_a_move_are_no_rest(bench):
+    """A dish that takes its time to begin: it stands still, and will move all the same."""
+    bench.station.submit(Goto(184.5, 45, "you"))
+    while not bench.sent_moves() or not bench.sent_moves()[-1].startswith("a 0"):
+        bench.step(0.01)
+    for axis in bench.device.dish.axes:
+        axis.block(bench.device.machine.dish_s, slips=False)
+    bench.station.stop("you")
+    bench.step(2)
+    assert bench.state.last_stop.confirmed is None
+    assert bench.state.activity is Activity.STOPPING
+    bench.step(6)
+    assert bench.state.last_stop.confirmed is True
+
+
 def test_stop_at_rest_sends_nothing_that_moves(bench):
     since = bench.clock.monotonic()
     bench.station.stop("you")
@@ -244,3 +259,22 @@ def test_closing_in_a_single_move_says_that_it_ends_by_itself(bench):
     bench.station.submit(Goto(184, 41, "you"))
     bench.step(1.0)
     assert "ends its move by itself" in bench.session.close()
+
+
+def test_a_combined_move_that_a_person_typed_is_ended_by_a_byte(bench):
+    from birdcage.station.raw import Grade
+    from birdcage.station.requests import Raw
+
+    bench.station.submit(Raw("motor", confirmed=Grade.RUINS))
+    bench.step(2)
+    bench.station.submit(Raw("g 300 30 90", confirmed=Grade.RUINS))
+    bench.step(5)
+    assert bench.device.truth().moving
+    since, before = bench.clock.monotonic(), bench.device.truth().az_deg
+    bench.station.stop("you")
+    assert bench.sent_since(since).startswith(b"\r")
+    bench.step(10)
+    assert not bench.device.truth().moving
+    assert bench.device.truth().az_deg < before + 25
+    assert bench.sent_moves(since) == []
+    assert bench.state.held is not None

@@ -9,7 +9,7 @@ from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.leg_sender import LegSender
 from birdcage.antenna.legs import Leg
 from birdcage.antenna.motion import DishMotion
-from birdcage.base.errors import BirdcageError, CommandRefused, MotionRefused, PositionUnknown, Stopped, Superseded
+from birdcage.base.errors import CommandRefused, MotionRefused, PositionUnknown, Stopped, Superseded
 from birdcage.base.geometry import shortest_turn
 from birdcage.station.board import Board
 from birdcage.station.events import End
@@ -63,11 +63,6 @@ class QueuedMover(Mover):
                 reason="moving",
             )
         self._begin_job(job, (False, False))
-
-    def fail(self, end: End, sentence: str, error: BirdcageError) -> None:
-        """End the motion under way; what was left of it is not sent."""
-        self._legs = None
-        super().fail(end, sentence, error)
 
     def _begin_job(self, job: Job, asked: tuple[bool, bool]) -> None:
         """Send the first leg, at rest; else note what comes next. The motion before is superseded by either."""

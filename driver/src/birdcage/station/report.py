@@ -12,7 +12,8 @@ def status_report(state: StationState, now: float) -> dict[str, Value | dict[str
     """Return the state as a dict that JSON can hold; what is not known is None.
 
     `now` is the station's monotonic time, from which ages in seconds are counted. Angles are true degrees, as read:
-    a position that no longer holds is left out, and `position_lost` says why.
+    a position that no longer holds is left out, and `position_lost` says why. A `modelled` one is computed, as nothing
+    can be asked during a silent slew; its age counts from the last reading.
     """
     pointing = state.position if state.position_lost is None else None
     motion, held, dish = state.motion, state.held, state.dish
