@@ -71,3 +71,40 @@ def test_a_prompt_tells_a_menu_only_when_the_root_shows_another(places):
     places.entered("motor", "MOT>")
     assert places.is_told_by("MOT>", "motor")
     assert not places.is_told_by("MOT>", "nvs")
+
+
+SEARCH, NVS = ("s", "q"), ("d [<index>]", "e <index> [<value>]", "s", "q")
+
+
+@pytest.fixture
+def knowing(places):
+    """A dish all of whose menus were seen."""
+    places.judge(ROOT)
+    for menu, lines in (("ngsearch", SEARCH), ("motor", MOTOR), ("nvs", NVS)):
+        places.judge(lines)
+        places.judge(lines)
+        places.entered(menu, ">")
+    return places
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ("a [<motor> <angle>]", "g <az> <el> <s>", "q"),
+        ("d [<>]", "e < > [< >]", "s", "q"),
+        ("motor!", "n gse~rch", "nvs", "reb[oot", "s tow", "q"),
+    ],
+)
+def test_a_short_help_is_not_told_by_a_damaged_one_that_holds_its_words(knowing, lines):
+    assert knowing.judge(lines) is None
+
+
+@pytest.mark.parametrize(("menu", "lines"), [("ngsearch", SEARCH), ("motor", MOTOR), ("nvs", NVS)])
+def test_each_help_is_told_from_those_that_it_holds(knowing, menu, lines):
+    assert knowing.judge(lines) == menu
+
+
+def test_a_letter_that_noise_cut_off_the_roots_help_hides_no_submenu(places):
+    places.judge(("motor", "ngsearch", "n vs", "reboot", "s tow", "q"))
+    assert places.judge(SEARCH) is None
+    assert places.judge(SEARCH) is not None

@@ -54,9 +54,10 @@ class Places:
         if self.is_stranger(lines) or not self._is_submenu(words, listed) or not self._is_list(lines, listed):
             return None
         self._judged = words
-        known = [menu for menu, seen in self._listed.items() if menu != dialect.root and seen <= words]
-        if known:
-            return max(known, key=lambda menu: len(self._listed[menu]))
+        nearest = max(self._listed, key=lambda menu: _likeness(self._listed[menu], words), default=dialect.root)
+        # Fewer words than half may be of any menu: `s` and `q` stand in the damaged help of most.
+        if nearest != dialect.root and self._listed[nearest] <= words and 2 * len(self._listed[nearest]) >= len(words):
+            return nearest
         if 2 * len(words & before) > len(words):
             self._judged = self._listed[SUBMENU] = words & before
             return SUBMENU
@@ -91,7 +92,8 @@ class Places:
             if listed & (dialect.root_hints - set(dialect.prompts)):
                 return False
             common = {dialect.leave, "help"}  # every menu may list these
-            shared = len((words & root) - common)
+            # Of words that noise has cut in two single letters are left, which may be commands elsewhere.
+            shared = sum(len(word) > 1 for word in (words & root) - common)
             return shared <= _MOST_SHARED * min(len(root - common), len(words - common))
         if listed & dialect.root_hints or any(_alike(mark, word) for mark in dialect.root_marks for word in listed):
             return False
@@ -102,6 +104,11 @@ class Places:
         if any(pattern.search(line) for line in lines for pattern, _ in self._dialect.refusals):
             return False
         return len(lines) > 1 or self._dialect.leave in listed
+
+
+def _likeness(one: frozenset[str], other: frozenset[str]) -> float:
+    """Return the share of the words of both that both have."""
+    return len(one & other) / max(len(one | other), 1)
 
 
 def _alike(mark: str, word: str) -> bool:
