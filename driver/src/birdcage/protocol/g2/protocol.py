@@ -23,8 +23,8 @@ from birdcage.protocol.nvs import DISABLE_TRACKER, NvsRow
 from birdcage.protocol.protocol import BOOT_TIMEOUT_S
 from birdcage.protocol.types import Position, RssiReading, Survey
 
-_DEGREES = r"([-+]?\d+(?:\.\d+)?)(?!\S)"
-"""A number that ends where its word ends: what noise has cut in two is none."""
+_DEGREES = r"([-+]?\d+(?:\.\d+)?)(?!\S)(?!\s+[-+.\d])"
+"""A number that ends where its word ends, with no other behind it: what noise has cut in two is none."""
 _ANGLE = re.compile(rf"Angle\[(\d)\]\s*=\s*{_DEGREES}")
 _MOVE_TAKEN = re.compile(rf"Angle\s*=\s*{_DEGREES}")
 _HOMING_S = 15.0
@@ -86,7 +86,7 @@ class CarryoutG2Protocol(Rooms):
 
     def _read_position(self) -> Position:
         reply = self.console.run("mot", "a")
-        angles = {int(m[1]): float(m[2]) for m in map(_ANGLE.search, reply.lines) if m}
+        angles = {int(m[1]): float(m[2]) for m in _ANGLE.finditer(" ".join(reply.lines))}
         if set(angles) != {0, 1}:
             self.gate.forget("unread")
             raise NoReply(f"The dish answered `a` with {' / '.join(reply.lines)!r}, not two angles.", reason="garbage")

@@ -8,8 +8,11 @@ from collections.abc import Iterable
 from birdcage.base.errors import NoReply, PositionUnknown
 from birdcage.protocol.types import Position
 
-_ANGLE = re.compile(r"\b(AZ|EL|SK) =\s+([-+]?\d+(?:\.\d+)?)(?!\S)")
-"""Section 3 [P]: label, space, `=`, at least one space, a decimal; on one line or on three."""
+_ANGLE = re.compile(r"\b(AZ|EL|(SK)) =\s+([-+]?\d+(?:\.\d+)?)(?!\S)(?(2)|(?!\s+[-+.\d]))")
+"""Section 3 [P]: label, space, `=`, at least one space, a decimal; on one line or on three.
+
+What another number follows has been cut in two by noise; after the skew the wrap position may follow as it is.
+"""
 _UNHOMED = frozenset({2147483647.0, -2147483648.0, 21474836.47, -21474836.48})
 """INT_MAX and INT_MIN, as degrees or as hundredths: known of an unhomed G2 (section 7.2), assumed here."""
 _PLAUSIBLE = {"AZ": (-360.0, 720.0), "EL": (-90.0, 180.0), "SK": (-360.0, 360.0)}
@@ -26,7 +29,7 @@ def parse_position(lines: Iterable[str]) -> Position:
     told = " ".join(lines)
     found: dict[str, str] = {}
     for match in _ANGLE.finditer(told):
-        found.setdefault(match[1], match[2])
+        found.setdefault(match[1], match[3])
     if any(float(text) in _UNHOMED for text in found.values()):
         raise PositionUnknown(
             "The dish is not homed, so it does not know where it is. It homes by itself at power-up.", reason="unhomed"
