@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -32,13 +33,19 @@ def test_flag_over_variable_over_file(run, as_json, tmp_path) -> None:
 
 
 def test_the_default_port_and_firmware_are_those_of_the_document(run) -> None:
-    result = run("pos", port="", firmware="")
+    result = run("status", "--json", port="", firmware="")
+    assert result.exit_code == 3
+    assert json.loads(result.stdout)["firmware"] == "hal205"
+    assert "/dev/ttyUSB0" in result.stderr
+
+
+def test_a_firmware_that_is_not_spoken_is_one_sentence(run) -> None:
+    result = run("pos", firmware="nosuch")
     assert result.exit_code == 2
     assert result.stderr == (
-        "This version does not speak hal205, the default of --firmware: it speaks g2. "
+        "This version does not speak nosuch: it speaks g2, hal205. "
         "For a Carryout G2 give --firmware g2, or set BIRDCAGE_FIRMWARE=g2.\n"
     )
-    assert "/dev/ttyUSB0" in run("pos", port="").stderr
 
 
 def test_a_damaged_file_is_named_with_its_line_and_refuses_motion_only(run, tmp_path) -> None:

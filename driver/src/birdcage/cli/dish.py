@@ -232,9 +232,8 @@ def _session(wanted: Wanted, *, survey: bool) -> Session:
 
     known = list_firmwares()
     if wanted.firmware not in known:
-        default = "" if wanted.firmware_given else ", the default of --firmware"
         raise ConfigError(
-            f"This version does not speak {wanted.firmware}{default}: it speaks {', '.join(known)}. "
+            f"This version does not speak {wanted.firmware}: it speaks {', '.join(known)}. "
             f"For a Carryout G2 give --firmware g2, or set BIRDCAGE_FIRMWARE=g2."
         )
     return open_session(
