@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
@@ -29,6 +29,8 @@ class Look:
         """The user's own limits, as they are now."""
         self.elsewhere = False
         """Whether the console may be in another menu than the motors'."""
+        self.on_forgotten: Callable[[], None] = lambda: None
+        """Told when the dish was homed and, without anybody's doing, no longer is."""
 
     def forget_survey(self) -> None:
         """The dish may be another one, or have other settings: read them again when the link comes up."""
@@ -46,7 +48,10 @@ class Look:
     def unknown(self, unknown: PositionUnknown) -> None:
         """The dish does not know where it is."""
         homed = False if unknown.reason == "unhomed" else None
+        forgot = homed is False and self._board.state.homed is True
         self._board.change(homed=homed, position=None, position_lost=unknown.reason, turn=self._turn())
+        if forgot:
+            self.on_forgotten()
 
     def _turn(self) -> Turn:
         gate = self._antenna.protocol.gate

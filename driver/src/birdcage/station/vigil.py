@@ -54,6 +54,7 @@ class Vigil:
         """Where the dish rested before a reading that says otherwise, until a second one agrees with either."""
         self._starting = Starting(board, antenna, mover)
         mover.on_stall, mover.on_astray = self._stalled, self._moves_unasked
+        look.on_forgotten = self._forgotten
 
     def due(self) -> float | None:
         """Return when there is something to look at; nothing else is asked for while the dish moves."""
@@ -175,6 +176,17 @@ class Vigil:
     def _stalled(self, sentence: str) -> None:
         self._mover.activity(Activity.IDLE, "")
         self.raise_fault("stall", sentence, *STALL)
+
+    def _forgotten(self) -> None:
+        """Homing was lost without boot text: as after a dip of the supply."""
+        self._antenna.motion = None
+        self._look.forget_survey()
+        self.interrupted("fault")
+        self.raise_fault(
+            "unhomed", "The dish no longer knows where it is",
+            "It was homed a moment ago: its power has dipped, or it has restarted without a word.",
+            "Check its power and cable. Acknowledge, and home it: by switching it off and on where it homes by itself.",
+        )  # fmt: skip
 
     def raise_fault(self, reason: str, what: str, meaning: str, remedy: str) -> None:
         """Stop asking for motion, and say so until a person acknowledges."""
