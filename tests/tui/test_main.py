@@ -122,3 +122,73 @@ def test_the_setup_opens_by_itself_on_a_first_run_or_without_a_port(
         assert offered == (bool(plugged) and not options.demo), "one key must not lead the demo to a real port"
     finally:
         session.close()
+
+
+@pytest.mark.parametrize(
+    ("answers", "firmware", "page"),
+    [("hal205", "hal205", "dashboard"), ("g2", "g2", "dashboard"), (None, "g2", "setup")],
+)
+def test_the_firmware_that_answers_is_spoken_and_a_mute_port_opens_the_setup(
+    answers, firmware, page, monkeypatch, tmp_path
+):
+    asked = []
+
+    def detect(port, baud):
+        asked.append((port, baud))
+        return answers
+
+    monkeypatch.setenv("BIRDCAGE_HOME", str(tmp_path))
+    monkeypatch.setattr(run, "_detect", detect)
+    paths = Paths.in_folder(tmp_path)
+    paths.config_file.parent.mkdir(parents=True, exist_ok=True)
+    paths.config_file.write_text('[dish]\nport = "/dev/ttyUSB3"\n')
+    session, settings = run._build(main.parser().parse_args([]), paths)
+    try:
+        assert asked == [("/dev/ttyUSB3", None)]
+        assert session.station.state.dish.firmware == firmware
+        assert settings.first_page == page
+    finally:
+        session.close()
+
+
+@pytest.mark.parametrize("words", [["--firmware", "hal205"], ["--demo", "--firmware", "hal205"], ["--demo"]])
+def test_a_firmware_that_was_named_is_not_listened_for(words, monkeypatch, tmp_path):
+    monkeypatch.setenv("BIRDCAGE_HOME", str(tmp_path))
+    monkeypatch.setattr(run, "_detect", lambda *_: pytest.fail("nothing is to be asked"))
+    session, _ = run._build(main.parser().parse_args(words), Paths.in_folder(tmp_path))
+    try:
+        named = "hal205" in words
+        assert session.station.state.dish.firmware == ("hal205" if named else "g2")
+        assert session.station.state.port.startswith("sim:hal205?" if named and "--demo" in words else "sim:g2?") or (
+            "--demo" not in words
+        )
+    finally:
+        session.close()
+
+
+def test_another_dish_chosen_in_the_setup_begins_the_app_anew_over_the_old_flags(monkeypatch, capsys):
+    clock = stand_in.VirtualClock()
+    built, sessions = [], []
+
+    class App:
+        return_code = 0
+
+        def __init__(self, *_):
+            self.anew = len(built) == 1
+
+        def run(self):
+            pass
+
+    def build(options, paths):
+        paths.config_file.parent.mkdir(parents=True, exist_ok=True)
+        paths.config_file.write_text('[dish]\nfirmware = "hal205"\n')  # as the setup keeps it
+        built.append((options.firmware, options.baud))
+        sessions.append(stand_in.Session(stand_in.at_rest(clock), clock))
+        return sessions[-1], AppSettings()
+
+    monkeypatch.setattr(run, "BirdcageApp", App)
+    monkeypatch.setattr(run, "_build", build)
+    assert run.run(main.parser().parse_args(["--demo", "--firmware", "g2", "--baud", "115200"])) == 0
+    assert built == [("g2", 115200), ("hal205", None)]
+    assert [session.closed for session in sessions] == [1, 1]
+    assert capsys.readouterr().out.count("Where the dish is") == 1

@@ -48,8 +48,8 @@ def run(options: argparse.Namespace) -> int:
             status = _run_once(options, paths)
             if status is not None:
                 return status
-            # A person has chosen another firmware in the setup, which has kept it: that counts from now on.
-            options.firmware = options.baud = None
+            # A person has chosen another firmware in the setup, which has kept it: that counts over flag and variable.
+            options.firmware, options.baud = load(paths.config_file, environ={}).dish.firmware, None
 
 
 def _complain(wrong: BirdcageError) -> int:
