@@ -34,6 +34,7 @@ def test_positions(lines, position):
         ["AZ =   8.34", "EL =  34.33", "SK =   9999.00"],
         ("AZ = 175.2", "5", "EL =  47.10", "SK =  90.00"),
         ("AZ = 175.25 EL =  4 7.10",),
+        ("AZ = 175.25", "EL =  47.1 *0"),
     ],
 )
 def test_what_is_no_angle_is_never_a_position(lines):

@@ -23,8 +23,8 @@ from birdcage.protocol.nvs import DISABLE_TRACKER, NvsRow
 from birdcage.protocol.protocol import BOOT_TIMEOUT_S
 from birdcage.protocol.types import Position, RssiReading, Survey
 
-_DEGREES = r"([-+]?\d+(?:\.\d+)?)(?!\S)(?!\s+[-+.\d])"
-"""A number that ends where its word ends, with no other behind it: what noise has cut in two is none."""
+_DEGREES = r"([-+]?\d+(?:\.\d+)?)(?=\s+[A-Za-z]|\s*$)"
+"""A number with a word behind it, or nothing: what noise has cut in two is none."""
 _ANGLE = re.compile(rf"Angle\[(\d)\]\s*=\s*{_DEGREES}")
 _MOVE_TAKEN = re.compile(rf"Angle\s*=\s*{_DEGREES}")
 _HOMING_S = 15.0

@@ -8,10 +8,10 @@ from collections.abc import Iterable
 from birdcage.base.errors import NoReply, PositionUnknown
 from birdcage.protocol.types import Position
 
-_ANGLE = re.compile(r"\b(AZ|EL|(SK)) =\s+([-+]?\d+(?:\.\d+)?)(?!\S)(?(2)|(?!\s+[-+.\d]))")
+_ANGLE = re.compile(r"\b(AZ|EL|(SK)) =\s+([-+]?\d+(?:\.\d+)?)(?!\S)(?(2)|(?=\s+[A-Za-z]|\s*$))")
 """Section 3 [P]: label, space, `=`, at least one space, a decimal; on one line or on three.
 
-What another number follows has been cut in two by noise; after the skew the wrap position may follow as it is.
+What no word follows, noise has cut in two; after the skew the wrap position may follow as it is.
 """
 _UNHOMED = frozenset({2147483647.0, -2147483648.0, 21474836.47, -21474836.48})
 """INT_MAX and INT_MIN, as degrees or as hundredths: known of an unhomed G2 (section 7.2), assumed here."""
