@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.protocol.model import SearchSwitch
 from birdcage.station.board import Board
@@ -11,6 +13,8 @@ from birdcage.station.state import Activity, Link, Search
 LOG_LINES = 3
 """So many lines from a dish that does not answer are a log; fewer may be late answers."""
 UNREADABLE = "\N{REPLACEMENT CHARACTER}"
+_ANSWER = re.compile(r"=\s*\S|^\s*\S(\s|$)|>\s*$")
+"""A value, the echo of a command, or a prompt: an answer that comes late, and no log."""
 
 
 class Starting:
@@ -24,7 +28,9 @@ class Starting:
         """Take in a line that nobody asked for; a log that streams while nothing answers is shown."""
         if self._antenna.protocol.model.homing_s is not None or self._board.state.link.state is Link.UP:
             return
-        self._heard += UNREADABLE not in line
+        if UNREADABLE in line or (met and _ANSWER.search(line)):
+            return
+        self._heard += 1
         if self._heard >= (LOG_LINES if met else 1):
             self._mover.activity(Activity.INITIALIZING, line.strip())
 
