@@ -8,7 +8,7 @@ import pytest
 from birdcage.base.errors import Held, Stopped
 from birdcage.station.requests import AcknowledgeFault, Goto, Jog, Release, TurnSkew
 from birdcage.station.state import Activity, Search
-from birdcage.station.stopper import Reach
+from birdcage.station.stop_pending import Reach
 
 from .queued_bench import QueuedBench, connected
 
@@ -167,6 +167,7 @@ def test_a_search_is_ended_by_stop():
     bench.step(20)
     assert not bench.device.truth().moving
     assert (bench.state.last_stop.means, bench.state.last_stop.confirmed) == ("search", True)
+    assert bench.state.last_stop.sentence.startswith("The TV search was ended. Stands still")
     assert bench.state.search is Search.OFF_UNTIL_POWER_UP
     assert bench.sent_moves(since) == []
     bench.do(AcknowledgeFault("you"))

@@ -12,7 +12,7 @@ from birdcage.link.transcript import Transcript
 from birdcage.link.transcript_line import Entry
 from birdcage.station.state import Pointing
 from birdcage.station.station import Station
-from birdcage.station.stopper import Reach
+from birdcage.station.stop_pending import Reach
 
 QUIT_S = 0.15
 """How long closing may wait for the thread: STOP's bytes leave in 3 ms, their answers take a few more."""

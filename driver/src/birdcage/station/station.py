@@ -31,7 +31,8 @@ from birdcage.station.retarget_mover import RetargetMover
 from birdcage.station.rewire import Rewire
 from birdcage.station.settings import StationSettings
 from birdcage.station.state import MOVING, StationState
-from birdcage.station.stopper import Reach, Stopper
+from birdcage.station.stop_pending import Reach
+from birdcage.station.stopper import Stopper
 from birdcage.station.talk import Talk
 from birdcage.station.vigil import Vigil
 from birdcage.station.watches import Watches

@@ -5,8 +5,7 @@ from __future__ import annotations
 import math
 import threading
 from collections import deque
-from dataclasses import dataclass, replace
-from enum import Enum
+from dataclasses import replace
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.errors import BirdcageError, CommandRefused, Held, LinkError, NoReply, PositionUnknown, Stopped
@@ -16,6 +15,7 @@ from birdcage.station.events import End, StopConfirmed, StopSent
 from birdcage.station.look import Look
 from birdcage.station.mover import Mover
 from birdcage.station.state import Activity, Pointing, StopReport
+from birdcage.station.stop_pending import Pending, Reach
 from birdcage.station.stop_ways import Grip, closes_in, stop_way
 
 MOST_REPEATS = 5
@@ -27,39 +27,10 @@ UNKNOWN = "The dish does not know where it is: whether it stands still is not kn
 RELEASED = "The motors are released: nothing drives the dish, and where it is, is not known. Home it."
 
 
-class Reach(Enum):
-    """Whether the last STOP got through."""
-
-    LOOKING = "looking"
-    """Nothing was sent yet: two readings must tell first where to aim, or that nothing moves."""
-    SENT = "sent"
-    AT_REST = "at rest"
-    """Nothing was sent, as nothing moved."""
-    ENDS = "ends"
-    """Nothing could be sent: the move of one axis ends by itself, and nothing follows it."""
-    NOT = "not"
-
-
 GRIPS = ("retarget", "abort", "search")
 """Means that were sent."""
 LOOKING = ("nothing moved", "look")
 """Means of a STOP that has sent nothing yet, and does so as soon as the dish is seen moving."""
-
-
-@dataclass(slots=True)
-class Pending:
-    """A STOP whose effect is not known yet."""
-
-    report: StopReport
-    sent: int
-    answered: bool
-    last: Pointing | None
-    deadline: float
-    still_since: float | None = None
-    grip_is_complete: bool = False
-    """Whether what follows the answer was done."""
-    lines: tuple[str, ...] = ()
-    """What was sent, and is repeated as it was: a dish whose answers alone were lost must not be sent on."""
 
 
 class Stopper:
@@ -209,7 +180,7 @@ class Stopper:
                 self.way.retarget_works = self.way.retarget_works is not False and now <= pending.deadline
             self._finish(
                 pending, now <= pending.deadline or pending.report.means in LOOKING,
-                f"Stands still at {pointing.az_deg:.2f}°/{pointing.el_deg:.2f}°, "
+                f"{pending.note}Stands still at {pointing.az_deg:.2f}°/{pointing.el_deg:.2f}°, "
                 f"{now - pending.report.at:.1f} s after STOP.",
             )  # fmt: skip
         elif pending.still_since is None:
@@ -230,10 +201,9 @@ class Stopper:
             self.way.answered(pending.report.means)
             now = self._board.clock.monotonic()
             pending.deadline = max(pending.deadline, now + self._lasts_s(pending.report.means))
+            pending.note = "The TV search was ended. " if pending.report.means == "search" else ""
         except CommandRefused as refused:
-            if self._pending is pending:
-                pending.report = replace(pending.report, sentence=f"The search was not ended: {refused}")
-                self._publish(pending.report, sent=False)
+            pending.note = f"The TV search was not ended: {refused} "
 
     def _lasts_s(self, means: str) -> float:
         return self.way.lasts_s(means) / self._board.clock.rate
@@ -269,7 +239,9 @@ class Stopper:
             pending.deadline = max(pending.deadline, now + 1.0)  # slower than modelled, but on its way to rest
         elif now > pending.deadline and pending.report.confirmed is None and pending.report.means not in LOOKING:
             self.way.retarget_works = False
-            pending.report = replace(pending.report, confirmed=False, sentence="The dish goes on: cut its power.")
+            pending.report = replace(
+                pending.report, confirmed=False, sentence=f"{pending.note}The dish goes on: cut its power."
+            )
             self._publish(pending.report, sent=False)
             if self.may_release:
                 self._release(pending)

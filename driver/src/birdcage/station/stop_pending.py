@@ -1,0 +1,39 @@
+"""What became of a STOP: whether it got through, and what is still awaited."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+from birdcage.station.state import Pointing, StopReport
+
+
+class Reach(Enum):
+    """Whether the last STOP got through."""
+
+    LOOKING = "looking"
+    """Nothing was sent yet: two readings must tell first where to aim, or that nothing moves."""
+    SENT = "sent"
+    AT_REST = "at rest"
+    """Nothing was sent, as nothing moved."""
+    ENDS = "ends"
+    """Nothing could be sent: the move of one axis ends by itself, and nothing follows it."""
+    NOT = "not"
+
+
+@dataclass(slots=True)
+class Pending:
+    """A STOP whose effect is not known yet."""
+
+    report: StopReport
+    sent: int
+    answered: bool
+    last: Pointing | None
+    deadline: float
+    still_since: float | None = None
+    grip_is_complete: bool = False
+    """Whether what follows the answer was done."""
+    note: str = ""
+    """What else came of it."""
+    lines: tuple[str, ...] = ()
+    """What was sent, and is repeated as it was: a dish whose answers alone were lost must not be sent on."""
