@@ -16,20 +16,21 @@ class Wire:
         self.angles = list(angles)
         self.now = 0.0
         self.asked = 0
+        self.rate = 1.0
 
     def once(self):
         self.now += 0.02
         self.asked += 1
         return Position(*self.angles.pop(0))
 
-    def time(self):
+    def monotonic(self):
         return self.now
 
 
 @pytest.fixture
 def rested():
     wire, belief = Wire((127.51, 36.29), (127.51, 36.29)), Belief(CARRYOUT_G2)
-    belief.read(wire.once, wire.time)
+    belief.read(wire.once, wire)
     return wire, belief
 
 
@@ -41,29 +42,29 @@ def test_the_first_reading_needs_a_second(rested):
 def test_a_dish_at_rest_is_asked_once(rested):
     wire, belief = rested
     wire.angles = [(127.52, 36.28)]
-    assert belief.read(wire.once, wire.time) == Position(127.52, 36.28)
+    assert belief.read(wire.once, wire) == Position(127.52, 36.28)
 
 
 @pytest.mark.parametrize("wrong", [(27.51, 36.29), (127.51, 3.29), (127.51, 86.29), (121.51, 36.29)])
 def test_one_wrong_digit_is_asked_again(rested, wrong):
     wire, belief = rested
     wire.angles = [wrong, (127.51, 36.29), (127.51, 36.29)]
-    assert belief.read(wire.once, wire.time) == Position(127.51, 36.29)
+    assert belief.read(wire.once, wire) == Position(127.51, 36.29)
 
 
 def test_a_dish_that_really_jumped_is_believed_at_the_second_reading(rested):
     wire, belief = rested
     wire.angles = [(140.0, 36.29), (140.2, 36.29)]
-    assert belief.read(wire.once, wire.time) == Position(140.2, 36.29)
+    assert belief.read(wire.once, wire) == Position(140.2, 36.29)
 
 
 def test_under_way_at_an_even_speed_it_is_asked_once(rested):
     wire, belief = rested
     wire.angles = [(127.71, 36.29), (127.91, 36.29), (128.11, 36.29), (128.31, 36.29)]
-    belief.read(wire.once, wire.time)
+    belief.read(wire.once, wire)
     wire.asked = 0
-    belief.read(wire.once, wire.time)
-    belief.read(wire.once, wire.time)
+    belief.read(wire.once, wire)
+    belief.read(wire.once, wire)
     assert wire.asked == 2
 
 
@@ -71,12 +72,18 @@ def test_angles_that_never_fit_together_are_garbage(rested):
     wire, belief = rested
     wire.angles = [(100.0 * (n % 3), 36.29) for n in range(9)]
     with pytest.raises(NoReply) as error:
-        belief.read(wire.once, wire.time)
+        belief.read(wire.once, wire)
     assert error.value.reason == "garbage"
 
 
 def test_across_north_is_no_jump():
     wire, belief = Wire((359.99, 40.0), (0.01, 40.0), (359.98, 40.0)), Belief(CARRYOUT_G2)
-    belief.read(wire.once, wire.time)
-    assert belief.read(wire.once, wire.time) == Position(359.98, 40.0)
+    belief.read(wire.once, wire)
+    assert belief.read(wire.once, wire) == Position(359.98, 40.0)
     assert wire.asked == 3
+
+
+def test_a_dish_whose_time_is_scaled_turns_further_between_two_readings():
+    wire, belief = Wire((10.0, 30.0), (20.0, 30.0)), Belief(CARRYOUT_G2)
+    wire.rate = 20.0
+    assert belief.read(wire.once, wire) == Position(20.0, 30.0)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from birdcage.base.clock import Clock
 from birdcage.base.errors import NoReply
 from birdcage.base.geometry import shortest_turn
 from birdcage.protocol.model import DishModel
@@ -35,14 +36,15 @@ class Belief:
         self._model = model
         self._last: _Seen | None = None
 
-    def read(self, once: Callable[[], Position], now: Callable[[], float]) -> Position:
+    def read(self, once: Callable[[], Position], clock: Clock) -> Position:
         """Return what `once` reads, or reads again. NoReply (`garbage`) when no two readings in a row agree."""
+        now = clock.monotonic
         seen = _Seen(once(), now())
         if self._goes_on(seen):
             return self._take(seen)
         for _ in range(MOST_READS - 1):
             before, seen = seen, _Seen(once(), now())
-            if self._agree(before, seen):
+            if self._agree(before, seen, clock.rate):
                 return self._take(seen)
         self._last = None
         raise NoReply("The dish tells angles that do not fit together: bytes change on their way.", reason="garbage")
@@ -60,9 +62,9 @@ class Belief:
             for way, rate in zip(ways, last.rates, strict=True)
         )
 
-    def _agree(self, one: _Seen, other: _Seen) -> bool:
+    def _agree(self, one: _Seen, other: _Seen, rate: float) -> bool:
         ways, past_s = _ways(one.position, other.position), other.at - one.at
-        speeds = [axis.speed_deg_s for axis in self._model.axes]
+        speeds = [axis.speed_deg_s * rate for axis in self._model.axes]
         same_axes = (one.position.skew is None) is (other.position.skew is None)
         return same_axes and all(
             abs(way) <= NEAR_DEG + speed * (past_s + JITTER_S) for way, speed in zip(ways, speeds, strict=False)

@@ -132,7 +132,7 @@ class FirmwareProtocol(ABC):
         """Read where the dish is. PositionUnknown when the axes are not homed."""
 
     def _believed(self, once: Callable[[], Position]) -> Position:
-        return once() if self.belief is None else self.belief.read(once, self.clock.monotonic)
+        return once() if self.belief is None else self.belief.read(once, self.clock)
 
     def move_motor(self, motor_id: int, degrees: float) -> None:
         """Send one axis to an absolute angle, through the gate. Returns when the dish has taken the command.
