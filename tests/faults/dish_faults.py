@@ -1,0 +1,117 @@
+"""What goes wrong at the dish, as data."""
+
+from __future__ import annotations
+
+from .fault import ANY, FAR, MOVING, REST, Expect, Fault, skew
+from .stage import Stage
+
+
+def blocks(axis: int):
+    """Return what blocks an axis."""
+    return lambda stage: stage.device.stall(axis)
+
+
+def frees(axis: int):
+    """Return what frees an axis."""
+    return lambda stage: stage.device.stall(axis, blocked=False)
+
+
+def obstruct(stage: Stage) -> None:
+    """Put something solid into the way of the azimuth: it meets a stop 40 degrees before its target."""
+    axis, now = stage.device.dish.axes[0], stage.device.machine.dish_s
+    stage.stops = axis._gear.low_deg, axis._gear.high_deg
+    axis._gear.high_deg = axis.count(now)[0] + FAR[stage.dialect][0] - stage.truth.az_deg - 40.0
+
+
+def clear(stage: Stage) -> None:
+    gear = stage.device.dish.axes[0]._gear
+    gear.low_deg, gear.high_deg = stage.stops
+
+
+def reboot(stage: Stage) -> None:
+    stage.device.reboot()
+
+
+def brown_out(stage: Stage) -> None:
+    stage.device.brown_out()
+
+
+def quiet_brown_out(stage: Stage) -> None:
+    stage.device.brown_out(quiet=True)
+
+
+def deadlock(stage: Stage) -> None:
+    stage.device.deadlock()
+
+
+def power_cycle(stage: Stage) -> None:
+    stage.device.power_cycle()
+
+
+def refuse(stage: Stage) -> None:
+    """Have the firmware refuse every motion."""
+    menu = stage.device.shell._menus["mot" if stage.dialect == "g2" else "motor"]
+    ran = menu.run
+
+    def run(words):
+        if len(words) > 1 and words[0] in ("a", "g"):
+            yield f"{stage.device.settings.bad_parameter}\n"
+        else:
+            yield from ran(words)
+
+    menu.run = run
+
+
+def obey(stage: Stage) -> None:
+    del stage.device.shell._menus["mot" if stage.dialect == "g2" else "motor"].run
+
+
+def wander(stage: Stage) -> None:
+    stage.device.wander(0, 40.0)
+
+
+STALLED = {MOVING: Expect(fault="stall", held="fault", motion="stall", stop="at once|after a look")}
+"""Once it is told, its model is gone: STOP aims by two readings."""
+LONG = {REST: 20.0, MOVING: 30.0}
+BOOT = {REST: 40.0, MOVING: 45.0}
+RESTARTED = {
+    REST: Expect("silent|-", fault="reboot|unhomed", held="fault|link"),
+    MOVING: Expect("silent|-", fault="reboot|unhomed", held="fault|link", motion="fault|link|stopped", stop=ANY),
+}  # fmt: skip
+
+DISH_FAULTS = (
+    Fault("stall az", "Azimuth is blocked", blocks(0), frees(0), expect=STALLED, lasts_s=LONG),
+    Fault("stall el", "Elevation is blocked", blocks(1), frees(1), expect=STALLED, lasts_s=LONG),
+    Fault(
+        "stall sk", "Skew is blocked", blocks(2), frees(2), lasts_s=LONG, motion=skew, dialects=("hal205",),
+        expect={MOVING: Expect(fault="stall", held="fault", motion="stall", stop="nothing")},
+    ),
+    Fault(
+        "limit", "An axis meets a stop before its target", obstruct, clear, expect=STALLED, before=True, lasts_s=LONG
+    ),
+    Fault(
+        "refused", "The dish refuses the command", refuse, obey, before=True,
+        expect={MOVING: Expect(motion="bad_parameter", stop="nothing|after a look")},
+    ),
+    Fault("reboot", "The dish restarts", reboot, expect=RESTARTED, own_motion=True, lasts_s=BOOT),
+    Fault("brown-out", "A brown-out: it restarts, homing forgotten", brown_out, expect=RESTARTED, lasts_s=LONG),
+    Fault(
+        "quiet brown-out", "A brown-out without a word", quiet_brown_out, lasts_s=LONG,
+        expect={
+            REST: Expect("silent|-", fault="unhomed", held="link|fault"),
+            MOVING: Expect("silent|-", fault="unhomed", held="link|fault", motion="link|fault|stopped"),
+        },
+    ),
+    Fault(
+        "deadlock", "The shell is deadlocked; a power cycle ends it", deadlock, power_cycle, own_motion=True,
+        expect={
+            REST: Expect("silent", fault="reboot", held="link"),
+            MOVING: Expect("silent", fault="reboot", held="link", motion="link"),
+        },
+    ),
+    Fault(
+        "wander", "It moves though nobody asked", wander, own_motion=True,
+        expect={REST: Expect(fault="moved", held="fault", stop="after a look")},
+    ),
+)  # fmt: skip
+"""Every way in which the dish itself misbehaves."""

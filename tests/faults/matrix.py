@@ -1,0 +1,25 @@
+"""Every cell of fault, dialect and moment."""
+
+from __future__ import annotations
+
+from birdcage.protocol.registry import FIRMWARE_REGISTRY
+from birdcage.sim.port import FIRMWARE
+
+from .dish_faults import DISH_FAULTS
+from .fault import DIALECTS, Fault
+from .ordeal import Ordeal
+from .outcome import Outcome
+from .wire_faults import WIRE_FAULTS
+
+FAULTS = (*WIRE_FAULTS, *DISH_FAULTS)
+SPOKEN = tuple(each for each in DIALECTS if each in FIRMWARE_REGISTRY and each in FIRMWARE)
+"""The dialects that both the driver and the simulator speak."""
+CELLS = tuple(
+    (fault, dialect, when) for fault in FAULTS for dialect in SPOKEN if dialect in fault.dialects
+    for when in fault.moments
+)  # fmt: skip
+
+
+def outcome(fault: Fault, dialect: str, when: str) -> Outcome:
+    """Go through one cell."""
+    return Ordeal(fault, dialect, when).run()
