@@ -42,7 +42,8 @@ class House:
         self.opened = []
         rules = rules_from(settings)
         wanted = StationSettings(
-            port=settings.dish.port or "/dev/ttyUSB0", firmware=self.firmware, baud=settings.dish.baud, open_link=self._open,
+            port=settings.dish.port or "/dev/ttyUSB0", firmware=self.firmware, baud=settings.dish.baud,
+            open_link=self._open,
             backup_folder=self.paths.backups,
             **{each.name: getattr(rules, each.name) for each in fields(rules)},
         )  # fmt: skip
