@@ -6,7 +6,7 @@ import re
 from typing import ClassVar
 
 from birdcage.protocol.g2.diseqc import Diseqc
-from birdcage.protocol.g2.reading import find
+from birdcage.protocol.g2.reading import find, garbage
 from birdcage.protocol.g2.room import Room
 from birdcage.protocol.g2.tuner_values import (
     AgcReading,
@@ -25,6 +25,8 @@ from birdcage.protocol.types import RssiReading
 
 MOST_READS = 1000
 _RSSI = re.compile(r"Reads:(\d+)\s+RSSI\[avg:\s*(\d+)\s+cur:\s*(\d+)\]")
+_ALIKE, _ALIKE_COUNTS = 4, 50
+"""Average and last read may differ so much: further apart, one of them has lost or won a digit on its way."""
 _READ_S = 0.1
 """A generous guess of what one read of `rssi n` takes; only a deadline depends on it."""
 _STREAM_S = 3.0
@@ -47,8 +49,12 @@ class Tuner(Room):
         """Read the signal strength, averaged over 1 to 1000 reads, in counts; the shell is deaf meanwhile."""
         if not 1 <= reads <= MOST_READS:
             raise ValueError(f"iterations must lie in 1..{MOST_READS}, not {reads}")
-        match = find(self._run(f"rssi {reads}", takes_s=reads * _READ_S), _RSSI)
-        return RssiReading(*(int(number) for number in match.groups()))
+        reply = self._run(f"rssi {reads}", takes_s=reads * _READ_S)
+        reading = RssiReading(*(int(number) for number in find(reply, _RSSI).groups()))
+        low, high = sorted((reading.average, reading.current))
+        if high > _ALIKE * low + _ALIKE_COUNTS:
+            raise garbage(reply)
+        return reading
 
     def supply_13_volts(self) -> None:
         """Feed the LNB with 13 V (`lnbdc odu`): vertical polarisation. After a start it is 18 V, horizontal."""
