@@ -151,7 +151,7 @@ class Stage:
         end = self.now + seconds
         while self.now < end - 1e-9:
             self.session.step(min(STEP_S, end - self.now))
-            self.witness.look()
+            self.witness.glance()
 
     def until(self, true, seconds: float) -> bool:
         """Let time pass until something holds; return whether it came to that."""

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import re
 from collections import deque
 from typing import TYPE_CHECKING
 
 from birdcage.base.geometry import shortest_turn
 from birdcage.sim.dish import Truth
-from birdcage.station.events import Event, PositionRead, StopConfirmed
+from birdcage.station.events import Event, PositionRead, ReadingRead, StopConfirmed
 from birdcage.station.state import Activity, Link
 
 if TYPE_CHECKING:
     from .stage import Stage
 
 NEAR_DEG = 0.1
+RSSI = re.compile(r"RSSI\[avg:\s*(\d+)")
 KEPT_S = 6.0
 """How long the truth is remembered: an answer is given up long before."""
 
@@ -26,8 +28,22 @@ class Witness:
         self.false: list[str] = []
         self._seen: deque[tuple[float, Truth]] = deque()
         self._asked_at = 0.0
+        self.said: set[float] = set()
+        """The strengths of signal that left the dish, whatever became of them on the wire."""
+        self._overhear()
         self.places: list[tuple[float, float]] = []
         """Where the dish was, look by look."""
+
+    def _overhear(self) -> None:
+        """Note what the dish says before the wire has it."""
+        shell = self.stage.device.shell
+        say = shell.say
+
+        def saying(text: str) -> None:
+            self.said.update(float(number) for number in RSSI.findall(text))
+            say(text)
+
+        shell.say = saying  # type: ignore[method-assign]
 
     def asked(self, data: bytes) -> None:
         """A line goes out: what is told from now on may be as old as this, and no older."""
@@ -50,12 +66,21 @@ class Witness:
         if told and not any(seen.homed for _, seen in self._seen):
             self._note("told to be homed, and is not")
 
+    def glance(self) -> None:
+        """Look at the state between two pieces of the station's work."""
+        self.look()
+        state = self.stage.state
+        if state.link.state in (Link.SILENT, Link.LOST) and state.position is not None and state.position_lost is None:
+            self._note("a position shown without a link")
+
     def hear(self, event: Event) -> None:
         """Judge one event."""
         self.look()
         match event:
             case PositionRead(position=position):
                 self._compare(position)
+            case ReadingRead(feature="rssi", value=value) if value not in self.said:
+                self._note(f"a signal of {value} told, and the dish never said so")
             case StopConfirmed(report=report) if report.confirmed and self.stage.device.truth().moving:
                 self._note("STOP confirmed, and the dish moves")
 
