@@ -71,7 +71,7 @@ def test_lock_status_counts(terminal):
     ask(dish, "lnbdc odu")
     assert ask(dish, "qls").startswith("Lock: 1 ")
     reply = ask(dish, "ls")
-    assert "Lock: 1\r\nTotal reads: 3 No signal: 1 Glitches: 0\r\nNID table:\r\n  1001 2\r\n" in reply
+    assert "Lock: 1\r\nTotal reads: 3 No signal: 1 Glitches: 0\r\nNID table:\r\n  1001 2\r\n  FFFF 1\r\n" in reply
     assert "Reads: 3 Locks: 2" in ask(dish, "stats")
     low, high = map(int, re.findall(r"(?:min|max): (\d+)", ask(dish, "stats")))
     assert 500 < low <= high

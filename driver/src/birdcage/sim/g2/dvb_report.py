@@ -56,11 +56,9 @@ class DvbReport:
         tally = self._board.tuner.tally
         yield f"Lock: {int(heard.locked)}\n"
         yield f"Total reads: {tally.reads} No signal: {tally.no_signal} Glitches: {tally.glitches}\n"
-        yield "NID table:\n" + "".join(
-            f"  {network:04X} {count}\n" for network, count in sorted(tally.networks.items())
-        )
-        if not tally.networks:
-            yield f"  {NO_NETWORK:04X} {tally.reads}\n"
+        nameless = tally.reads - sum(tally.networks.values())
+        networks = [*sorted(tally.networks.items()), *([(NO_NETWORK, nameless)] if nameless else [])]
+        yield "NID table:\n" + "".join(f"  {network:04X} {count}\n" for network, count in networks)
 
     def _quick_lock(self, args: list[str]) -> Script:  # noqa: ARG002
         heard = self._board.tuner.read(self._board.now_s)
