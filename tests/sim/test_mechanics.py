@@ -181,6 +181,21 @@ def test_second_move_queues(terminal):
     assert dish.angles()[0] == pytest.approx(300, abs=0.07)
 
 
+def test_motors_that_move_in_turn(terminal):
+    dish = at_mot(terminal, "second_move=in_turn&overshoot=0")
+    assert "Angle = 300.00" in dish.ask("a 0 300", "MOT>")
+    assert "Angle = 60.00" in dish.ask("a 1 60", "MOT>")
+    assert "Angle = 55.00" in dish.ask("a 1 -5", "MOT>")
+    dish.ask("q", "TRK>")
+    dish.ask("a3981", "A3981>")
+    assert "AZ ST: HIGH EL ST: LOW" in dish.ask("st", "A3981>")
+    assert truth(dish).el_deg == 45.0
+    dish.listen(1.4)
+    assert "AZ ST: LOW EL ST: HIGH" in dish.ask("st", "A3981>")
+    dish.listen(2.0)
+    assert (truth(dish).az_deg, truth(dish).el_deg) == (pytest.approx(300, abs=0.07), pytest.approx(55, abs=0.07))
+
+
 def test_second_move_is_refused(terminal):
     dish, reply, took = run_second_move(terminal, "refuse")
     assert reply == "a 0 300\r\nError: motor busy.\r\nMOT>"
@@ -261,6 +276,19 @@ def test_a_stalled_axis_stops_and_says_so(terminal):
     dish.device.stall(0, blocked=False)
     dish.ask("h 0", "MOT>")
     assert dish.angles()[0] == 0.01
+
+
+def test_a_move_of_a_blocked_axis_says_so(terminal):
+    dish = at_mot(terminal)
+    dish.device.stall(0)
+    assert "STALLED" not in dish.ask("a 1 50", "MOT>") + dish.listen(1.0)
+    assert dish.ask("a 0 300", "MOT>") == "a 0 300\r\nAngle = 300.00\r\nMOT>"
+    assert dish.listen(1.0) == "AZ MOTOR STALLED\r\n"
+    assert "AZ MOTOR STALLED\r\n" in dish.ask("g 300 40", "MOT>") + dish.listen(1.0)
+    dish.device.stall(0, blocked=False)
+    dish.ask("a 0 300", "MOT>")
+    assert dish.listen(2.0) == ""
+    assert dish.angles()[0] == pytest.approx(300, abs=0.07)
 
 
 def test_a_stall_that_nobody_notices_leaves_an_error(terminal):

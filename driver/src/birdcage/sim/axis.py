@@ -56,6 +56,8 @@ class Axis:
         """Whether the count goes on when the shaft is at a stop; else the motion ends there."""
         self.on_strike: Callable[[float], None] | None = None
         """Told when a motion is ordered that will end at a stop, and when that will be."""
+        self.on_blocked: Callable[[], None] | None = None
+        """Told when a motion is ordered that a blocked shaft does not let begin."""
         self._slips = False
         self._rng = rng
         self._count: list[Motion] = [at_rest(0.0, position_deg)]
@@ -83,7 +85,8 @@ class Axis:
 
     def moving(self, now_s: float) -> bool:
         """Whether the motor turns."""
-        return now_s < self._count[-1].end_s or (self._shaft is not None and now_s < self._shaft[-1].end_s)
+        counts = any(motion.start_s <= now_s < motion.end_s for motion in self._count)
+        return counts or (self._shaft is not None and now_s < self._shaft[-1].end_s)
 
     def end_s(self) -> float:
         """When the last motion that was ordered ends."""
@@ -116,13 +119,13 @@ class Axis:
         position, rate = _along(self._count, now_s)
         self.retarget(now_s, stopping_point(position, rate, self.data.accel_deg_s2))
 
-    def queue(self, now_s: float, target_deg: float) -> None:
-        """Go to another target after those already ordered."""
+    def queue(self, now_s: float, target_deg: float, *, not_before_s: float = -math.inf) -> None:
+        """Go to another target after those already ordered, and not before an instant."""
         if target_deg == self._target_deg and not self.stalled:
             return
         self._settle(now_s)
         self._count = [motion for motion in self._count if motion.end_s > now_s] or self._count[-1:]
-        self._append(max(now_s, self.end_s()), self.ordered_deg(), 0.0, target_deg)
+        self._append(max(now_s, self.end_s(), not_before_s), self.ordered_deg(), 0.0, target_deg)
 
     def halt(self, now_s: float) -> None:
         """Lose all motion at once, as when the motor's current is cut or the rotor is blocked."""
@@ -191,6 +194,8 @@ class Axis:
         self.orders += 1
         if self.released or (self.stalled and not self._slips):
             self._count.append(at_rest(start_s, position))
+            if not self.released and self.on_blocked is not None and abs(target_deg - position) > self.step_deg:
+                self.on_blocked()
             return
         data = self.data
         ahead = target_deg - stopping_point(position, rate, data.accel_deg_s2)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 
-from birdcage.sim.axis import Axis
+from birdcage.sim.axis import STALL_DWELL_S, Axis
 from birdcage.sim.firmware import Host
 from birdcage.sim.g2.board import Board
 from birdcage.sim.g2.boot import BEFORE_HOMING, boot_log
@@ -30,6 +30,7 @@ class G2Firmware:
         for axis in self.dish.axes:
             axis.slips_at_stop = settings.stall == "slip"
             axis.on_strike = partial(self._strikes, axis)
+            axis.on_blocked = partial(self._pushes, axis)
 
     def resume(self) -> None:
         """Stand still: one whose search is on has found its satellite."""
@@ -57,6 +58,11 @@ class G2Firmware:
                 self.stalled(axis)
 
         self._host.machine.at_dish(end_s, struck)
+
+    def _pushes(self, axis: Axis) -> None:
+        """Find out that an axis does not turn, as at a stop; not when it was freed meanwhile."""
+        machine = self._host.machine
+        machine.at_dish(machine.dish_s + STALL_DWELL_S, lambda: self.stalled(axis) if axis.stalled else None)
 
 
 def _restart_log() -> Script:

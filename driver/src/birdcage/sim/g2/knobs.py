@@ -19,7 +19,7 @@ class G2Settings(MotorSettings):
     firmware: ClassVar[str] = "g2"
     choices: ClassVar[Mapping[str, tuple[str, ...]]] = {
         **MotorSettings.choices,
-        "second_move": ("retarget", "queue", "refuse", "block"),
+        "second_move": ("retarget", "queue", "in_turn", "refuse", "block"),
         "az_map": ("nearest", "home", "literal"),
         "az_print": ("wrapped", "cable"),
         "signed": ("relative", "absolute"),
@@ -37,7 +37,8 @@ class G2Settings(MotorSettings):
     dish does not search ([I]), and works once a person homes it.
     """
     second_move: str = "retarget"
-    """What `a` does while that axis moves: retarget, queue, refuse (an error text) or block the shell. [open]"""
+    """What `a` does while that axis moves: retarget, queue, refuse (an error text) or block the shell; or, in_turn,
+    wait until both axes stand still, which section 2 tells of these consoles ([V] of Trav'lers). On a G2 [open]."""
     out_of_range: str = "error"
     """Whether a target beyond the limits is refused or moved to the limit. [open]"""
     out_of_range_text: str = "Angle out of range."

@@ -5,7 +5,7 @@ The arguments are quoted [S1]; but for `a`, what is printed and how the shell wa
 
 from __future__ import annotations
 
-from birdcage.sim.axis import Axis
+from birdcage.sim.axis import STALL_DWELL_S, Axis
 from birdcage.sim.g2.board import Board, number
 from birdcage.sim.g2.mot_limits import bounds, motor, target, unhomed
 from birdcage.sim.shell import Listen, Pause, Script
@@ -37,7 +37,7 @@ def angle(board: Board, args: list[str]) -> Script | None:
     if not axis.homed:
         return unhomed(board, axis)
     if board.settings.signed == "relative" and args[1][0] in "+-":
-        base = axis.ordered_deg() if axis.moving(board.now_s) else axis.count(board.now_s)[0]
+        base = axis.ordered_deg() if board.now_s < axis.end_s() else axis.count(board.now_s)[0]
         wanted += base % 360.0 if index == 0 else base
     return _one(board, index, wanted)
 
@@ -60,6 +60,8 @@ def _one(board: Board, index: int, wanted: float) -> Script:
         yield Pause(axis.end_s() - board.now_s)
     if policy == "queue":
         axis.queue(board.now_s, goal)
+    elif policy == "in_turn":
+        axis.queue(board.now_s, goal, not_before_s=max(each.end_s() for each in board.dish.axes))
     else:
         axis.retarget(board.now_s, goal)
     yield f"Angle = {wanted if index == 0 else goal:.2f}\n"
@@ -168,5 +170,7 @@ def _until_stall(board: Board, index: int, direction: int, seconds: float) -> Sc
     if end_s < struck_s:
         axis.brake(board.now_s)
         yield f"{axis.data.name} - No stall\n"
-    elif axis.stalled or axis.released:
-        yield f"{axis.data.name} MOTOR STALLED\n"  # at a stop the motor says so by itself
+    elif axis.released:
+        yield f"{axis.data.name} MOTOR STALLED\n"
+    elif axis.stalled:
+        yield Pause(STALL_DWELL_S)  # blocked or at a stop, the motor says so by itself
