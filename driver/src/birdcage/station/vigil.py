@@ -121,20 +121,23 @@ class Vigil:
             self.look_again()  # one reading says nothing about motion
             return
         activity, doubted, self._doubted = self._board.state.activity, self._doubted, None
-        if activity is Activity.UNKNOWN and after.at - before.at < APART_S:
+        if activity is not Activity.IDLE and after.at - before.at < APART_S:
             self.look_again()  # a dish that moves is seen twice at the same place, so soon
             return
-        # After a raw motion, or out of sight, a slow dish must not pass for one at rest.
-        least_deg = STILL_DEG if self._unsettled or activity is Activity.UNKNOWN else UNASKED_DEG
+        # After a motion that nobody follows, or out of sight, a slow dish must not pass for one at rest.
+        least_deg = STILL_DEG if self._unsettled or activity is not Activity.IDLE else UNASKED_DEG
         if self._look.apart_deg(doubted or before, after) <= least_deg:
             self._antenna.motion = None
             self._unsettled = False
             self._mover.activity(Activity.IDLE, "")
             return
         self.look_again()
-        if activity is Activity.UNKNOWN and self._searches_when_met and not self._board.state.raw_motion:
-            # No fault: it did so before anybody was here. Most likely it searches, as it does from power-up on.
-            self._mover.activity(Activity.MOVING_UNASKED, "")
+        if activity is Activity.UNKNOWN and not self._board.state.raw_motion:
+            if self._searches_when_met:
+                # No fault: it did so before anybody was here. Most likely it searches, as it does from power-up on.
+                self._mover.activity(Activity.MOVING_UNASKED, "")
+            elif self._antenna.motion is None and not self._unsettled:
+                self._moves_unasked()
         elif activity is Activity.IDLE and doubted is None:
             self._doubted = before  # a digit may have been lost on the wire: only a second reading is proof
         elif activity is Activity.IDLE:
@@ -199,8 +202,8 @@ class Vigil:
     def on_line(self, line: str) -> None:
         """Hear a line that nobody asked for; boot text means that the dish has forgotten everything."""
         self._board.tell(TranscriptLine(*self._board.stamp(), "<", line))
-        if self.hear_stall(line):
-            return
+        if self._met and self.hear_stall(line):
+            return  # before, it is a dish that fails to home while it starts: nothing of ours is in its way
         if not any(mark in line for mark in self._antenna.protocol.boot_marks):
             self._starting.hear(line, met=self._met)
             return
