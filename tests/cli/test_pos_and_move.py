@@ -18,10 +18,10 @@ def test_a_position_looks_as_documented(az, el, sk, shown) -> None:
     assert position_lines(Pointing(az, el, az, el, 0.0, datetime(2026, 3, 20, tzinfo=UTC), None, sk)) == shown
 
 
-def test_pos_prints_two_lines_and_asks_the_dish_once(run, pty_dish) -> None:
+def test_pos_prints_two_lines_and_asks_until_two_answers_agree(run, pty_dish) -> None:
     result = run("pos", port=pty_dish.path)
     assert (result.exit_code, result.stdout, result.stderr) == (0, "AZ: 0.0\nEL: 45.0\n", "")
-    assert pty_dish.lines().count("a") == 1
+    assert pty_dish.lines().count("a") == 2
 
 
 def test_pos_in_json_says_that_the_dish_is_simulated(run, as_json) -> None:

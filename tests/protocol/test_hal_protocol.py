@@ -229,7 +229,19 @@ def test_a_g2_in_a_submenu_is_not_moved_and_its_shell_lives(menu):
         assert ">" in str(caught.value)
         rig.clock.advance(6.0)
     assert rig.truth.shell_alive
-    assert set(rig.lines()) <= {menu, "", "?", "q"}
+    assert set(rig.lines()) <= {menu, "", "?", "q", "a"}
+
+
+@PROMPTS
+def test_a_dish_that_was_left_in_its_motor_menu_is_asked_there_at_once(prompts):
+    rig = Rig(prompts)
+    rig.port.write(b"motor\r")
+    rig.clock.advance(1.0)
+    rig.port.read()
+    began = rig.clock.monotonic()
+    assert rig.dish.get_position().azimuth == pytest.approx(180.0)
+    assert rig.clock.monotonic() - began < 1.5
+    assert "q" not in rig.lines()
 
 
 @pytest.mark.parametrize("options", ["prompts=alike", "prompt_root=HAL>"])

@@ -32,6 +32,8 @@ class ConsoleDialect:
     """Further commands that no submenu's help lists: what lists one is no submenu, though it may be no root either."""
     submenu_marks: Mapping[str, frozenset[str]] = field(default_factory=dict)
     """Commands that the help of a submenu lists, by menu. Until the root was seen, nothing else counts as a submenu."""
+    proofs: Mapping[str, tuple[str, re.Pattern[str]]] = field(default_factory=dict)
+    """By submenu, a question that changes nothing, and what only this menu of this firmware answers."""
     stranger_marks: frozenset[str] = frozenset()
     """Commands in a menu's help that show, where no root mark stands beside them, that this is another firmware."""
     stranger: str = ""

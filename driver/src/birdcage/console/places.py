@@ -75,6 +75,11 @@ class Places:
         self._listed[menu] = self._judged
         self._tokens[menu] = token
 
+    def may_be(self, menu: str) -> bool:
+        """Return whether the submenu that was just judged listed the documented commands of `menu`."""
+        marks = self._dialect.submenu_marks.get(menu)
+        return marks is not None and marks <= self._judged
+
     def at_root(self, token: str) -> None:
         """Take in which prompt the root shows."""
         self._tokens[self._dialect.root] = token

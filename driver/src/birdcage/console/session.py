@@ -133,7 +133,7 @@ class Console(Talker):
         if menu not in self.dialect.prompts:
             raise CommandRefused(f"This firmware has no menu `{menu}`.", reason="wrong_menu")
         self._resume()
-        if self.menu == menu:
+        if self.menu == menu or self._is_proven(menu):
             return
         if self.menu != self.dialect.root:
             self.leave()

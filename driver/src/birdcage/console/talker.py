@@ -11,7 +11,7 @@ from birdcage.console.diagnosis import no_reply, stranger
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.events import LineSink, Reply
 from birdcage.console.learner import Learner
-from birdcage.console.places import Places
+from birdcage.console.places import SUBMENU, Places
 from birdcage.console.wire import Wire
 from birdcage.link.port import Port
 
@@ -174,6 +174,18 @@ class Talker:
             self._wire.menu = now
         if now != menu:
             raise CommandRefused(f"The dish did not go to menu `{menu}`; it is in `{now}`.", reason="wrong_menu")
+
+    def _is_proven(self, menu: str) -> bool:
+        """Return whether the submenu that the dish was found in is `menu`, by what only that one answers."""
+        proof = self.dialect.proofs.get(menu)
+        if proof is None or self.menu != SUBMENU or not self._places.may_be(menu):
+            return False
+        reply = self._transact(proof[0])
+        if not any(proof[1].search(line) for line in reply.lines):
+            return False
+        self._places.entered(menu, reply.token)
+        self._wire.menu = menu
+        return True
 
     def _quit(self) -> str:
         """Leave a proven submenu, and return the menu that the dish is in then."""

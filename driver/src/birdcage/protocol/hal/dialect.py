@@ -17,6 +17,7 @@ DIALECT = ConsoleDialect(
         SEARCH: frozenset({"s"}),
         NVS: frozenset({"d", "e", "s"}),
     },
+    proofs={MOTOR: ("a", re.compile(r"\bAZ\s*=\s"))},
     stranger_marks=frozenset({"mot"}),
     stranger=(
         "This dish answers like a Carryout G2 or an older Trav'ler (prompt `{prompt}`, menu `mot`), not like HAL 2.05. "
