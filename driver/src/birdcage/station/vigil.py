@@ -235,6 +235,7 @@ class Vigil:
         else:
             self._antenna.motion = None  # STOP must not send it to its target once more
             self._mover.activity(Activity.UNKNOWN, "")
+            self._unsettled = True  # the other axis may still be on its way, as it was asked to
             self.look_again()
         if fault is None:
             self.raise_fault("stall", sentence, *STALL)
