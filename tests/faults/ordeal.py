@@ -53,7 +53,8 @@ class Ordeal:
         stopping, false_there = self._stopped()
         return Outcome(
             sees=tuple(self.sees), links=tuple(self.links), fault=next(iter(self.faults), None),
-            held=next(iter(self.held), None), motion=motion, position_hidden=self.hidden, came_back_s=back_s,
+            alarms=tuple(self.faults), held=next(iter(self.held), None), motion=motion, position_hidden=self.hidden,
+            came_back_s=back_s,
             deeds=deeds, next_good=good, false=(*false, *(f"STOP: {each}" for each in false_there)), unasked=unasked,
             stop=stopping,
         )  # fmt: skip

@@ -35,6 +35,8 @@ class Outcome:
     """Sentences of the state, in their order."""
     links: tuple[str, ...]
     fault: str | None
+    alarms: tuple[str, ...]
+    """The reason of every fault that was shown."""
     held: str | None
     motion: str
     """What became of the motion: `arrives`, the reason of its error, or `-` where none was asked for."""

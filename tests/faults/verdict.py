@@ -22,6 +22,8 @@ def _common(fault: Fault, seen: Outcome) -> list[str]:
     wrong = []
     if seen.false:
         wrong.append(f"told what was not so, {len(seen.false)} times: {seen.false[0]}")
+    if "moved" in seen.alarms and not (fault.own_motion or fault.astray):
+        wrong.append("told that it moves though nobody asked, and it went where it was sent")
     if seen.unasked:
         wrong.append(f"moved though nobody asked: {', '.join(seen.unasked)}")
     if seen.next_good != "right":
