@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from concurrent.futures import Future
 from dataclasses import dataclass, field
 
 from birdcage.base.errors import BirdcageError
@@ -59,7 +60,7 @@ class Ordeal:
             stop=stopping,
         )  # fmt: skip
 
-    def _begin(self):
+    def _begin(self) -> tuple[Stage, Future | None]:
         """Bring a dish to the moment, and inflict the fault."""
         stage = Stage(self.dialect, self.fault.options.get(self.dialect, ""))
         stage.connect()
@@ -74,16 +75,13 @@ class Ordeal:
             if self.fault.before:
                 self.fault.inflict(stage)
             future = stage.station.submit(self.fault.motion(stage))
-            future.add_done_callback(lambda _future: self._over(stage))
+            future.add_done_callback(lambda _future: setattr(self, "ended", stage.now))
             stage.step(self.fault.strikes_s)
             if self.fault.before:
                 return stage, future
             assert stage.truth.moving, "it strikes in mid-move"
         self.fault.inflict(stage)
         return stage, future
-
-    def _over(self, stage: Stage) -> None:
-        self.ended = stage.now
 
     def _suffer(self, stage: Stage, seconds: float) -> None:
         end = stage.now + seconds
