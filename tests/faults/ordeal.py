@@ -112,9 +112,8 @@ class Ordeal:
         if state.position is None or state.position_lost is not None:
             self.hidden = True
 
-    @staticmethod
-    def _note(seen: list[str], what: str) -> None:
-        if what not in seen:
+    def _note(self, seen: list[str], what: str) -> None:
+        if what and what not in seen:
             seen.append(what)
 
     def _come_back(self, stage: Stage, *, homed: bool = False) -> float | None:
@@ -158,10 +157,8 @@ class Ordeal:
         if not future.done():
             return "never ended"
         error = future.exception(0)
-        if error is None:
-            return "arrives"
-        self._note(self.sees, str(error))
-        return error.reason if isinstance(error, BirdcageError) else repr(error)
+        self._note(self.sees, str(error or ""))
+        return "arrives" if error is None else error.reason if isinstance(error, BirdcageError) else repr(error)
 
     def _go_on(self, stage: Stage) -> tuple[tuple[str, ...], str]:
         """Do what a person would, then ask for a motion and see whether all is right again."""
