@@ -30,7 +30,7 @@ def soak(kind, seed, exchanges):
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_few_hundred_exchanges(kind):
     tally = soak(kind, 4, 600)
-    assert tally["done"] > 400
+    assert tally["done"] > 300
 
 
 @pytest.mark.soak
