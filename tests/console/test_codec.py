@@ -111,3 +111,11 @@ def test_a_flood_of_noise_takes_no_memory():
     assert codec.noise == 100_000
     (stray,) = codec.feed(b"\r")
     assert len(stray.text) == LONGEST_LINE
+
+
+def test_noise_before_an_echo_does_not_hide_it():
+    codec = Codec(DIALECT)
+    codec.expect("a")
+    events = codec.feed(b"\x91\xfea\r\nAngle[0] = 1.00\r\nMOT>")
+    assert [event.lines for event in events if isinstance(event, Reply)] == [("Angle[0] = 1.00",)]
+    assert codec.noise == 2

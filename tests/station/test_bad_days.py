@@ -207,3 +207,33 @@ def test_a_dish_that_was_just_switched_on_is_starting_not_faulty():
     assert bench.state.held is None
     assert bench.state.link.state is Link.UP
     assert bench.state.activity is Activity.IDLE
+
+
+def test_one_damaged_answer_in_mid_move_is_asked_again(bench):
+    bench.watch("position")
+    bench.do(Goto(60, 45, "you"))
+    future = bench.station.submit(Goto(210, 45, "you"))
+    bench.step(0.5)
+    spoilt = iter([Byte(noise=b"A")])
+    seen = bytearray()
+
+    def once(byte):
+        seen.append(byte)
+        return next(spoilt, Byte()) if seen.endswith(b"Angle[1]") else Byte()
+
+    bench.device.wire.to_host.set_plan(once)
+    bench.step(20)
+    assert next(spoilt, None) is None, "the answer was spoilt"
+    assert future.result(0).az_deg == pytest.approx(210, abs=0.1)
+    assert bench.state.held is None
+
+
+def test_a_line_that_cannot_be_trusted_in_mid_move_ends_it(bench):
+    bench.watch("position")
+    bench.do(Goto(60, 45, "you"))
+    future = bench.station.submit(Goto(210, 45, "you"))
+    bench.step(0.5)
+    bench.device.wire.to_host.set_plan(lambda byte: Byte(noise=b"?") if byte == ord("=") else Byte())
+    bench.step(20)
+    assert isinstance(future.exception(0), Stopped)
+    assert bench.state.held is not None

@@ -168,7 +168,8 @@ class Codec:
     def _is_echo(self, text: str) -> bool:
         if not self._echo:
             return False
-        waiting = next((owed for owed in self._owed if not owed.echoed and owed.command == text), None)
+        heard = text.replace(_UNREADABLE, "").strip()  # noise on a line at rest comes just before the echo
+        waiting = next((owed for owed in self._owed if not owed.echoed and owed.command == heard), None)
         if waiting is None:
             return False
         waiting.echoed = True

@@ -60,6 +60,12 @@ def no_reply(port: str, command: str, seen: bytes, waited_s: float) -> NoReply:
             "its shell is deadlocked, which only a power cycle ends.",
             reason="echo",
         )
+    if command and command not in text and looks_like_prompt(text[-1:]):
+        return NoReply(
+            f"The dish answered {asked} on {port} (last: `{quoted}`), but the line itself did not come back: a "
+            "half-duplex adapter swallows the echo (wire all four lines, or use one for RS-422), or bytes were lost.",
+            reason="blocked",
+        )
     return NoReply(
         f"The dish talks on {port}, but nothing that answers {asked} came in {waited_s:.1f} s (last: `{quoted}`): it "
         "is starting up, still busy with an earlier command, or bytes were lost.",

@@ -8,7 +8,7 @@ from concurrent.futures import Future
 from dataclasses import dataclass
 
 from birdcage.antenna.antenna import BirdcageAntenna
-from birdcage.base.errors import BirdcageError, MotionRefused, Stopped
+from birdcage.base.errors import BirdcageError, MotionRefused, NoReply, Stopped
 from birdcage.base.geometry import separation
 from birdcage.station.board import Board
 from birdcage.station.events import ActivityChanged, End, MoveEnded, MoveProgress, MoveStarted
@@ -24,6 +24,9 @@ REST_S = 1.0
 """How long a dish that goes where it likes must stand still to have arrived."""
 STALL_S = 1.0
 """How long a dish may stand still away from its target, after the time at which it should have moved."""
+
+DAMAGE = ("garbage", "blocked")
+"""Reasons of an answer that came, and made no sense."""
 
 
 @dataclass(slots=True)
@@ -41,6 +44,8 @@ class Job:
     """Where it goes is the firmware's own business: it has arrived when it rests."""
     still_since: float | None = None
     last: Pointing | None = None
+    damaged: bool = False
+    """Whether the last answer made no sense: one may be spoilt on its way, two are a line that cannot be trusted."""
 
 
 class Mover(ABC):
@@ -101,10 +106,17 @@ class Mover(ABC):
             self._arrive(job, pointing)
 
     def _read(self, job: Job) -> Pointing | None:
-        """Read where the dish is, and note since when it stands still; None when the motion has ended meanwhile."""
-        pointing = self._look.position()
+        """Read where the dish is, and note since when it stands still; None when it is not known now."""
+        try:
+            pointing = self._look.position()
+        except NoReply as damage:
+            if job.damaged or self._job is not job or damage.reason not in DAMAGE:
+                raise
+            job.damaged, self.due = True, self._board.clock.monotonic() + POLL_S
+            return None
         if self._job is not job:
             return None  # STOP was taken in the middle of the exchange
+        job.damaged = False
         now = self._board.clock.monotonic()
         self.due = now + POLL_S
         if pointing is None:

@@ -23,6 +23,8 @@ COALESCE_S = 0.2
 """Presses that follow this closely are one STOP."""
 ANSWER_S = 0.3
 POLL_S = 0.05
+READINGS = 4
+"""So many exchanges it takes at most until two positions that can be believed agree."""
 UNKNOWN = "The dish does not know where it is: whether it stands still is not known."
 RELEASED = "The motors are released: nothing drives the dish, and where it is, is not known. Home it."
 
@@ -158,12 +160,13 @@ class Stopper:
 
     def _follow_up(self, pending: Pending) -> None:
         if not pending.answered:
-            pending.answered = self._answered()
+            pending.answered = self._answered(last=pending.sent >= MOST_REPEATS)
             if self._pending is not pending:
                 return  # STOP was called again meanwhile
             if not pending.answered:
                 self._repeat(pending)
                 return
+            pending.deadline = max(pending.deadline, self._board.clock.monotonic() + self._lasts_s(pending.report.means))
         if not pending.grip_is_complete:
             pending.grip_is_complete = True
             self._complete(pending)
@@ -183,8 +186,8 @@ class Stopper:
                 f"{pending.note}Stands still at {pointing.az_deg:.2f}°/{pointing.el_deg:.2f}°, "
                 f"{now - pending.report.at:.1f} s after STOP.",
             )  # fmt: skip
-        elif pending.still_since is None:
-            self._still_moving(pending, pointing, now)
+        elif pending.still_since is None and pending.last is not None:
+            self._still_moving(pending, pending.last, pointing, now)
         pending.last = pointing
 
     def _rests(self, pending: Pending, pointing: Pointing, now: float) -> bool:
@@ -206,11 +209,15 @@ class Stopper:
             pending.note = f"The TV search was not ended: {refused} "
 
     def _lasts_s(self, means: str) -> float:
-        return self.way.lasts_s(means) / self._board.clock.rate
+        """Return how long the dish may take to rest, and to be seen at rest by readings that take their time."""
+        protocol = self._antenna.protocol
+        round_trip_s = protocol.console.round_trip_s if protocol.is_connected else None
+        return self.way.lasts_s(means) / self._board.clock.rate + READINGS * (round_trip_s or 0.0)
 
-    def _answered(self) -> bool:
+    def _answered(self, *, last: bool) -> bool:
+        console = self._antenna.protocol.console
         try:
-            return bool(self._antenna.protocol.console.settle(ANSWER_S))
+            return bool(console.settle(console.delay_s if last else ANSWER_S))
         except NoReply:
             return False
 
@@ -225,9 +232,9 @@ class Stopper:
         self._antenna.protocol.interject(pending.lines)
         self.due = self._board.clock.monotonic()
 
-    def _still_moving(self, pending: Pending, pointing: Pointing, now: float) -> None:
-        if pending.report.means in LOOKING and pending.last is not None:
-            grip = self.way.on_sight(pending.last, pointing)
+    def _still_moving(self, pending: Pending, last: Pointing, pointing: Pointing, now: float) -> None:
+        if pending.report.means in LOOKING:
+            grip = self.way.on_sight(last, pointing)
             self._antenna.protocol.interject(grip.lines)
             self.reach = Reach.SENT
             pending.lines = grip.lines
@@ -235,7 +242,7 @@ class Stopper:
             pending.deadline = now + self._lasts_s(grip.means)
             pending.answered = pending.grip_is_complete = False
             pending.sent += 1
-        elif pending.last is not None and closes_in(self._antenna, pending.last, pointing):
+        elif closes_in(self._antenna, last, pointing):
             pending.deadline = max(pending.deadline, now + 1.0)  # slower than modelled, but on its way to rest
         elif now > pending.deadline and pending.report.confirmed is None and pending.report.means not in LOOKING:
             self.way.retarget_works = False

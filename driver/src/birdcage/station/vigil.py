@@ -243,7 +243,7 @@ class Vigil:
 
     def hear_refusal(self, error: BirdcageError) -> bool:
         """Return whether what the dish answered instead of its reply was that an axis is stalled."""
-        return isinstance(error, CommandRefused) and self.hear_stall(str(error))
+        return isinstance(error, CommandRefused) and self.hear_stall(str(error).rpartition(": ")[2])
 
     def forget(self, reason: str) -> None:
         """Drop what is known of the position."""

@@ -179,6 +179,6 @@ class Step:
         state = self.bench.state
         if state.held is not None and state.held.reason == "stop":
             raise Held(f"STOP is latched by {state.held.by}: release it first.")
-        if state.fault is not None and state.fault.reason not in ("moved", "reboot"):
+        if state.fault is not None and state.fault.reason not in ("moved", "reboot", "unhomed"):
             raise Held(f"A fault waits to be acknowledged: {state.fault.what}.", reason="fault")
         yield from self.release()
