@@ -49,7 +49,7 @@ class QueuedMover(Mover):
             antenna.protocol.gate.check_target(*dish)
             job.az_deg, job.el_deg = antenna.alignment.to_true(*dish)
             if under_way.silent and not self._ends_near(under_way, *dish):
-                self._silence.abort()
+                self._silence.end()
         self._begin_job(job, asked)
 
     def turn_skew(self, job: Job) -> None:
@@ -103,27 +103,37 @@ class QueuedMover(Mover):
 
     def _follow(self, job: Job) -> None:
         self.due = self._board.clock.monotonic() + POLL_S
-        try:
-            self._follow_motion(job, self._antenna.motion)
-        except CommandRefused as refused:
-            if stalled_axis(str(refused)) is not None:
-                raise  # whoever hears of stalls takes it from here
-            if self._job is job:
-                self.fail(End.REFUSED, str(refused), refused)
-                self._antenna.motion = None
-                self.activity(Activity.IDLE, "")
-
-    def _follow_motion(self, job: Job, motion: DishMotion | None) -> None:
+        motion = self._antenna.motion
         if motion is None:
             self._go_on(job)
         elif not motion.silent:
             self._follow_leg(job, motion)
-        elif self._silence.lasts(motion):
-            pointing = self._look.modelled()
-            if pointing is not None:
-                self._tell_progress(job, pointing, self._eta(job) - pointing.at)
-        elif self._silence.has_prompt():
+        elif self._slew_is_over(job, motion):
             self._follow_to_its_rest(job, motion)
+
+    def _slew_is_over(self, job: Job, motion: DishMotion) -> bool:
+        """Return whether a silent slew has given its prompt; show where the model has the dish until then."""
+        try:
+            if not self._silence.lasts(motion):
+                return self._silence.has_prompt()
+        except CommandRefused as refused:
+            self._refused(job, refused)
+            return False
+        pointing = self._look.modelled()
+        if pointing is not None:
+            self._tell_progress(job, pointing, self._eta(job) - pointing.at)
+        return False
+
+    def _refused(self, job: Job, refused: CommandRefused | MotionRefused) -> None:
+        """The dish, or the gate, does not let the present leg begin: the motion ends, at rest."""
+        if stalled_axis(str(refused)) is not None:
+            raise refused  # whoever hears of stalls takes it from here
+        if self._job is not job:
+            return
+        self.fail(End.REFUSED, str(refused), refused)
+        self._antenna.motion = None
+        self.activity(Activity.IDLE, "")
+        self._look.position()  # what was shown of a slew that never began is where it should have been
 
     def _follow_leg(self, job: Job, motion: DishMotion) -> None:
         """Watch one axis, which rests at its target or is stuck."""
@@ -184,10 +194,8 @@ class QueuedMover(Mover):
                 self._send(job, self._legs.popleft())
                 self._show(job)
                 return
-        except MotionRefused as refused:
-            if self._job is job:
-                self.fail(End.REFUSED, str(refused), refused)
-                self.activity(Activity.IDLE, "")
+        except (CommandRefused, MotionRefused) as refused:
+            self._refused(job, refused)
             return
         pointing = self._board.state.position
         if pointing is None or self._job is not job:

@@ -31,8 +31,12 @@ class Silence:
         """A slew begins."""
         self._prompt_at, self._sent, self._over = None, 0, False
 
-    def abort(self) -> None:
-        """End it where it is: any byte does."""
+    def end(self) -> None:
+        """End it where it is: any byte does. Nothing is sent when it is over, or was told to end before."""
+        if not self._over and not self._sent:
+            self._ask()
+
+    def _ask(self) -> None:
         self._sent += 1
         self._antenna.protocol.interject(self._antenna.protocol.abort_lines())
 
@@ -48,7 +52,7 @@ class Silence:
         if self._prompt_at is None:
             if now < started + longest_s + LATE_S:
                 return True
-            self.abort()
+            self._ask()
             return False
         tells = self._prompt_at - started >= TELLING_SHARE * modelled_s
         self._over = now >= started + (modelled_s if tells else max(modelled_s, longest_s)) + MARGIN_S / rate
@@ -66,7 +70,7 @@ class Silence:
         except NoReply:
             if self._sent >= MOST_REPEATS:
                 raise
-            self.abort()
+            self._ask()
             return False
         self._over = True
         self._antenna.protocol.slew_is_over()  # takes note of what it answered

@@ -166,7 +166,8 @@ class Stopper:
             if not pending.answered:
                 self._repeat(pending)
                 return
-            pending.deadline = max(pending.deadline, self._board.clock.monotonic() + self._lasts_s(pending.report.means))
+            lasts_s = self._lasts_s(pending.report.means)
+            pending.deadline = max(pending.deadline, self._board.clock.monotonic() + lasts_s)
         if not pending.grip_is_complete:
             pending.grip_is_complete = True
             self._complete(pending)

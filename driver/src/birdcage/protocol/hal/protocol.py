@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, ClassVar
 
 from birdcage.base.clock import Clock
-from birdcage.base.errors import CommandRefused, MotionRefused, NoReply, PositionUnknown
+from birdcage.base.errors import CommandRefused, NoReply, PositionUnknown
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.raw import Typed
 from birdcage.protocol.command_list import CommandDoc
@@ -31,6 +30,8 @@ SEARCH_MINIMUM, SAFE_MINIMUM = 125, 127
 _QUEUED_S = MOVE_TIMES.seconds(455.0) + 2.0
 """How long a move may wait for the motor before it (section 2.6), should the prompt wait with it."""
 _SKEW_THERE_DEG = 0.1
+_SKEW_S = MOVE_TIMES.seconds(SKEW.max_deg - SKEW.min_deg)
+"""The longest that the skew turns; mechanical seconds."""
 _STOW_S = 60.0
 """How long `stow` may keep the shell: no source says whether it does. Only a deadline depends on it."""
 
@@ -50,7 +51,9 @@ class HAL205Protocol(FirmwareProtocol):
         super().__init__()
         self._slew: Typed | None = None
         self._skew_goal: float | None = None
-        """Where the skew was sent and has not been seen yet."""
+        """Where the skew has taken to turn, and has not been seen yet."""
+        self._skew_rests_at = 0.0
+        """When it stands still at the latest, there or short of it; monotonic seconds."""
         self._boot = BootWatch(self.boot_marks)
         self._hear: Callable[[str], None] = lambda _text: None
 
@@ -104,6 +107,8 @@ class HAL205Protocol(FirmwareProtocol):
 
     def get_position(self) -> Position:
         """Read all axes with one `a` (section 3). PositionUnknown: not homed."""
+        if self.gate.position is None:
+            self._skew_goal = None  # whatever made the position doubtful may have turned the skew as well
         try:
             position = self._believed(lambda: parse_position(self.console.run(MOTOR, "a").lines))
         except PositionUnknown:
@@ -141,11 +146,11 @@ class HAL205Protocol(FirmwareProtocol):
 
         CommandRefused (`unsupported`) when the dish does not tell its skew.
         """
-        if self.gate.position is None:
-            self._skew_goal = None  # whatever made the position doubtful may have turned the skew as well
         position = self.gate.position or self.get_position()
         self.gate.check(az_deg, el_deg)
-        sk_deg = position.skew if self._skew_goal is None else self._skew_goal
+        sk_deg = position.skew
+        if self._skew_goal is not None and (sk_deg is None or self.clock.monotonic() < self._skew_rests_at):
+            sk_deg = self._skew_goal  # one that has stopped short of it is not driven on by a slew
         if sk_deg is None:
             raise CommandRefused(
                 "The dish did not tell its skew, which a combined move needs. Nothing was sent.", reason="unsupported"
@@ -176,15 +181,11 @@ class HAL205Protocol(FirmwareProtocol):
 
     def turn_skew(self, degrees: float) -> None:
         """Send `a 2 <deg>`: the skew may turn while another axis does (section 2.6)."""
-        if self.gate.bounds.closed_because is not None:
-            raise MotionRefused(self.gate.bounds.closed_because, reason="settings")
-        if not (math.isfinite(degrees) and SKEW.min_deg <= degrees <= SKEW.max_deg):
-            raise MotionRefused(
-                f"The skew goes from {SKEW.min_deg:g}° to {SKEW.max_deg:g}°, not to {degrees:g}°. Nothing was sent.",
-                reason="skew_limit" if math.isfinite(degrees) else "not_a_number",
-            )
-        self._skew_goal = degrees
+        self.gate.check_skew(degrees)
+        self._skew_goal = None  # until it is taken: a slew must not turn the skew to where STOP kept it from going
         self._send_move(SKEW.index, degrees)
+        self._skew_goal = degrees
+        self._skew_rests_at = self.clock.monotonic() + _SKEW_S / self.clock.rate
 
     def stow(self) -> None:
         """Fold the dish flat (`stow` at the root: section 2.9). Nothing that is known stops it."""
