@@ -1,0 +1,1 @@
+"""When which satellite comes over."""
