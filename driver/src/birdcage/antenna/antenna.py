@@ -9,6 +9,7 @@ from dataclasses import replace
 
 from birdcage.antenna.alignment import Alignment
 from birdcage.antenna.config import AntennaConfig, DialectBaud
+from birdcage.antenna.foresight import foresee
 from birdcage.antenna.motion import STOP_LATENCY_S, DishMotion, start_motion
 from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused, MotionRefused, Stopped, WrongThread
@@ -16,6 +17,7 @@ from birdcage.base.geometry import shortest_turn, wrap_360
 from birdcage.kinematics import rest_point
 from birdcage.leapfrog import apply_leapfrog
 from birdcage.link.link import Link
+from birdcage.protocol.belief import Belief, Expected
 from birdcage.protocol.model import SecondMove
 from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.protocol.types import MOTOR_AZIMUTH, MOTOR_ELEVATION, Position
@@ -40,6 +42,8 @@ class BirdcageAntenna:
         """The motion under way as modelled; None at rest."""
         self.taken = 0
         """How many motions the dish has taken, at least in one axis."""
+        self._begun_by: dict[int, float] = {}
+        """When each axis had taken its last command."""
         self._modelling = threading.RLock()
         self.model = protocol.model
         """The dish with the speeds that are in force now; `protocol.model` is what it can do."""
@@ -83,6 +87,15 @@ class BirdcageAntenna:
             azimuth=replace(model.azimuth, speed_deg_s=speeds.get(MOTOR_AZIMUTH, model.azimuth.speed_deg_s)),
             elevation=replace(model.elevation, speed_deg_s=speeds.get(MOTOR_ELEVATION, model.elevation.speed_deg_s)),
         )
+
+    def doubt(self) -> None:
+        """From now on take no reading of the position as true that neither goes on nor comes twice."""
+        self._protocol.belief = Belief(self._protocol.model)
+        self._protocol.belief.foresee = self._foresee
+
+    def _foresee(self, last: Position, last_at: float, now: float) -> Expected | None:
+        motion = self.motion
+        return None if motion is None else foresee(motion, self._begun_by, last, last_at, now, self._clock.rate)
 
     def adopt(self, owner: threading.Thread | None) -> None:
         """Give the antenna to a thread: calls from any other raise `WrongThread` from then on. None frees it."""
@@ -214,7 +227,7 @@ class BirdcageAntenna:
             taken = self.taken
             for motor, angle in sorted(order, key=lambda each: each[0] != first):
                 self._protocol.move_motor(motor, angle)
-                self.taken = taken + 1
+                self.taken, self._begun_by[motor] = taken + 1, self._clock.monotonic()
         self._moves += 1
 
     def stop_lines(self) -> tuple[str, ...]:

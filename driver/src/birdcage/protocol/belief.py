@@ -13,9 +13,39 @@ from birdcage.protocol.types import Position
 
 NEAR_DEG = 0.05
 """How far apart two readings of a dish at rest may lie."""
+ROUND_DEG = 0.02
+"""How far a reading may lie outside what is expected of it: angles are printed in hundredths, and axes go in steps."""
 JITTER_S = 0.03
 """How much sooner or later than the one before a dish may take its reading."""
 MOST_READS = 5
+STRICT_READS = 2
+"""How many readings must fit together as the motion is expected; then it is enough that the axes can do it."""
+DIGIT_DEG = 1.0
+"""Where a changed digit of a dish that stands still would be taken for an arrival: from whole degrees on."""
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """Where an axis may be when it is read, in degrees that may go on beyond 0..360."""
+
+    low_deg: float
+    high_deg: float
+    rate_deg_s: float
+    """How fast it then is, by the clock."""
+
+
+@dataclass(frozen=True, slots=True)
+class Expected:
+    """What the motion that was sent lets a reading be. Each axis has a few spans, and is in one of them."""
+
+    motion: object
+    """Equal for one and the same motion."""
+    axes: tuple[tuple[Span, ...], ...]
+    """Azimuth, elevation and, where it was read before, skew. None of an axis: not known well enough."""
+
+
+Foresight = Callable[[Position, float, float], Expected | None]
+"""From a reading, when it was made and when the next one is: what that must be. None: no motion is known."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,25 +59,52 @@ class _Seen:
 class Belief:
     """Takes a reading that goes on where the last ones ended; asks again for any other, until two agree.
 
-    A dish at rest, or under way at an even speed, is so asked once; one that starts, turns or jumps, twice.
+    A dish at rest, or under way as expected, is so asked once; one that does anything else, twice.
     """
 
     def __init__(self, model: DishModel) -> None:
         self._model = model
         self._last: _Seen | None = None
+        self._astray: object = None
+        """The motion that the dish was seen not to follow."""
+        self.foresee: Foresight = lambda _position, _at, _now: None
 
     def read(self, once: Callable[[], Position], clock: Clock) -> Position:
         """Return what `once` reads, or reads again. NoReply (`garbage`) when no two readings in a row agree."""
         now = clock.monotonic
         seen = _Seen(once(), now())
-        if self._goes_on(seen):
+        expected = self._expected(self._last, seen.at)
+        if expected is not None:
+            rates = self._fits(seen, expected)
+            if rates is not None:
+                return self._take(seen, rates)
+        elif self._goes_on(seen):
             return self._take(seen)
-        for _ in range(MOST_READS - 1):
+        for count in range(2, MOST_READS + 1):
             before, seen = seen, _Seen(once(), now())
-            if self._agree(before, seen, clock.rate):
-                return self._take(seen)
+            if self._agree(before, seen, clock.rate, strictly=count <= STRICT_READS):
+                return self._take_agreed(before, seen)
         self._last = None
         raise NoReply("The dish tells angles that do not fit together: bytes change on their way.", reason="garbage")
+
+    def _expected(self, last: _Seen | None, now: float) -> Expected | None:
+        expected = None if last is None else self.foresee(last.position, last.at, now)
+        return None if expected is None or expected.motion == self._astray else expected
+
+    def _fits(self, seen: _Seen, expected: Expected) -> tuple[float, ...] | None:
+        """Return the rate of each axis if the reading is as expected, and not one that a changed digit would make."""
+        angles = _angles(seen.position)
+        if len(angles) != len(expected.axes):
+            return None
+        spans = [
+            next((span for span in spans if _is_in(angle, span)), None)
+            for angle, spans in zip(angles, expected.axes, strict=True)
+        ]
+        rates = tuple(span.rate_deg_s for span in spans if span is not None)
+        last = self._last
+        if len(rates) < len(angles) or (last is not None and _differs_by_a_digit(last.position, seen.position)):
+            return None
+        return rates
 
     def _goes_on(self, seen: _Seen) -> bool:
         last = self._last
@@ -62,25 +119,61 @@ class Belief:
             for way, rate in zip(ways, last.rates, strict=True)
         )
 
-    def _agree(self, one: _Seen, other: _Seen, rate: float) -> bool:
+    def _agree(self, one: _Seen, other: _Seen, rate: float, *, strictly: bool) -> bool:
+        if (one.position.skew is None) is not (other.position.skew is None):
+            return False
         ways, past_s = _ways(one.position, other.position), other.at - one.at
+        if all(abs(way) <= NEAR_DEG for way in ways):
+            return True
+        expected = self._expected(one, other.at) if strictly else None
+        if expected is not None:
+            return self._fits(other, expected) is not None
         speeds = [axis.speed_deg_s * rate for axis in self._model.axes]
-        same_axes = (one.position.skew is None) is (other.position.skew is None)
-        return same_axes and all(
+        return all(
             abs(way) <= NEAR_DEG + speed * (past_s + JITTER_S) for way, speed in zip(ways, speeds, strict=False)
         )
 
-    def _take(self, seen: _Seen) -> Position:
-        last, rates = self._last, (0.0,) * len(_ways(seen.position, seen.position))
-        if last is not None and seen.at > last.at:
-            ways = _ways(last.position, seen.position)
-            if len(ways) == len(rates):
+    def _take_agreed(self, before: _Seen, seen: _Seen) -> Position:
+        """Take the second of two readings that agree; what they contradict is not gone by again."""
+        whole, onward = self._expected(self._last, seen.at), self._expected(before, seen.at)
+        rates = None if onward is None else self._fits(seen, onward)
+        if rates is None and whole is not None and onward is not None and all((*whole.axes, *onward.axes)):
+            self._astray = whole.motion
+        return self._take(seen, rates)
+
+    def _take(self, seen: _Seen, rates: tuple[float, ...] | None = None) -> Position:
+        last = self._last
+        if rates is None:
+            ways = () if last is None or seen.at <= last.at else _ways(last.position, seen.position)
+            angles = _angles(seen.position)
+            rates = (0.0,) * len(angles)
+            if last is not None and len(ways) == len(angles):
                 rates = tuple(way / (seen.at - last.at) for way in ways)
         self._last = _Seen(seen.position, seen.at, rates)
         return seen.position
+
+
+def _angles(position: Position) -> tuple[float, ...]:
+    both = position.azimuth, position.elevation
+    return both if position.skew is None else (*both, position.skew)
 
 
 def _ways(one: Position, other: Position) -> tuple[float, ...]:
     """Return how far each axis went from one to the other; the skew where both have it."""
     ways = shortest_turn(one.azimuth, other.azimuth), other.elevation - one.elevation
     return ways if one.skew is None or other.skew is None else (*ways, other.skew - one.skew)
+
+
+def _is_in(angle_deg: float, span: Span) -> bool:
+    middle, half = (span.low_deg + span.high_deg) / 2, (span.high_deg - span.low_deg) / 2
+    return abs(shortest_turn(middle, angle_deg)) <= half + ROUND_DEG
+
+
+def _differs_by_a_digit(one: Position, other: Position) -> bool:
+    """Return whether one digit, of whole degrees or more, makes one reading of the other."""
+    for first, second in zip(_angles(one), _angles(other), strict=False):
+        texts = f"{abs(first):06.2f}", f"{abs(second):06.2f}"
+        changed = [a != b for a, b in zip(*texts, strict=False)]
+        if abs(first - second) >= DIGIT_DEG and changed.count(True) == 1:
+            return True
+    return False

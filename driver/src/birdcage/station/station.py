@@ -14,7 +14,6 @@ from birdcage.antenna.config import AntennaConfig
 from birdcage.base.clock import Clock
 from birdcage.base.errors import BirdcageError, LinkError, NoReply, Stopped
 from birdcage.base.wake import Wake
-from birdcage.protocol.belief import Belief
 from birdcage.protocol.model import SecondMove
 from birdcage.protocol.registry import get_protocol
 from birdcage.station.applying import Applying
@@ -55,7 +54,7 @@ class Station:
         self.clock, self.settings = clock, settings
         self._antenna = antenna = BirdcageAntenna(protocol, config, settings.alignment)
         protocol.permit = self._permit
-        protocol.belief = Belief(protocol.model)
+        antenna.doubt()
         state = StationState(port=settings.port, dish=protocol.model, turn=protocol.model.turn)
         self._board = board = Board(clock, state)
         self._wake = Wake()
