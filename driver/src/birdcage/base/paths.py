@@ -23,6 +23,10 @@ class Paths:
 
     config_file: Path
     presets_file: Path
+    places_file: Path
+    """Places that were saved, each with its horizon."""
+    downlinks_file: Path
+    """What the user knows of who sends what, over the table that ships with birdcage."""
     cache: Path
     """What can be fetched again."""
     logs: Path
@@ -32,6 +36,8 @@ class Paths:
     """What the program remembers: history, the journal, the last turn of the cable."""
     backups: Path
     """Tables read from a dish before something was written to it."""
+    catalogue: Path
+    """The database of element sets and of what the user says about satellites."""
 
     @property
     def journal(self) -> Path:
@@ -76,11 +82,14 @@ class Paths:
         return cls(
             config_file=config / "birdcage.toml",
             presets_file=config / "presets.toml",
+            places_file=config / "places.toml",
+            downlinks_file=config / "downlinks.toml",
             cache=cache,
             logs=logs,
             transcripts=state / "transcripts",
             state=state,
             backups=data / "backups",
+            catalogue=data / "catalogue.sqlite",
         )
 
     def with_config(self, config_file: Path) -> Paths:

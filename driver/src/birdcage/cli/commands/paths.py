@@ -23,6 +23,9 @@ def command() -> None:
         "transcripts": paths.transcripts,
         "state": paths.state,
         "backups": paths.backups,
+        "catalogue": paths.catalogue,
+        "places": paths.places_file,
+        "downlinks": paths.downlinks_file,
     }
     if flags().json:
         tell_json({name: str(path) for name, path in places.items()})
