@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from birdcage.base.errors import NoReply
-from birdcage.protocol.belief import Belief
+from birdcage.protocol.belief import Belief, Expected, Span
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.types import Position
 
@@ -54,13 +54,25 @@ def test_one_wrong_digit_is_asked_again(rested, wrong):
 
 def test_a_dish_that_really_jumped_is_believed_at_the_second_reading(rested):
     wire, belief = rested
-    wire.angles = [(140.0, 36.29), (140.2, 36.29)]
-    assert belief.read(wire.once, wire) == Position(140.2, 36.29)
+    wire.angles = [(140.0, 36.29), (140.01, 36.29)]
+    assert belief.read(wire.once, wire) == Position(140.01, 36.29)
+
+
+def test_two_readings_that_differ_are_no_proof_of_motion(rested):
+    wire, belief = rested
+    wire.angles = [(128.51, 36.29), (127.51, 36.29), (128.51, 36.29), (128.51, 36.29)]
+    assert belief.read(wire.once, wire) == Position(128.51, 36.29)
+
+
+def test_three_readings_of_an_even_motion_are(rested):
+    wire, belief = rested
+    wire.angles = [(140.0, 36.29), (140.2, 36.29), (140.4, 36.29)]
+    assert belief.read(wire.once, wire) == Position(140.4, 36.29)
 
 
 def test_under_way_at_an_even_speed_it_is_asked_once(rested):
     wire, belief = rested
-    wire.angles = [(127.71, 36.29), (127.91, 36.29), (128.11, 36.29), (128.31, 36.29)]
+    wire.angles = [(127.71, 36.29), (127.91, 36.29), (128.11, 36.29), (128.31, 36.29), (128.51, 36.29)]
     belief.read(wire.once, wire)
     wire.asked = 0
     belief.read(wire.once, wire)
@@ -84,6 +96,44 @@ def test_across_north_is_no_jump():
 
 
 def test_a_dish_whose_time_is_scaled_turns_further_between_two_readings():
-    wire, belief = Wire((10.0, 30.0), (20.0, 30.0)), Belief(CARRYOUT_G2)
+    wire, belief = Wire((10.0, 30.0), (20.0, 30.0), (30.0, 30.0)), Belief(CARRYOUT_G2)
     wire.rate = 20.0
-    assert belief.read(wire.once, wire) == Position(20.0, 30.0)
+    assert belief.read(wire.once, wire) == Position(30.0, 30.0)
+
+
+def foreseen(*azimuths):
+    """Return what a motion says of which only the azimuth moves."""
+    spans = tuple(Span(azimuth, azimuth, 0.0) for azimuth in azimuths)
+    still = (Span(36.29, 36.29, 0.0),)
+    return lambda _last, _at, _now: Expected("it", (spans, still))
+
+
+def test_a_reading_that_the_motion_explains_needs_no_second(rested):
+    wire, belief = rested
+    belief.foresee = foreseen(133.04)
+    wire.angles = [(133.05, 36.29)]
+    assert belief.read(wire.once, wire) == Position(133.05, 36.29)
+
+
+def test_a_reading_where_the_dish_stood_needs_one_when_it_should_have_moved(rested):
+    wire, belief = rested
+    belief.foresee = foreseen(127.71)
+    wire.angles = [(127.51, 36.29), (127.71, 36.29), (127.71, 36.29)]
+    assert belief.read(wire.once, wire) == Position(127.71, 36.29)
+
+
+def test_one_digit_does_not_make_an_arrival_of_a_dish_that_stands_still(rested):
+    wire, belief = rested
+    belief.foresee = foreseen(137.51)
+    wire.angles = [(137.51, 36.29), (127.51, 36.29), (127.51, 36.29)]
+    assert belief.read(wire.once, wire) == Position(127.51, 36.29)
+
+
+def test_a_motion_that_the_dish_does_not_follow_is_not_gone_by_again(rested):
+    wire, belief = rested
+    belief.foresee = foreseen(133.04)
+    wire.angles = [(127.51, 36.29)] * 3
+    belief.read(wire.once, wire)
+    wire.asked = 0
+    belief.read(wire.once, wire)
+    assert wire.asked == 1

@@ -7,11 +7,12 @@ from dataclasses import dataclass
 from birdcage.antenna.motion import STOP_LATENCY_S, AxisMotion, DishMotion
 from birdcage.base.geometry import shortest_turn
 from birdcage.kinematics import Slew
-from birdcage.protocol.belief import JITTER_S, NEAR_DEG, ROUND_DEG, Expected, Span
+from birdcage.protocol.belief import JITTER_S, NEAR_DEG, Expected, Span
 from birdcage.protocol.types import Position
 
 _HALVINGS = 24
-_LOOSE_DEG = NEAR_DEG - ROUND_DEG
+_LOOSE_DEG = 0.02
+"""How far a way that is no longer than the overshoot may end from where it began, `ROUND_DEG` aside."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,8 +18,8 @@ ROUND_DEG = 0.02
 JITTER_S = 0.03
 """How much sooner or later than the one before a dish may take its reading."""
 MOST_READS = 5
-STRICT_READS = 2
-"""How many readings must fit together as the motion is expected; then it is enough that the axes can do it."""
+STRICT_READS = 3
+"""How many readings must fit together as the motion is expected, or evenly; then that the axes can do it is enough."""
 DIGIT_DEG = 1.0
 """Where a changed digit of a dish that stands still would be taken for an arrival: from whole degrees on."""
 
@@ -80,10 +80,13 @@ class Belief:
                 return self._take(seen, rates)
         elif self._goes_on(seen):
             return self._take(seen)
+        earlier: _Seen | None = None
         for count in range(2, MOST_READS + 1):
             before, seen = seen, _Seen(once(), now())
-            if self._agree(before, seen, clock.rate, strictly=count <= STRICT_READS):
+            even = count > STRICT_READS or (earlier is not None and _evenly(earlier, before, seen))
+            if self._agree(before, seen) or (even and self._can_do(before, seen, clock.rate)):
                 return self._take_agreed(before, seen)
+            earlier = before
         self._last = None
         raise NoReply("The dish tells angles that do not fit together: bytes change on their way.", reason="garbage")
 
@@ -107,29 +110,18 @@ class Belief:
         return rates
 
     def _goes_on(self, seen: _Seen) -> bool:
-        last = self._last
-        if last is None:
-            return False
-        ways = _ways(last.position, seen.position)
-        if len(ways) != len(last.rates):
-            return False
-        past_s = seen.at - last.at
-        return all(
-            abs(way - rate * past_s) <= NEAR_DEG + abs(rate) * JITTER_S
-            for way, rate in zip(ways, last.rates, strict=True)
-        )
+        return self._last is not None and _keeps(self._last, self._last.rates, seen)
 
-    def _agree(self, one: _Seen, other: _Seen, rate: float, *, strictly: bool) -> bool:
-        if (one.position.skew is None) is not (other.position.skew is None):
-            return False
-        ways, past_s = _ways(one.position, other.position), other.at - one.at
-        if all(abs(way) <= NEAR_DEG for way in ways):
+    def _agree(self, one: _Seen, other: _Seen) -> bool:
+        if _keeps(one, (0.0,) * len(_angles(one.position)), other):
             return True
-        expected = self._expected(one, other.at) if strictly else None
-        if expected is not None:
-            return self._fits(other, expected) is not None
+        expected = self._expected(one, other.at)
+        return expected is not None and self._fits(other, expected) is not None
+
+    def _can_do(self, one: _Seen, other: _Seen, rate: float) -> bool:
+        ways, past_s = _ways(one.position, other.position), other.at - one.at
         speeds = [axis.speed_deg_s * rate for axis in self._model.axes]
-        return all(
+        return _same_axes(one, other) and all(
             abs(way) <= NEAR_DEG + speed * (past_s + JITTER_S) for way, speed in zip(ways, speeds, strict=False)
         )
 
@@ -137,8 +129,8 @@ class Belief:
         """Take the second of two readings that agree; what they contradict is not gone by again."""
         whole, onward = self._expected(self._last, seen.at), self._expected(before, seen.at)
         rates = None if onward is None else self._fits(seen, onward)
-        if rates is None and whole is not None and onward is not None and all((*whole.axes, *onward.axes)):
-            self._astray = whole.motion
+        if whole is not None and all(whole.axes) and self._fits(seen, whole) is None:
+            self._astray, rates = whole.motion, None
         return self._take(seen, rates)
 
     def _take(self, seen: _Seen, rates: tuple[float, ...] | None = None) -> Position:
@@ -162,6 +154,28 @@ def _ways(one: Position, other: Position) -> tuple[float, ...]:
     """Return how far each axis went from one to the other; the skew where both have it."""
     ways = shortest_turn(one.azimuth, other.azimuth), other.elevation - one.elevation
     return ways if one.skew is None or other.skew is None else (*ways, other.skew - one.skew)
+
+
+def _same_axes(one: _Seen, other: _Seen) -> bool:
+    return (one.position.skew is None) is (other.position.skew is None)
+
+
+def _keeps(one: _Seen, rates: tuple[float, ...], other: _Seen) -> bool:
+    """Return whether each axis went on from one reading to the other at its rate."""
+    ways, past_s = _ways(one.position, other.position), other.at - one.at
+    return (
+        _same_axes(one, other)
+        and len(ways) == len(rates)
+        and all(
+            abs(way - rate * past_s) <= NEAR_DEG + abs(rate) * JITTER_S for way, rate in zip(ways, rates, strict=True)
+        )
+    )
+
+
+def _evenly(one: _Seen, two: _Seen, three: _Seen) -> bool:
+    """Return whether three readings are those of axes at an even speed."""
+    past_s = two.at - one.at
+    return past_s > 0 and _keeps(two, tuple(way / past_s for way in _ways(one.position, two.position)), three)
 
 
 def _is_in(angle_deg: float, span: Span) -> bool:
