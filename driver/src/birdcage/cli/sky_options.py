@@ -1,0 +1,115 @@
+"""The options of the commands that look at the sky: from where, and at what; each with what it comes to."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from birdcage.cli.options import AnyCallable
+
+if TYPE_CHECKING:
+    from datetime import datetime
+
+    from birdcage.base.config import Settings
+    from birdcage.base.paths import Paths
+    from birdcage.sky.elements import ElementSet
+    from birdcage.sky.observer import Observer
+
+
+class UtcTime(click.ParamType["datetime"]):
+    """A time in ISO 8601; without a zone it is UTC."""
+
+    name = "TIME"
+
+    def convert(self, value: str | datetime, param: click.Parameter | None, ctx: click.Context | None) -> datetime:
+        """Return the time, aware and in UTC."""
+        from datetime import UTC, datetime
+
+        if isinstance(value, datetime):
+            return value
+        try:
+            when = datetime.fromisoformat(value)
+        except ValueError:
+            self.fail(f"{value!r} is no time such as 2026-11-21T18:30:00Z.", param, ctx)
+        return when.replace(tzinfo=UTC) if when.tzinfo is None else when.astimezone(UTC)
+
+
+UTC_TIME = UtcTime()
+
+
+def observer_options(function: AnyCallable) -> AnyCallable:
+    """Add `--lat`, `--lon` and `--alt` to a command; `find_observer` takes what they hold."""
+    for name, kind, text in (
+        ("--alt", click.FloatRange(-500.0, 9000.0), "Height of the place in metres.  [default: as set, or 0]"),
+        ("--lon", click.FloatRange(-180.0, 180.0), "Longitude of the place in degrees, east positive."),
+        ("--lat", click.FloatRange(-90.0, 90.0), "Latitude in degrees, north positive.  [default: birdcage.toml's]"),
+    ):
+        function = click.option(name, type=kind, help=text)(function)
+    return function
+
+
+def elements_option(function: AnyCallable) -> AnyCallable:
+    """Add `--elements` to a command; `find_elements` takes what it holds."""
+    return click.option(
+        "--elements", type=click.Path(exists=True, path_type=Path), metavar="FILE",
+        help="Elements from a file or folder in any known format.  [default: the catalogue]",
+    )(function)  # fmt: skip
+
+
+def find_observer(settings: Settings, lat: float | None, lon: float | None, alt: float | None) -> Observer:
+    """Return where the dish stands: the options over `[place]` of the settings.
+
+    ConfigError when neither names a place, or half of one.
+    """
+    from birdcage.base.errors import ConfigError
+    from birdcage.sky.observer import Observer
+
+    place = settings.place
+    if (lat is None) != (lon is None):
+        raise ConfigError("--lat and --lon go together: a place needs both.")
+    if lat is not None and lon is not None:
+        return Observer(lat, lon, alt if alt is not None else 0.0)
+    if place.latitude_deg is None or place.longitude_deg is None:
+        raise ConfigError(
+            "No place is set. Give --lat and --lon, or set latitude_deg and longitude_deg in [place] of birdcage.toml."
+        )
+    height_m = alt if alt is not None else place.height_m
+    return Observer(place.latitude_deg, place.longitude_deg, height_m, place.name or "")
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """The elements that a command works on, and what the user says about their satellites."""
+
+    elements: tuple[ElementSet, ...]
+    note: str
+    """What to say of them: none, or that they are the frozen set."""
+    favourites: frozenset[int] = frozenset()
+
+
+def find_elements(paths: Paths, file: Path | None, tell: Callable[[str], None]) -> Found:
+    """Return the elements of `--elements`, else of the catalogue, else the frozen set that ships with birdcage.
+
+    `tell` gets a sentence about every damaged line and about a frozen set. ConfigError for a file without elements.
+    """
+    from birdcage.base.errors import ConfigError
+
+    if file is not None:
+        from birdcage.sky.formats import read_path
+
+        harvest = read_path(file)
+        for complaint in harvest.complaints:
+            tell(f"{complaint.source}:{complaint.line}: {complaint.why}")
+        if not harvest.elements:
+            raise ConfigError(f"{file} holds no elements.")
+        return Found(tuple(harvest.elements), "")
+    from birdcage.sky.watch_source import read_catalogue
+
+    loaded = read_catalogue(paths.catalogue)
+    if loaded.note:
+        tell(loaded.note)
+    return Found(loaded.elements, loaded.note, loaded.favourites)
