@@ -56,3 +56,8 @@ def test_the_version_is_that_of_the_distribution(run) -> None:
     from importlib.metadata import version
 
     assert run("--version").stdout.strip() == f"birdcage {version('winegard-birdcage')}"
+
+
+@pytest.mark.parametrize(("name", "default"), [("pos", "hal205"), ("init", "hal205"), ("setup", "listens for it")])
+def test_help_tells_which_firmware_counts_when_none_is_named(run, name, default) -> None:
+    assert f"[default: {default}]" in " ".join(run(name, "--help").stdout.split())

@@ -51,3 +51,10 @@ def test_it_refuses_what_it_cannot(run, words) -> None:
 
 def test_a_port_before_it_is_refused_too(run) -> None:
     assert run("--port", "/dev/ttyUSB0", "sim").exit_code == 2
+
+
+def test_its_help_and_its_complaints_agree_with_what_it_does(run) -> None:
+    told = run("sim", "--help").stdout
+    assert "[default: g2]" in told
+    assert "hal205]" not in told
+    assert run("sim", "--firmware", "hal000").stderr.rstrip().endswith("did you mean hal205?")

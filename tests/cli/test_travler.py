@@ -109,3 +109,13 @@ def test_a_silent_dish_is_asked_for_its_firmware_when_none_was_named(run) -> Non
     assert result.exit_code == 3
     assert "hal205 is the default of --firmware: for a Carryout G2 give --firmware g2." in result.stderr
     assert "default" not in run("pos", port="sim:g2", firmware="hal205").stderr
+
+
+@pytest.mark.parametrize("pty_travler", ["seed=1&boot=1&boot_home_s=6"], indirect=True)
+def test_init_of_a_booting_dish_tells_the_boot_without_prompts_and_waits_until_it_rests(travler, pty_travler) -> None:
+    result = travler("init", port=pty_travler.path)
+    assert result.exit_code == 0, result.stderr
+    assert "No LNB Voltage" in result.stderr
+    assert ">" not in result.stderr
+    assert "It moves, though nobody asked" not in result.stderr
+    assert "Its TV search is ended" in result.stderr

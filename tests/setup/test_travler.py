@@ -76,3 +76,28 @@ def test_another_dish_than_was_thought_is_chosen_and_kept_and_asks_for_a_new_ses
     house.kill()
     again = build("hal205?seed=1").up()
     assert again.setup.begin_anew == ""
+
+
+def test_a_travler_heard_at_its_own_rate_is_offered_as_one_and_not_as_a_g2_at_that_rate(build):
+    house = build("hal205?seed=1", firmware="g2")
+    house.until(lambda: house.state.link.state is Link.SILENT)
+    house.choose("link", "probe")
+    house.until(lambda: house.state.link.state is Link.SILENT)
+    enter = next(each for each in house.view("link").choices if each.key == "enter")
+    assert enter.label == "It is a Trav'ler (hal205)"
+    assert "another one than was thought" in house.view("link").words[0]
+    keys = [each.key for each in house.view("link").choices]
+    assert len(keys) == len(set(keys)), keys
+    assert house.moves() == []
+
+
+def test_a_dish_that_answers_as_another_is_not_called_mute(build):
+    house = build("hal205?seed=1", firmware="g2")
+    house.until(lambda: house.state.link.state is Link.SILENT)
+    house.choose("link", "other", port=house.state.port, baud="57600")
+    step = house.view("link")
+    assert "no dish answers" not in step.evidence
+    assert "The wires are right" in step.words[0]
+    assert house.setup.causes() == ()
+    enter = next(each for each in step.choices if each.key == "enter")
+    assert enter.name == "firmware-hal205"

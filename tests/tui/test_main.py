@@ -168,13 +168,14 @@ def test_a_firmware_that_was_named_is_not_listened_for(words, monkeypatch, tmp_p
 
 def test_another_dish_chosen_in_the_setup_begins_the_app_anew_over_the_old_flags(monkeypatch, capsys):
     clock = stand_in.VirtualClock()
-    built, sessions = [], []
+    built, sessions, pages = [], [], []
 
     class App:
         return_code = 0
 
-        def __init__(self, *_):
+        def __init__(self, _session, settings):
             self.anew = len(built) == 1
+            pages.append(settings.first_page)
 
         def run(self):
             pass
@@ -190,5 +191,6 @@ def test_another_dish_chosen_in_the_setup_begins_the_app_anew_over_the_old_flags
     monkeypatch.setattr(run, "_build", build)
     assert run.run(main.parser().parse_args(["--demo", "--firmware", "g2", "--baud", "115200"])) == 0
     assert built == [("g2", 115200), ("hal205", None)]
+    assert pages == ["dashboard", "setup"], "it goes on where the other dish was chosen"
     assert [session.closed for session in sessions] == [1, 1]
     assert capsys.readouterr().out.count("Where the dish is") == 1

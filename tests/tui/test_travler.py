@@ -1,19 +1,22 @@
 """A Trav'ler on screen: the third axis, what is modelled, what STOP can do, and what it lacks, with the reason."""
 
 import re
+from dataclasses import replace
+from datetime import UTC, datetime
 
 import pytest
 import stand_in
 from birdcage.base.clock import VirtualClock
 from birdcage.protocol.hal.model import TRAVLER
+from birdcage.station.events import End, MoveEnded
 from birdcage.station.requests import Goto, Home, SetSearch, TurnSkew
-from birdcage.station.state import Activity
+from birdcage.station.state import Activity, Link, LinkState
 from birdcage_tui.commands import BY_NAME
 from birdcage_tui.goto import foretell
 from birdcage_tui.goto_skew import skew_of
 from birdcage_tui.settings import AppSettings
 from birdcage_tui.view import View
-from birdcage_tui.words import bad_day, motion_text, stop_text
+from birdcage_tui.words import bad_day, calm, ended_text, motion_text, stop_text
 from stage import read, run
 
 SIZES = [(80, 24), (120, 36), (160, 48)]
@@ -249,3 +252,23 @@ def test_while_held_no_skew_is_sent():
         return app.station.asked_for(TurnSkew)
 
     assert run(turn, "held", state={"dish": TRAVLER, "activity": Activity.IDLE}) == []
+
+
+def test_the_end_of_a_motion_tells_the_skew_where_there_is_one():
+    def end(position):
+        return ended_text(MoveEnded(0.0, datetime.now(UTC), End.ARRIVED, "arrived", position))
+
+    assert end(replace(view_of("travler-skew").state.position, skew_deg=46.0)).endswith(", skew 46.00°.")
+    assert "skew" not in end(view_of("idle").state.position)
+
+
+def test_the_opening_is_told_once():
+    view = view_of("travler")
+    opening = LinkState(Link.OPENING, detail="opening /tmp/dish")
+    text = bad_day_or_calm(View(replace(view.state, link=opening), view.now, view.utc, AppSettings()))
+    assert text == "Opening /tmp/dish …"
+
+
+def bad_day_or_calm(view):
+    wrong = bad_day(view)
+    return calm(view) if wrong is None else wrong[1]

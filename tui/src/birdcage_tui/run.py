@@ -44,10 +44,12 @@ def run(options: argparse.Namespace) -> int:
             paths = _paths(options, stack)
         except BirdcageError as wrong:
             return _complain(wrong)
+        anew = False
         while True:
-            status = _run_once(options, paths)
+            status = _run_once(options, paths, anew=anew)
             if status is not None:
                 return status
+            anew = True
             # A person has chosen another firmware in the setup, which has kept it: that counts over flag and variable.
             options.firmware, options.baud = load(paths.config_file, environ={}).dish.firmware, None
 
@@ -57,14 +59,17 @@ def _complain(wrong: BirdcageError) -> int:
     return EXIT_ERROR
 
 
-def _run_once(options: argparse.Namespace, paths: Paths) -> int | None:
-    """Run the app over one session. Return the exit status; None when it is to begin again."""
+def _run_once(options: argparse.Namespace, paths: Paths, *, anew: bool) -> int | None:
+    """Run the app over one session. Return the exit status; None when it is to begin again.
+
+    `anew`: another firmware was chosen in the setup, which goes on there.
+    """
     with ExitStack() as stack:
         try:
             session, settings = _build(options, paths)
         except BirdcageError as wrong:
             return _complain(wrong)
-        app = BirdcageApp(session, settings)
+        app = BirdcageApp(session, replace(settings, first_page="setup") if anew else settings)
         if not options.demo:
             # `birdcage stop` in another terminal rings here; and a suspended program stops nothing.
             stack.callback(Doorbell(session.station, owners_folder(paths)).close)

@@ -194,7 +194,8 @@ def calm(view: View) -> str:
     if view.tour:
         return view.tour
     if view.state.link.state is Link.OPENING:
-        return f"Opening {view.state.port}. {view.state.link.detail}".rstrip()
+        detail = view.state.link.detail or f"opening {view.state.port}"
+        return f"{detail[:1].upper()}{detail[1:]} …"
     told = "" if "control" in view.scopes else view.note  # the page's own last row tells it there
     return told or view.settings.notice or _standing(view)
 
@@ -293,4 +294,5 @@ def ended_text(event: MoveEnded) -> str:
     position = event.position
     if event.end is not End.ARRIVED or position is None:
         return reason
-    return f"{reason} at {position.az_deg:.2f}°/{position.el_deg:.2f}°."
+    skew = "" if position.skew_deg is None else f", skew {position.skew_deg:.2f}°"
+    return f"{reason} at {position.az_deg:.2f}°/{position.el_deg:.2f}°{skew}."

@@ -83,7 +83,7 @@ _OPTIONS: dict[str, tuple[tuple[str, ...], dict[str, Any]]] = {
     ),
     "firmware": (
         ("--firmware",),
-        {"metavar": "NAME", "help": f"Firmware, or BIRDCAGE_FIRMWARE.  [default: {DEFAULT_FIRMWARE}]"},
+        {"metavar": "NAME", "help": "Firmware, or BIRDCAGE_FIRMWARE.  [default: {default}]"},
     ),
     "baud": (
         ("--baud",),
@@ -94,13 +94,17 @@ _OPTIONS: dict[str, tuple[tuple[str, ...], dict[str, Any]]] = {
 }
 
 
-def global_options(*names: str) -> Callable[[AnyCallable], AnyCallable]:
-    """Add the global options, or those named, to a command. `flags` and `wanted` return what they hold."""
+def global_options(*names: str, firmware: str = DEFAULT_FIRMWARE) -> Callable[[AnyCallable], AnyCallable]:
+    """Add the global options, or those named, to a command. `flags` and `wanted` return what they hold.
+
+    `firmware`: what the help of this command says of the firmware that counts when none is named.
+    """
 
     def decorate(function: AnyCallable) -> AnyCallable:
         for name in reversed(names or tuple(_OPTIONS)):
             declarations, attributes = _OPTIONS[name]
-            function = click.option(*declarations, name, callback=_keep, expose_value=False, **attributes)(function)
+            told = {**attributes, "help": attributes["help"].replace("{default}", firmware)}
+            function = click.option(*declarations, name, callback=_keep, expose_value=False, **told)(function)
         return function
 
     return decorate

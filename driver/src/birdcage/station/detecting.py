@@ -62,6 +62,11 @@ def detect_firmware(
     return Detection(None, f"{port} does not tell which firmware it is.", tuple(findings))
 
 
+def heard_firmware(finding: BaudFinding, port: str) -> str | None:
+    """Return the firmware that shows this on `port`; None where it could be any."""
+    return firmware_of(finding, rate_counts=has_speed(port))
+
+
 def firmware_of(finding: BaudFinding, *, rate_counts: bool = True) -> str | None:
     """Return the firmware that shows this; None where it could be any.
 

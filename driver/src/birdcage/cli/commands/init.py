@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from typing import TYPE_CHECKING
 
@@ -29,6 +30,10 @@ RESTORE = (
     "This saves NVS 20 (Disable Tracker Proc) as FALSE in the dish, after a copy of its whole table was kept here. "
     "From the next power-up on the dish homes by itself and searches for TV satellites: it moves without being asked."
 )
+
+PROMPT = re.compile(r"\S{1,16}>")
+REST_S = 6.0
+"""How long a dish is watched that was on its way when its search was ended."""
 
 SEARCHES = {
     "off until power-up": "Its TV search is ended, until the dish is next switched on: run this again then.",
@@ -111,6 +116,8 @@ class Follower:
 
         if isinstance(event, TranscriptLine) and event.direction == "<" and event.text.strip():
             self.booted = True
+            if PROMPT.fullmatch(event.text.strip()):
+                return  # what was sent while it booted is answered now, each line with a prompt
             self._dish.progress.clear()
             say(f"{self.elapsed_s:5.1f} s  {event.text.strip()}")
 
@@ -161,10 +168,15 @@ def _ends_at_once(model: DishModel | None) -> bool:
 
 def _end_search(dish: Dish, *, booted: bool) -> None:
     from birdcage.station.requests import SetSearch
+    from birdcage.station.state import Activity
 
     if booted:
         _release(dish)
     dish.ask(SetSearch(HOLDER, disabled=True), 60.0)
+    # What the search last moved comes to rest before anything is said of it.
+    until = dish.now + REST_S
+    while dish.state.activity is Activity.MOVING_UNASKED and dish.now < until:
+        dish.look()
 
 
 def _release(dish: Dish) -> None:

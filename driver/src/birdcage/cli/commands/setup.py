@@ -22,7 +22,7 @@ HOLDER = "birdcage setup"
 @click.command("setup", epilog=EPILOG)
 @click.option("--list", "listing", is_flag=True, help="Print the steps and how they are, and end. The port stays shut.")
 @click.option("--step", type=click.Choice(NAMES), help="Begin with this step.")
-@global_options()
+@global_options(firmware="listens for it")
 def command(listing: bool, step: str | None) -> None:
     """Go from wires to the first satellite, step by step, and keep what is found in birdcage.toml.
 

@@ -10,6 +10,9 @@ import click
 from birdcage.cli.exits import EPILOG
 from birdcage.cli.options import flags, global_options
 
+FIRMWARE = "g2"
+"""What is simulated unless something else is named: the dish that is known best."""
+
 
 @click.command("sim", epilog=EPILOG)
 @click.option("--speed", type=click.FloatRange(0.01, 1000.0), default=1.0, show_default=True,
@@ -21,7 +24,7 @@ from birdcage.cli.options import flags, global_options
 @click.option("--link", type=click.Path(path_type=Path), help="A symbolic link to the pty: a name that stays.")
 @click.option("--tcp", is_flag=True, help="Serve on 127.0.0.1 instead of a pty.")
 @click.option("-o", "options", metavar="KEY=VALUE", multiple=True, help="A setting of the simulated dish; repeatable.")
-@global_options("firmware", "json", "verbose")
+@global_options("firmware", "json", "verbose", firmware=FIRMWARE)
 @click.pass_context
 def command(
     context: click.Context, speed: float, seed: int, unhomed: bool, boot: bool, pace_baud: int, link: Path | None,
@@ -29,8 +32,7 @@ def command(
 ) -> None:  # fmt: skip
     """Simulate a dish that any program can talk to: prints the port, and serves until Ctrl+C.
 
-    With --json it prints one line: {"port": …, "firmware": …, "control": …}. --firmware is g2 or hal205; here the
-    default is g2.
+    With --json it prints one line: {"port": …, "firmware": …, "control": …}. --firmware is g2 or hal205.
     """
     from birdcage.sim.run import run_simulator
 
@@ -40,13 +42,17 @@ def command(
     pairs = dict(_pair(option) for option in options)
     try:
         status = run_simulator(
-            given.get("firmware") or os.environ.get("BIRDCAGE_FIRMWARE") or "g2",
+            given.get("firmware") or os.environ.get("BIRDCAGE_FIRMWARE") or FIRMWARE,
             speed=speed, seed=seed, unhomed=unhomed, boot=boot, pace_baud=pace_baud, link=link, tcp=tcp,
             json=given.json, options=pairs,
         )  # fmt: skip
     except (ValueError, OSError) as error:
-        raise click.UsageError(f"{error}.") from error
+        raise click.UsageError(_sentence(str(error))) from error
     context.exit(status)
+
+
+def _sentence(text: str) -> str:
+    return text if text.endswith("?") else f"{text}."
 
 
 def _pair(option: str) -> tuple[str, str]:

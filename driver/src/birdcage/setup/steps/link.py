@@ -11,6 +11,7 @@ from birdcage.setup.causes import find_causes
 from birdcage.setup.step import Choice, Field, Mark, NoSuchChoice
 from birdcage.setup.steps.base import Plan, Step
 from birdcage.setup.steps.firmware import OTHER, other_firmwares, speak_another
+from birdcage.station.detecting import heard_firmware
 from birdcage.station.finding import BaudFinding, Saw
 from birdcage.station.known import PortInfo, SystemFacts
 from birdcage.station.requests import Connect, ProbePort
@@ -22,6 +23,8 @@ ANSWER_S = 8.0
 """How long an answer is waited for after the port was changed, in seconds."""
 BOOT_S = 30.0
 """The same where a dish was heard that may be booting."""
+CONTRADICTIONS = ("wrong_firmware", "unknown_command")
+"""Why a dish counts as silent that does answer: its console is not the one that is spoken."""
 MOST_PORTS = 9
 MOST_CAUSES = 3
 """How many causes are said in the step itself; `Setup.causes` has all."""
@@ -66,7 +69,7 @@ class LinkStep(Step):
     def _another(self) -> bool:
         """Whether the console that answers contradicts the firmware that is spoken."""
         link = self.bench.state.link
-        return link.state is Link.SILENT and link.reason == "wrong_firmware"
+        return link.state is Link.SILENT and link.reason in CONTRADICTIONS
 
     @property
     def _rate(self) -> int:
@@ -119,7 +122,9 @@ class LinkStep(Step):
             words = ["Nothing moves by this."]
         elif state.link.state is Link.SILENT:
             words = ["The port opens, but no dish answers. Listen at other speeds, or choose another port."]
-            if self._answering() is not None:
+            if self._heard:
+                words = [f"A dish was heard at {self._answering()} baud, and it is another one than was thought."]
+            elif self._answering() is not None:
                 words = [f"A dish was heard at {self._answering()} baud: connect at that speed."]
         if not self._ports:
             words.append("This machine has no serial port now: plug the adapter in.")
@@ -152,6 +157,9 @@ class LinkStep(Step):
             choices.append(Choice("connect", "enter", f"Connect at {answering} baud"))
         if self._another:
             return other_firmwares(self.bench, likely=True)
+        if self._heard:
+            choices = [*other_firmwares(self.bench, likely=True, heard=self._heard),
+                       Choice("connect", "c", f"Connect at {answering} baud all the same")]  # fmt: skip
         if state.link.state is Link.SILENT:
             again = " again" if self.findings and answering is None else ""
             probe_key = "enter" if answering is None else "p"
@@ -159,7 +167,7 @@ class LinkStep(Step):
         for key, info in enumerate(self._ports[:MOST_PORTS], 1):
             maker = "" if info.vid_pid is None else f", {_MAKERS.get(info.vid_pid[:4], info.description or '')}"
             choices.append(Choice(f"port-{key}", str(key), f"{info.device}{maker}"))
-        if state.link.state is Link.SILENT:
+        if state.link.state is Link.SILENT and not self._heard:
             choices += other_firmwares(self.bench)
         field = Field("port", "port", hint="/dev/ttyUSB0, COM4, socket://host:port", value=state.port)
         baud = Field("baud", "speed", "baud", "empty: the firmware's own")
@@ -172,6 +180,15 @@ class LinkStep(Step):
                 if each.saw is saw:
                     return each.baud
         return None
+
+    @property
+    def _heard(self) -> str:
+        """Return the firmware that was heard, where it is not the one that is spoken; else empty."""
+        state, at = self.bench.state, self._answering()
+        if state.link.state is not Link.SILENT or state.dish is None:
+            return ""
+        heard = next((heard_firmware(each, state.port) for each in self.findings if each.baud == at), None)
+        return "" if heard in (None, state.dish.firmware) else str(heard)
 
     def take(self, choice: str, values: Mapping[str, str]) -> None:
         """Change over, or listen."""
