@@ -268,3 +268,33 @@ def test_defaults_pass_their_own_checks(read):
     settings = read(text)
     assert settings.problems == ()
     assert math.isclose(settings.app.update_hz, Settings().app.update_hz)
+
+
+class TestSectorsAndHorizon:
+    """Lists of lists: what stands in the way of the dish, and the line of trees."""
+
+    def test_a_sector_may_say_what_stands_there(self, tmp_path):
+        path = tmp_path / "birdcage.toml"
+        path.write_text('[motion]\nno_go_sectors = [[170, 190, 40.5, "mast"], [350, 10, 30]]\n')
+        assert load(path, {}).motion.no_go_sectors == (NoGoSector(170, 190, 40.5, "mast"), NoGoSector(350, 10, 30))
+        assert load(path, {}).problems == ()
+
+    def test_a_reason_that_is_no_text_is_refused(self, tmp_path):
+        path = tmp_path / "birdcage.toml"
+        path.write_text("[motion]\nno_go_sectors = [[170, 190, 40.5, 7]]\n")
+        assert load(path, {}).motion_problem is not None
+
+    def test_the_horizon_is_read(self, tmp_path):
+        path = tmp_path / "birdcage.toml"
+        path.write_text("[place]\nlatitude_deg = 1\nlongitude_deg = 2\nhorizon = [[0, 5], [90, 10.5]]\n")
+        assert load(path, {}).place.horizon == ((0.0, 5.0), (90.0, 10.5))
+
+    @pytest.mark.parametrize("point", ["[1]", '[1, "2"]', "[1, 91]", "[400, 2]", "[1, nan]", "[true, 2]", "3"])
+    def test_a_wrong_point_costs_the_horizon_and_not_the_place(self, tmp_path, point):
+        path = tmp_path / "birdcage.toml"
+        path.write_text(f"[place]\nlatitude_deg = 1\nlongitude_deg = 2\nhorizon = [[0, 5], {point}]\n")
+        settings = load(path, {})
+        assert (settings.place.latitude_deg, settings.place.horizon) == (1.0, ())
+        (problem,) = settings.problems
+        assert (problem.line, problem.limits_motion) == (4, False)
+        assert "[az, el] belongs" in problem.sentence

@@ -5,7 +5,7 @@ from __future__ import annotations
 import tomllib
 
 import pytest
-from birdcage.base.config import edit, load
+from birdcage.base.config import HorizonPoint, edit, load
 from birdcage.base.errors import ConfigError
 
 OWN = """\
@@ -175,3 +175,25 @@ class TestSetupLines:
         assert "which the setup did not write" in settings.problems[0].sentence
         assert settings.motion_problem is None
         assert not settings.setup.begun
+
+
+@pytest.mark.parametrize("count", [1, 12])
+def test_a_horizon_is_written_and_comments_survive(tmp_path, count):
+    path = tmp_path / "birdcage.toml"
+    path.write_text("# mine\n[place]\nlatitude_deg = 1.0 # roof\nlongitude_deg = 2.0\n")
+    horizon = [HorizonPoint(30.0 * number, 5.5) for number in range(count)]
+    edit(path, {"place.horizon": horizon})
+    assert load(path, {}).place.horizon == tuple(horizon)
+    text = path.read_text()
+    assert text.startswith("# mine\n")
+    assert "# roof" in text
+    assert max(map(len, text.splitlines())) < 80
+    edit(path, {"place.horizon": None})
+    assert load(path, {}).place.horizon == ()
+
+
+def test_a_wrong_point_is_not_written(tmp_path):
+    path = tmp_path / "birdcage.toml"
+    with pytest.raises(ConfigError, match="belongs"):
+        edit(path, {"place.horizon": [(0.0, 95.0)]})
+    assert not path.exists()

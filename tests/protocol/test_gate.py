@@ -116,6 +116,14 @@ def test_a_dish_inside_a_sector_may_leave_it_upwards(gate):
         gate.check(180, 40)
 
 
+@pytest.mark.parametrize(("reason", "words"), [("mast", "below 50° (mast),"), ("", "below 50°,")])
+def test_a_refusal_says_what_stands_in_the_sector(gate, reason, words):
+    gate.update(sectors=(Sector(170.0, 190.0, 50.0, reason),))
+    with pytest.raises(MotionRefused) as refused:
+        gate.check(180, 40)
+    assert words in str(refused.value)
+
+
 def test_a_closed_gate_says_why(gate):
     gate.update(closed_because="[motion] of birdcage.toml could not be read.")
     with pytest.raises(MotionRefused, match="could not be read"):

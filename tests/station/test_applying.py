@@ -94,9 +94,9 @@ def test_sectors_are_true_and_turn_with_the_alignment(bench):
     apply(
         bench,
         alignment=AlignmentSettings(az_offset_deg=30.0, el_offset_deg=-1.0),
-        motion=MotionSettings(no_go_sectors=(NoGoSector(80.0, 100.0, 50.0),)),
+        motion=MotionSettings(no_go_sectors=(NoGoSector(80.0, 100.0, 50.0, "mast"),)),
     )
-    with pytest.raises(MotionRefused, match=r"90.00°/40.00° lies in the no-go sector from azimuth 80° to 100°") as no:
+    with pytest.raises(MotionRefused, match=r"90.00°/40.00° lies in the no-go sector from .* \(mast\)") as no:
         bench.do(Goto(90, 40, "you"))
     assert (no.value.reason, no.value.limit_deg, no.value.by_deg) == ("sector", 50.0, pytest.approx(10.0))
 

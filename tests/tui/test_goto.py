@@ -174,6 +174,11 @@ def test_how_long_follows_the_dishs_own_speed():
             {"no_go_sectors": (NoGoSector(220.0, 240.0, 30.0),)},
             "no-go sector 220° to 240°, 5.00° too low: go above 30° first.",
         ),
+        (
+            "250 25",
+            {"no_go_sectors": (NoGoSector(220.0, 240.0, 30.0, "mast"),)},
+            "no-go sector 220° to 240° (mast), 5.00° too low",
+        ),
         ("180 10", {"homed": False, "position": None}, "home it first"),
     ],
 )

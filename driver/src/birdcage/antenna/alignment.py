@@ -27,10 +27,11 @@ class Alignment:
             az_deg = wrap_360(az_deg - self.az_offset_deg)
         return az_deg, el_deg - self.el_offset_deg
 
-    def sector_to_dish(self, from_az_deg: float, to_az_deg: float, below_el_deg: float) -> Sector:
+    def sector_to_dish(self, from_az_deg: float, to_az_deg: float, below_el_deg: float, reason: str = "") -> Sector:
         """Return a no-go sector, given in true angles, in the dish's frame."""
         return Sector(
             wrap_360(from_az_deg - self.az_offset_deg),
             wrap_360(to_az_deg - self.az_offset_deg),
             below_el_deg - self.el_offset_deg,
+            reason,
         )

@@ -19,6 +19,8 @@ class Sector:
     from_az_deg: float
     to_az_deg: float
     below_el_deg: float
+    reason: str = ""
+    """What stands there; empty when nobody said."""
 
     def overlaps(self, start_deg: float, turn_deg: float) -> bool:
         """Return whether an azimuth sweep from `start_deg` through `turn_deg` touches the sector's azimuths."""
@@ -277,6 +279,7 @@ class MotionGate:
         where = (
             f"the no-go sector from azimuth {self._true_az(sector.from_az_deg):.0f}° to "
             f"{self._true_az(sector.to_az_deg):.0f}° below {below:.0f}°"
+            f"{f' ({sector.reason})' if sector.reason else ''}"
         )
         target = f"{self._true_az(az_deg):.2f}°/{el_deg + plus:.2f}°"
         if el_deg < sector.below_el_deg and sector.overlaps(az_deg, 0.0):

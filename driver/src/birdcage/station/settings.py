@@ -8,6 +8,7 @@ from pathlib import Path
 
 from birdcage.antenna.alignment import Alignment
 from birdcage.base.config import Settings
+from birdcage.base.config.sections import NoGoSector
 from birdcage.link.link import Link
 
 OpenLink = Callable[[str, int], Link]
@@ -23,8 +24,8 @@ class Rules:
     max_elevation_deg: float | None = None
     cable_min_deg: float | None = None
     cable_max_deg: float | None = None
-    sectors: tuple[tuple[float, float, float], ...] = ()
-    """No-go sectors, true: from azimuth, clockwise to azimuth, below elevation."""
+    sectors: tuple[NoGoSector, ...] = ()
+    """No-go sectors, true."""
     feed_name: str = ""
     beam_deg: float | None = None
     stow_allowed: bool = False

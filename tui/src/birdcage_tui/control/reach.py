@@ -114,12 +114,12 @@ def _sector(state: StationState, az_deg: float, el_deg: float) -> str | None:
     lowest = min(position.el_deg, el_deg)
     if abs(way) < TOUCH_DEG and el_deg >= position.el_deg:
         return None  # straight up is the way out of a sector
-    for low_az, high_az, below in state.no_go_sectors:
+    for low_az, high_az, below, reason in state.no_go_sectors:
         width = (high_az - low_az) % 360.0
         met = (start - low_az) % 360.0 <= width or (low_az - start) % 360.0 <= abs(way)
         if lowest < below and met:
             return (
-                f"The way passes the no-go sector {low_az:.0f}° to {high_az:.0f}°, {below - lowest:.2f}° too low: "
+                f"The way passes the no-go sector {low_az:.0f}° to {high_az:.0f}°{f' ({reason})' if reason else ''}, {below - lowest:.2f}° too low: "
                 f"go above {below:.0f}° first."
             )
     return None

@@ -74,7 +74,7 @@ class RosePane(Pane, can_focus=True):
         canvas = Braille(compass.width, compass.height)
         if limits is not None and limits[1] - limits[0] < 360.0:
             compass.hatch(canvas, "line", limits[1] + state.az_offset_deg, 360.0 - limits[1] + limits[0], 0.3, 0.97)
-        for low, high, _ in state.no_go_sectors:
+        for low, high, *_ in state.no_go_sectors:
             compass.hatch(canvas, "warn", low, (high - low) % 360.0, 0.6, 0.95)
             for edge in (low, high):
                 canvas.line(*compass.dot(edge, 0.6), *compass.dot(edge, 0.97), "warn")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import tomllib
-from collections.abc import Mapping, MutableMapping
+from collections.abc import Mapping, MutableMapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,7 +17,11 @@ from birdcage.base.paths import write_aside_and_rename
 if TYPE_CHECKING:
     from tomlkit import TOMLDocument
 
-Value = str | float | bool | None
+Value = str | float | bool | None | Sequence[Sequence[str | float]]
+"""A sequence of sequences is a list of sectors or points; an empty one stays in the file as `[]`."""
+
+ONE_LINE = 4
+"""So many sectors or points stand in one line of the file; more have a line each."""
 
 
 def edit(path: Path, changes: Mapping[str, Value]) -> None:
@@ -27,6 +31,7 @@ def edit(path: Path, changes: Mapping[str, Value]) -> None:
     says all this is not touched. ConfigError, with nothing written: the file is damaged or can't be written, there is
     no such setting, or a value is not allowed.
     """
+    changes = {dotted: _plain(value) for dotted, value in changes.items()}
     for dotted, value in changes.items():
         if value is not None:
             _check(dotted, value)
@@ -42,6 +47,13 @@ def edit(path: Path, changes: Mapping[str, Value]) -> None:
         write_aside_and_rename(path, text.encode())
     except OSError as error:
         raise ConfigError(f"{path} can't be written ({error.strerror or error}): nothing was kept.") from error
+
+
+def _plain(value: Value) -> Value:
+    """Return what TOML knows: lists, whatever kind of sequence was given."""
+    if isinstance(value, Sequence) and not isinstance(value, str):
+        return [list(each) for each in value]
+    return value
 
 
 def _check(dotted: str, value: Value) -> None:
@@ -110,6 +122,8 @@ def _set(document: TOMLDocument, dotted: str, value: Value) -> None:
         here = inner
     if value is None:
         here.pop(key, None)
+    elif isinstance(value, Sequence) and not isinstance(value, str):
+        here[key] = tomlkit.item(value).multiline(len(value) > ONE_LINE)
     else:
         here[key] = value
 

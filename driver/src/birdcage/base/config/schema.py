@@ -17,6 +17,7 @@ from birdcage.base.config.sections import (
     DishSettings,
     LinkSettings,
     MotionSettings,
+    NoGoSector,
     PlaceSettings,
 )
 
@@ -35,7 +36,7 @@ SECTIONS: tuple[type[Section], ...] = (
 
 _UNITS = {"_deg_s": "deg/s", "_deg": "deg", "_hz": "Hz", "_s": "s", "_m": "m"}
 
-Kind = Literal["text", "whole number", "number", "true or false", "choice", "sectors"]
+Kind = Literal["text", "whole number", "number", "true or false", "choice", "sectors", "points"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,7 +84,7 @@ def _row(section: type[Section], field: dataclasses.Field[Any], hint: object) ->
     kind, choices = _kind(hint)
     unit = next((unit for suffix, unit in _UNITS.items() if field.name.endswith(suffix)), None)
     env = declared.env
-    if env is None and kind != "sectors" and section is not FeedProfile:
+    if env is None and kind not in ("sectors", "points") and section is not FeedProfile:
         env = f"BIRDCAGE_{section.section}_{field.name}".upper()
     return Row(
         section=section.section,
@@ -105,6 +106,6 @@ def _kind(hint: object) -> tuple[Kind, tuple[str, ...]]:
     if typing.get_origin(hint) is Literal:
         return "choice", typing.get_args(hint)
     if typing.get_origin(hint) is tuple:
-        return "sectors", ()
+        return ("sectors" if typing.get_args(hint)[0] is NoGoSector else "points"), ()
     plain: dict[object, Kind] = {str: "text", int: "whole number", float: "number", bool: "true or false"}
     return plain[hint], ()

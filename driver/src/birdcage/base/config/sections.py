@@ -16,6 +16,15 @@ class NoGoSector(NamedTuple):
     az_to_deg: float
     """Clockwise from `az_from_deg`; the sector may contain north."""
     el_below_deg: float
+    reason: str = ""
+    """What stands there: `mast`. Said where a motion is refused."""
+
+
+class HorizonPoint(NamedTuple):
+    """One point of the line below which nothing is heard: trees, roofs, hills. True degrees."""
+
+    az_deg: float
+    el_deg: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,7 +79,9 @@ class MotionSettings(Section):
         None, "How far the cable lets the azimuth turn clockwise.", minimum=-1080.0, maximum=1080.0
     )
     no_go_sectors: tuple[NoGoSector, ...] = setting(
-        (), "Where something stands in the way: [[az_from, az_to, el_below], ...], clockwise, true degrees."
+        (),
+        "Where something stands in the way: [[az_from, az_to, el_below], ...], clockwise, true degrees; a fourth "
+        'may say what: "mast".',
     )
     stop_releases_motors: bool = setting(
         False, "Let STOP release the motors where nothing else stops the dish; its position is unknown afterwards."
@@ -123,6 +134,12 @@ class PlaceSettings(Section):
         None, "Magnetic declination there, east positive; not set: by the World Magnetic Model.",
         minimum=-180.0, maximum=180.0,
     )  # fmt: skip
+    horizon: tuple[HorizonPoint, ...] = setting(
+        (), "The line of trees and roofs: [[az, el], ...], true degrees, straight in between; none: flat."
+    )
+    gps: str | None = setting(
+        None, "Where a GPS receiver is asked: gpsd, gpsd://host:port, or its own port such as /dev/ttyACM0."
+    )
 
     def complaints(self) -> Iterator[Complaint]:
         """Yield half a place."""

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterable
 
 from birdcage.base.config.schema import Row
-from birdcage.base.config.sections import NoGoSector
+from birdcage.base.config.sections import HorizonPoint, NoGoSector
 
 
 class BadValue(ValueError):
@@ -33,6 +33,8 @@ def from_toml(row: Row, value: object) -> object:
         raise BadValue(f"is {value!r}, not one of {', '.join(row.choices)}{did_you_mean(value, row.choices)}")
     if row.kind == "sectors" and isinstance(value, list):
         return tuple(_sector(each) for each in value)
+    if row.kind == "points" and isinstance(value, list):
+        return tuple(_point(each) for each in value)
     raise BadValue(f"is {_shown(value)}, not {_expected(row)}")
 
 
@@ -77,11 +79,25 @@ def _in_range(row: Row, value: float) -> float:
 
 
 def _sector(value: object) -> NoGoSector:
-    if isinstance(value, list) and len(value) == 3:
-        numbers = [float(each) for each in value if isinstance(each, int | float) and not isinstance(each, bool)]
-        if len(numbers) == 3 and all(math.isfinite(each) for each in numbers):
-            return NoGoSector(*numbers)
+    if isinstance(value, list) and (len(value) == 3 or (len(value) == 4 and isinstance(value[3], str))):
+        numbers = _numbers(value[:3])
+        if len(numbers) == 3:
+            return NoGoSector(numbers[0], numbers[1], numbers[2], "".join(value[3:]))
     raise BadValue(f"has {_shown(value)}, where three numbers [az_from, az_to, el_below] belong")
+
+
+def _point(value: object) -> HorizonPoint:
+    if isinstance(value, list) and len(value) == 2:
+        numbers = _numbers(value)
+        if len(numbers) == 2 and abs(numbers[0]) <= 360.0 and abs(numbers[1]) <= 90.0:
+            return HorizonPoint(*numbers)
+    raise BadValue(f"has {_shown(value)}, where [az, el] belongs, az from -360 to 360 and el from -90 to 90")
+
+
+def _numbers(values: list[object]) -> list[float]:
+    """Return those that are finite numbers."""
+    numbers = [float(each) for each in values if isinstance(each, int | float) and not isinstance(each, bool)]
+    return [each for each in numbers if math.isfinite(each)]
 
 
 def _expected(row: Row) -> str:
@@ -89,6 +105,8 @@ def _expected(row: Row) -> str:
         return f"one of {', '.join(row.choices)}"
     if row.kind == "sectors":
         return "a list of [az_from, az_to, el_below]"
+    if row.kind == "points":
+        return "a list of [az, el]"
     return {"text": 'text in "quotes"', "true or false": "true or false"}.get(row.kind, f"a {row.kind}")
 
 
