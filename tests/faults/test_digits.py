@@ -73,3 +73,16 @@ def test_a_changed_digit_is_not_shown(monkeypatch, dialect, number, place, moves
     stage.step(2.0)
     assert spoiler.spoilt >= 5 or (number, place) == (1, 3)
     assert stage.witness.false == []
+
+
+def test_an_angle_that_no_dish_has_is_not_shown_however_often_it_is_read():
+    stage = Stage("g2")
+    stage.connect()
+    stage.do(Goto(210.0, 40.0, "you"))
+    stage.step(1.0)
+    shell = stage.device.shell
+    say = shell.say
+    shell.say = lambda text: say(text.replace("= 210.", "= 2100."))
+    stage.step(5.0)
+    assert stage.witness.false == []
+    assert stage.state.position_lost == "link"

@@ -6,6 +6,7 @@ import math
 
 import pytest
 from birdcage.base.errors import BirdcageError, CommandRefused, Held, NoReply, Stopped
+from birdcage.sim.wire import Byte
 from birdcage.station.events import HeldChanged
 from birdcage.station.requests import Goto, Home, Jog, Release, ReleaseMotors
 from birdcage.station.state import Activity, Link, Turn
@@ -365,3 +366,26 @@ def test_a_goto_right_after_a_release_is_not_stopped_by_the_stop_before_it(bench
     assert pointing.az_deg == pytest.approx(210, abs=0.07)
     assert bench.state.last_stop.confirmed is None
     assert bench.state.fault is None
+
+
+def test_a_dish_that_answers_stop_after_a_silence_has_a_link_and_a_position(bench):
+    slewing(bench)
+    left = [30]
+
+    def lose(_value):
+        left[0] -= 1
+        return Byte(drop=left[0] >= 0)
+
+    def stop_unheard():
+        bench.device.wire.to_host.set_plan(lose)
+        bench.station.stop("you")
+
+    press_when_sent(bench, b"a\r", stop_unheard)
+    seen = []
+    for _ in range(80):
+        bench.step(0.1)
+        state = bench.state
+        seen.append((state.link.state, state.position is not None and state.position_lost is None))
+    assert "LinkChanged" in bench.kinds()[-40:]
+    assert (Link.SILENT, True) not in seen
+    assert seen[-1] == (Link.UP, True)

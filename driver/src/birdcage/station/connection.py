@@ -79,10 +79,21 @@ class Connection:
         except NoReply as silence:
             self.silent(silence)
             return False
+        self._is_up_again()
+        return True
+
+    def was_answered(self) -> bool:
+        """Take note, after somebody else's exchange, that a silent dish has told where it is; return whether it has."""
+        state = self._board.state
+        if state.link.state is not Link.SILENT or state.position is None or state.position_lost is not None:
+            return False
+        self._is_up_again()
+        return True
+
+    def _is_up_again(self) -> None:
         self._retry_s, self.due = FIRST_RETRY_S, None
         self.note_reply()
         self._set(Link.UP, f"{self._board.state.port} answers")
-        return True
 
     def _open(self) -> bool:
         if not self._port:

@@ -204,6 +204,8 @@ class Station:
             self._guard(self._talk.tick)  # before STOP's follow-up, which needs the console
         elif is_due(self._stopper.due):
             self._guard(self._stopper.tick)
+            if self._connection.was_answered():
+                self._vigil.met()
         elif is_due(self._connection.due):
             self._guard(self._connect)
         elif self._connection.is_up and is_due(self._mover.due):

@@ -26,6 +26,8 @@ from birdcage.protocol.types import Position, RssiReading, Survey
 _DEGREES = r"([-+]?\d+(?:\.\d+)?)(?=\s+[A-Za-z]|\s*$)"
 """A number with a word behind it, or nothing: what noise has cut in two is none."""
 _ANGLE = re.compile(rf"Angle\[(\d)\]\s*=\s*{_DEGREES}")
+_PLAUSIBLE = (-720.0, 720.0), (-90.0, 180.0)
+"""Azimuth and elevation, wider than any dish turns: what lies outside is a misread number, not an angle."""
 _MOVE_TAKEN = re.compile(rf"Angle\s*=\s*{_DEGREES}")
 _HOMING_S = 15.0
 _STOW_S = 60.0
@@ -95,6 +97,9 @@ class CarryoutG2Protocol(Rooms):
             raise PositionUnknown(
                 "The dish is not homed, so it does not know where it is. Home it first.", reason="unhomed"
             )
+        if not all(low <= angles[axis] <= high for axis, (low, high) in enumerate(_PLAUSIBLE)):
+            self.gate.forget("unread")
+            raise NoReply(f"The dish answered `a` with {' / '.join(reply.lines)!r}: no such angles.", reason="garbage")
         return Position(angles[0], angles[1])
 
     def _send_move(self, motor_id: int, degrees: float) -> None:
