@@ -10,7 +10,7 @@ from birdcage.base.clock import VirtualClock
 from birdcage.protocol.hal.model import TRAVLER
 from birdcage.station.events import End, MoveEnded
 from birdcage.station.requests import Goto, Home, SetSearch, TurnSkew
-from birdcage.station.state import Activity, Link, LinkState
+from birdcage.station.state import Activity, HeldState, Link, LinkState, StopReport
 from birdcage_tui.commands import BY_NAME
 from birdcage_tui.goto import foretell
 from birdcage_tui.goto_skew import skew_of
@@ -272,3 +272,28 @@ def test_the_opening_is_told_once():
 def bad_day_or_calm(view):
     wrong = bad_day(view)
     return calm(view) if wrong is None else wrong[1]
+
+
+@pytest.mark.parametrize(
+    ("means", "confirmed", "words"),
+    [
+        ("end of move", None, "no STOP: at rest after it"),
+        ("abort", None, "STOP sent: not yet at rest"),
+        ("end of move", False, "STOP not confirmed: power switch"),
+    ],
+)
+def test_a_dish_that_still_turns_after_stop_is_not_said_to_be_held(means, confirmed, words):
+    view = view_of("travler")
+    stopped = StopReport("you", view.now, means, confirmed, "A sentence.")
+    state = replace(view.state, motion=None, activity=Activity.STOPPING, last_stop=stopped)
+    assert stop_text(View(state, view.now, view.utc, AppSettings())) == words
+
+
+def test_a_move_that_nothing_calls_back_is_not_said_to_have_been_sent_a_stop():
+    view = view_of("travler")
+    held = HeldState("you", view.now, view.utc, "stop")
+    stopped = StopReport("you", view.now, "end of move", None, "A sentence.")
+    state = replace(view.state, held=held, activity=Activity.STOPPING, last_stop=stopped)
+    _ink, words = bad_day(View(state, view.now, view.utc, AppSettings()))
+    assert "no STOP for this move: it ends by itself" in words
+    assert "STOP sent" not in words

@@ -65,6 +65,8 @@ def stop_text(view: View) -> str:
         return "STOP waits for the port to open"
     if not view.link_up:
         return f"STOP cannot reach it: {power_switch(view)}"
+    if is_stopping(view):
+        return _stopping(view)
     if motion is None:
         return "STOP ends the TV search" if searching(view) and view.moving else "STOP holds it where it is"
     if motion.stop_means == "end of move":
@@ -74,6 +76,21 @@ def stop_text(view: View) -> str:
         return f"no STOP: ends in {max(0.0, motion.eta - view.now):.0f} s; {power_switch(view)}"
     means = {"release": "by motor release", "abort": "any byte ends it"}.get(motion.stop_means, "by a new target")
     return f"STOP in {motion.stop_power_s:.1f} s, {means}"
+
+
+def is_stopping(view: View) -> bool:
+    """Return whether a STOP went out, and the dish was not seen at rest since."""
+    return view.state.motion is None and view.state.activity is Activity.STOPPING
+
+
+def _stopping(view: View) -> str:
+    """Return what is awaited after a STOP; never that the dish is held before it is."""
+    stopped = view.state.last_stop
+    if stopped is not None and stopped.confirmed is False:
+        return f"STOP not confirmed: {power_switch(view)}"
+    if stopped is not None and stopped.means == "end of move":
+        return "no STOP: at rest after it"
+    return "STOP sent: not yet at rest"
 
 
 def power_switch(view: View) -> str:
@@ -185,7 +202,8 @@ def _held(view: View) -> str:
         words += f" x{held.ignored}" if held.ignored > 1 else ""
     stopped = view.state.last_stop
     if held.reason == "stop" and stopped is not None:
-        words += {True: "", False: "  STOP NOT CONFIRMED", None: "  STOP sent"}[stopped.confirmed]
+        awaited = "  no STOP for this move: it ends by itself" if stopped.means == "end of move" else "  STOP sent"
+        words += {True: "", False: "  STOP NOT CONFIRMED", None: awaited}[stopped.confirmed]
     return f"{words}   Enter release"
 
 
