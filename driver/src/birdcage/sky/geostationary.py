@@ -11,61 +11,13 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from birdcage.sky.observer import Observer
+from birdcage.sky.slots import Slot, slots
+
 WGS84_A_KM = 6378.137
 WGS84_F = 1 / 298.257223563
 GEOSTATIONARY_RADIUS_KM = 42164.17
 """The semi-major axis of an orbit with the period of one sidereal day (mu = 398600.4418 km3/s2)."""
-
-
-@dataclass(frozen=True, slots=True)
-class Slot:
-    """A place on the arc, in degrees east (negative is west), and who is known to stand there."""
-
-    longitude_deg: float
-    name: str
-
-    @property
-    def label(self) -> str:
-        """The longitude as people write it: `101°W`, `28.2°E`."""
-        half = "E" if self.longitude_deg >= 0 else "W"
-        return f"{abs(self.longitude_deg):g}°{half}"
-
-
-SLOTS = (
-    Slot(-139.0, "AMC 18"),
-    Slot(-129.0, "Ciel 2"),
-    Slot(-119.0, "EchoStar 14"),
-    Slot(-110.0, "EchoStar 10"),
-    Slot(-101.0, "SES 1"),
-    Slot(-95.0, "Galaxy 3C"),
-    Slot(-91.0, "Galaxy 17"),
-    Slot(-82.0, "Nimiq 4"),
-    Slot(-72.7, "Nimiq 5"),
-    Slot(-61.5, "EchoStar 16"),
-    Slot(-30.0, "Hispasat"),
-    Slot(-15.0, "Telstar 12V"),
-    Slot(-5.0, "Eutelsat 5W"),
-    Slot(-0.8, "Thor"),
-    Slot(4.8, "Astra 4A"),
-    Slot(9.0, "Eutelsat 9"),
-    Slot(13.0, "Hot Bird"),
-    Slot(19.2, "Astra 19"),
-    Slot(23.5, "Astra 23"),
-    Slot(25.9, "Es'hail"),
-    Slot(28.2, "Astra 28"),
-    Slot(42.0, "Türksat"),
-    Slot(52.5, "Yahsat"),
-    Slot(66.0, "Intelsat 17"),
-    Slot(83.0, "GSAT"),
-    Slot(100.5, "AsiaSat 5"),
-    Slot(110.5, "ChinaSat 10"),
-    Slot(124.0, "JCSAT 4B"),
-    Slot(138.0, "Telstar 18V"),
-    Slot(156.0, "Optus"),
-    Slot(166.0, "Intelsat 19"),
-    Slot(-177.0, "NSS 9"),
-)
-"""Well-known slots all round the arc, by customary nominal longitudes. Satellites move house: a name is a hint."""
 
 
 def look_angle(latitude_deg: float, longitude_deg: float, slot_deg: float) -> tuple[float, float]:
@@ -75,20 +27,69 @@ def look_angle(latitude_deg: float, longitude_deg: float, slot_deg: float) -> tu
     clockwise from true north, 0 to 360. Elevation is geometric, and negative when the satellite is below the horizon.
     ValueError when a number is not finite or the latitude is outside -90 to 90.
     """
+    east, north, up = _line_of_sight(latitude_deg, longitude_deg, slot_deg)
+    return _azimuth(east, north), math.degrees(math.atan2(up, math.hypot(east, north)))
+
+
+@dataclass(frozen=True, slots=True)
+class SlotLook:
+    """What an observer needs to know of a place on the arc."""
+
+    az_deg: float
+    el_deg: float
+    range_km: float
+    skew_deg: float
+    """How far a feed must be turned for linear polarisation, -90 to 90: clockwise is positive, looking from behind the
+    dish towards the satellite. The satellite's own tilt, some degrees on a few of them, comes on top."""
+
+    @property
+    def visible(self) -> bool:
+        """Whether it stands above the geometric horizon."""
+        return self.el_deg > 0.0
+
+
+def look_at_slot(observer: Observer, slot_deg: float) -> SlotLook:
+    """Return where a satellite over `slot_deg` east stands for an observer, how far, and with which skew.
+
+    The skew is the angle at the line of sight between the observer's vertical and the Earth's axis, from their
+    projections on the plane across it (reference section 2.7, "exact": the vector method; the usual formula
+    atan(sin(site - satellite) / tan(latitude)) is up to 0.4 degrees off). ValueError when the slot is not finite.
+    """
+    east, north, up = _line_of_sight(observer.latitude_deg, observer.longitude_deg, slot_deg, observer.height_m)
+    far_km = math.sqrt(east * east + north * north + up * up)
+    latitude = math.radians(observer.latitude_deg)
+    # Across the line of sight: the right hand is (north, -east), which is level; the vertical is what is left of up.
+    level_km = math.hypot(east, north)
+    if level_km < 1e-6 * far_km:  # in the zenith no direction is up: the dish's top is taken to point north
+        skew = 0.0
+    else:
+        to_the_right = -math.cos(latitude) * east / level_km
+        upwards = (math.sin(latitude) * level_km - math.cos(latitude) * north * up / level_km) / far_km
+        skew = math.degrees(math.atan2(to_the_right, upwards))
+    skew = skew - 180.0 if skew > 90.0 else skew + 180.0 if skew <= -90.0 else skew
+    return SlotLook(_azimuth(east, north), math.degrees(math.atan2(up, level_km)), far_km, skew)
+
+
+def _line_of_sight(
+    latitude_deg: float, longitude_deg: float, slot_deg: float, height_m: float = 0.0
+) -> tuple[float, float, float]:
+    """Return the way from a place to a satellite in km: east, north, up."""
     if not all(map(math.isfinite, (latitude_deg, longitude_deg, slot_deg))) or abs(latitude_deg) > 90:
         raise ValueError(f"no place on Earth: latitude {latitude_deg}, longitude {longitude_deg}, slot {slot_deg}")
     latitude, turn = math.radians(latitude_deg), math.radians(slot_deg - longitude_deg)
     sin_lat, cos_lat = math.sin(latitude), math.cos(latitude)
     e2 = WGS84_F * (2 - WGS84_F)
-    normal_km = WGS84_A_KM / math.sqrt(1 - e2 * sin_lat**2)
+    normal_km, height_km = WGS84_A_KM / math.sqrt(1 - e2 * sin_lat**2), height_m / 1000.0
     # Earth-fixed axes, turned so that the observer's meridian is the x axis.
-    x = GEOSTATIONARY_RADIUS_KM * math.cos(turn) - normal_km * cos_lat
+    x = GEOSTATIONARY_RADIUS_KM * math.cos(turn) - (normal_km + height_km) * cos_lat
     y = GEOSTATIONARY_RADIUS_KM * math.sin(turn)
-    z = -normal_km * (1 - e2) * sin_lat
-    north = -sin_lat * x + cos_lat * z
-    up = cos_lat * x + sin_lat * z
-    az_deg = math.degrees(math.atan2(y, north)) % 360.0
-    return (0.0 if az_deg == 360.0 else az_deg), math.degrees(math.atan2(up, math.hypot(y, north)))
+    z = -(normal_km * (1 - e2) + height_km) * sin_lat
+    return y, -sin_lat * x + cos_lat * z, cos_lat * x + sin_lat * z
+
+
+def _azimuth(east: float, north: float) -> float:
+    az_deg = math.degrees(math.atan2(east, north)) % 360.0
+    return 0.0 if az_deg == 360.0 else az_deg
 
 
 def arc(
@@ -111,11 +112,20 @@ def arc(
 
 
 def slots_in_sight(
-    latitude_deg: float, longitude_deg: float, el_min_deg: float = 0.0, el_max_deg: float = 90.0
+    latitude_deg: float,
+    longitude_deg: float,
+    el_min_deg: float = 0.0,
+    el_max_deg: float = 90.0,
+    band: str | None = "Ku",
 ) -> list[tuple[Slot, float, float]]:
-    """Return (slot, azimuth, elevation) of well-known slots between two elevations, in order of azimuth."""
+    """Return (slot, azimuth, elevation) of well-known slots between two elevations, in order of azimuth.
+
+    `band`: `Ku`, which the dish was made for, `L`, or None for all.
+    """
     found = []
-    for slot in SLOTS:
+    for slot in slots():
+        if band not in (None, slot.band):
+            continue
         az_deg, el_deg = look_angle(latitude_deg, longitude_deg, slot.longitude_deg)
         if el_min_deg <= el_deg <= el_max_deg:
             found.append((slot, az_deg, el_deg))

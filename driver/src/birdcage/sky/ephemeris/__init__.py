@@ -1,0 +1,1 @@
+"""Sun, Moon, planets and stars: skyfield on an excerpt of DE421 that ships with birdcage. Nothing is ever fetched."""

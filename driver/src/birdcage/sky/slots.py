@@ -1,0 +1,37 @@
+"""The well-known places on the geostationary arc: a table by hand, in `data/slots.toml`."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from typing import Literal
+
+
+@dataclass(frozen=True, slots=True)
+class Slot:
+    """A place on the arc, in degrees east (negative is west), and who is known to stand there."""
+
+    longitude_deg: float
+    name: str
+    network: str = ""
+    """Who uses it: `DISH`, `Bell`, `amateur`, `weather`, `Inmarsat`; empty where that says nothing."""
+    band: Literal["Ku", "L"] = "Ku"
+    """The one that a dish is pointed there for."""
+    polarization: Literal["linear", "circular"] = "linear"
+    aliases: tuple[str, ...] = ()
+
+    @property
+    def label(self) -> str:
+        """The longitude as people write it: `101°W`, `28.2°E`."""
+        half = "E" if self.longitude_deg >= 0 else "W"
+        return f"{abs(self.longitude_deg):g}°{half}"
+
+
+@cache
+def slots() -> tuple[Slot, ...]:
+    """Return the table, from west to east. Satellites move house: a name is a hint."""
+    import tomllib
+    from importlib.resources import files
+
+    text = (files("birdcage.sky") / "data" / "slots.toml").read_text(encoding="utf-8")
+    return tuple(Slot(**{**row, "aliases": tuple(row.get("aliases", ()))}) for row in tomllib.loads(text)["slot"])
