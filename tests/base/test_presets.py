@@ -96,7 +96,7 @@ DAMAGE = [
     (b"[[preset]]\nname = 'x'\naz_deg = true\nel_deg = 1", "az_deg must be a number"),
     (b"[[preset]]\nname = 'x'\naz_deg = nan\nel_deg = 1", "azimuth lies from"),
     (b"[[preset]]\nname = 'x'\naz_deg = 1\nel_deg = inf", "elevation lies from"),
-    (b"[[preset]]\nname = 'x'\naz_deg = 1" + b"0" * 400 + b"\nel_deg = 1", "no angle"),
+    (b"[[preset]]\nname = 'x'\naz_deg = 1" + b"0" * 400 + b"\nel_deg = 1", "no number of degrees"),
     (b"[[preset]]\naz_deg = 1\nel_deg = 1", "has a name"),
     (b"[[preset]]\nname = ''\naz_deg = 1\nel_deg = 1", "1 to 40 characters"),
     (b'[[preset]]\nname = "a\\u0007b"\naz_deg = 1\nel_deg = 1', "can be seen"),

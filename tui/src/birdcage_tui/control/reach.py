@@ -118,8 +118,9 @@ def _sector(state: StationState, az_deg: float, el_deg: float) -> str | None:
         width = (high_az - low_az) % 360.0
         met = (start - low_az) % 360.0 <= width or (low_az - start) % 360.0 <= abs(way)
         if lowest < below and met:
+            why = f" ({reason})" if reason else ""
             return (
-                f"The way passes the no-go sector {low_az:.0f}° to {high_az:.0f}°{f' ({reason})' if reason else ''}, {below - lowest:.2f}° too low: "
+                f"The way passes the no-go sector {low_az:.0f}° to {high_az:.0f}°{why}, {below - lowest:.2f}° too low: "
                 f"go above {below:.0f}° first."
             )
     return None
