@@ -1,0 +1,61 @@
+"""Turns a body into elements, or says why it is none: a web page, an error in plain text, half a file."""
+
+from __future__ import annotations
+
+import json
+import re
+
+from birdcage.sky.formats import Harvest, read_text
+from birdcage.sky.update.errors import FetchError
+from birdcage.sky.update.fetch import Reply
+
+_PAGE = re.compile(rb"\s*(<!doctype html|<html|<head|<body)", re.IGNORECASE)
+
+
+def take(reply: Reply, source: str, host: str) -> Harvest:
+    """Return what a body holds: at least one set of elements, and complaints about damaged ones.
+
+    `source` is what the elements and complaints are marked with. FetchError ``garbage`` or ``truncated`` for a body
+    that cannot be the group that was asked for: better the old one than half of a new one.
+    """
+    body = reply.body.removeprefix(b"\xef\xbb\xbf")
+    page = _PAGE.match(body) is not None
+    if page or reply.headers.get("content-type", "").lower().startswith("text/html"):
+        raise FetchError(
+            f"{host} answers with a web page where elements belong: nothing was taken. "
+            "Does this network want a log-in first, or is the address wrong?",
+            reason="garbage",
+        )
+    text = body.decode("utf-8", "replace")
+    _check_whole(text, host)
+    harvest = read_text(text, source)
+    if not harvest.elements:
+        said = " ".join("".join(each if each.isprintable() else " " for each in text[:200]).split())[:80]
+        raise FetchError(
+            f"{host} sent no elements: nothing was taken. " + (f"It says: {said}" if said else "It sent nothing."),
+            reason="garbage",
+        )
+    return harvest
+
+
+def _check_whole(text: str, host: str) -> None:
+    """Refuse JSON and XML that end before their end: nobody can tell what is missing."""
+    from xml.parsers import expat
+
+    begins = text.lstrip()[:1]
+    try:
+        if begins in ("[", "{"):
+            json.loads(text)
+        elif begins == "<":
+            parser = expat.ParserCreate()
+            parser.StartDoctypeDeclHandler = _no_doctype
+            parser.Parse(text.lstrip(), True)
+    except (ValueError, RecursionError, expat.ExpatError) as error:
+        raise FetchError(
+            f"{host} sent a damaged or unfinished file ({error}): nothing was taken.", reason="truncated"
+        ) from error
+
+
+def _no_doctype(*_declared: object) -> None:
+    # An OMM has none; what one can declare (entities within entities) is only good for filling the memory.
+    raise ValueError("it declares a document type")
