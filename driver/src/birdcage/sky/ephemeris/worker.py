@@ -57,7 +57,7 @@ def _time_of(when: datetime) -> Any:  # noqa: ANN401 - skyfield has no types
 @lru_cache(maxsize=8)
 def _timescale(delta_t_s: float | None) -> Any:  # noqa: ANN401 - skyfield has no types
     """Return a timescale with one Delta T for all times, or with skyfield's own; its built-in tables, no files."""
-    from skyfield.api import load  # type: ignore[import-untyped]
+    from skyfield.api import load
 
     return load.timescale(delta_t=delta_t_s, builtin=True)
 
@@ -65,7 +65,7 @@ def _timescale(delta_t_s: float | None) -> Any:  # noqa: ANN401 - skyfield has n
 @lru_cache(maxsize=64)
 def standpoint(observer: Observer, when: datetime) -> Any:  # noqa: ANN401 - skyfield has no types
     """Return skyfield's observer at a time. NotCovered outside the ephemeris, ValueError for a naive time."""
-    from skyfield.api import wgs84  # type: ignore[import-untyped]
+    from skyfield.api import wgs84
 
     time = time_of(when)
     if not FIRST <= when <= LAST:
