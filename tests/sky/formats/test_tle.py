@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import time
 from datetime import UTC, datetime, timedelta
 from math import degrees, pi
@@ -9,9 +10,8 @@ from pathlib import Path
 
 import pytest
 import sgp4
-from sgp4.api import Satrec
-
 from birdcage.sky.formats import Harvest, read_text
+from sgp4.api import Satrec
 
 NAME = "ISS (ZARYA)"
 LINE_1 = "1 25544U 98067A   26263.52959654  .00008215  00000+0  15975-3 0  9992"
@@ -139,7 +139,7 @@ def test_the_same_numbers_as_sgp4_reads_from_its_own_verification_set() -> None:
         (at, f"checksum of line 1 is {lines[at - 1][68]}, its digits give {checksummed(lines[at - 1])[68]}")
         for at in (100, 103, 106)
     ]
-    pairs = [(a[:69], b[:69]) for a, b in zip(lines, lines[1:], strict=False) if a[:2] == "1 " and b[:2] == "2 "]
+    pairs = [(a[:69], b[:69]) for a, b in itertools.pairwise(lines) if a[:2] == "1 " and b[:2] == "2 "]
     pairs = [pair for pair in pairs if checksummed(pair[0]) == pair[0]]
     assert len(harvest.elements) == len(pairs) == 30
     for ours, pair in zip(harvest.elements, pairs, strict=True):
