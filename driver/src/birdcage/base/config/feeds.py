@@ -34,6 +34,9 @@ class FeedProfile(Section):
     beam_deg: float | None = setting(None, "Width of the beam at half power.", minimum=0.01, maximum=180.0)
     lo_hz: float | None = setting(None, "Local oscillator of the converter.", minimum=0.0, maximum=1e12)
     polarization: Literal["linear", "circular"] | None = setting(None, "Kind of polarisation.")
+    system_k: float = setting(
+        100.0, "Noise of receiver, ground and sky together, in kelvins; 100 is an assumption.", minimum=1.0, maximum=1e5
+    )
     az_offset_deg: float = setting(
         0.0, "How far the beam looks clockwise of the dish's axis.", minimum=-45.0, maximum=45.0
     )
