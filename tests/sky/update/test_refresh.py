@@ -9,6 +9,7 @@ from email.utils import format_datetime
 
 import pytest
 from birdcage.base.errors import ConfigError
+from birdcage.sky.update.errors import FetchError
 from birdcage.sky.update.refresh import Status, refresh
 from birdcage.sky.update.sources import DEFAULT_GROUPS, GROUPS, POLITE_S, Source, find_sources
 
@@ -241,6 +242,17 @@ def test_no_network_is_a_sentence_and_the_old_elements_stay(server, catalogue, u
     assert "cannot be reached" in outcome.sentence
     assert "The 3 satellites of 4 d ago stay." in outcome.sentence
     assert len(catalogue.all()) == 3
+
+
+def test_a_server_that_is_not_there_is_tried_once_a_run(server, update):
+    def ask(url, **_more):
+        asked.append(url)
+        raise FetchError("Nobody there.", reason="timeout")
+
+    asked = []
+    outcomes = update("weather", "geo", ask=ask)
+    assert [each.status for each in outcomes.values()] == [Status.FAILED] * 2
+    assert asked == [server.url("/weather")]
 
 
 def test_another_address_for_a_group_is_asked_without_the_old_ones_etag(server, catalogue, update, now, make):

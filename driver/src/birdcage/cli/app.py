@@ -22,6 +22,9 @@ COMMANDS = {
     "ports": "List the serial ports of this machine.",
     "wiring": "Print which wire goes where.",
     "sim": "Simulate a dish that any program can talk to.",
+    "elements": "Keep the orbital elements of satellites: add, update, list, check, search.",
+    "place": "Say where the dish stands: places, GPS, horizon.",
+    "clock": "Say whether this machine's clock can be trusted.",
     "config": "Show and check birdcage.toml.",
     "paths": "Print where files are kept.",
 }

@@ -27,6 +27,9 @@ EPILOG = (
     "128 + n ended by signal n (130: Ctrl+C), after STOP."
 )
 
+DATA_EPILOG = "Exit status: 0 done; 1 not done, or not all of it; 2 wrong command line or settings; 130 Ctrl+C."
+"""Of commands that have nothing to do with a dish."""
+
 
 def code_of(error: BirdcageError) -> int:
     """Return the exit code for an error."""

@@ -16,12 +16,14 @@ from birdcage.base.config.sections import (
     PlaceSettings,
 )
 from birdcage.base.config.settings import Problem, Settings
+from birdcage.base.config.sky_sections import ElementsSettings
 
 __all__ = [
     "STOCK_FEED",
     "AlignmentSettings",
     "AppSettings",
     "DishSettings",
+    "ElementsSettings",
     "FeedProfile",
     "FeedSettings",
     "HorizonPoint",

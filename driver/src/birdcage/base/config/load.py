@@ -23,6 +23,7 @@ from birdcage.base.config.sections import (
     PlaceSettings,
 )
 from birdcage.base.config.settings import Problem, Settings, Source
+from birdcage.base.config.sky_sections import ElementsSettings
 from birdcage.base.config.value import BadValue, did_you_mean, from_text, from_toml, nearest
 
 S = TypeVar("S", bound=Section)
@@ -68,6 +69,7 @@ class _Reader:
             place=self._plain(PlaceSettings),
             feed=feed,
             feeds=feeds,
+            elements=self._plain(ElementsSettings),
             app=self._plain(AppSettings),
             setup=self._plain(SetupSettings),
             problems=tuple(self._problems),

@@ -20,6 +20,7 @@ from birdcage.base.config.sections import (
     NoGoSector,
     PlaceSettings,
 )
+from birdcage.base.config.sky_sections import ElementsSettings
 
 SECTIONS: tuple[type[Section], ...] = (
     DishSettings,
@@ -29,12 +30,13 @@ SECTIONS: tuple[type[Section], ...] = (
     PlaceSettings,
     FeedSettings,
     FeedProfile,
+    ElementsSettings,
     AppSettings,
     SetupSettings,
 )
 """In the order in which they are shown."""
 
-_UNITS = {"_deg_s": "deg/s", "_deg": "deg", "_hz": "Hz", "_s": "s", "_m": "m"}
+_UNITS = {"_deg_s": "deg/s", "_deg": "deg", "_hz": "Hz", "_s": "s", "_m": "m", "_k": "K"}
 
 Kind = Literal["text", "whole number", "number", "true or false", "choice", "sectors", "points"]
 

@@ -18,6 +18,7 @@ from birdcage.base.config.sections import (
     MotionSettings,
     PlaceSettings,
 )
+from birdcage.base.config.sky_sections import ElementsSettings
 
 Source = Literal["file", "environment", "flag"]
 
@@ -56,6 +57,7 @@ class Settings:
     feed: FeedSettings = field(default_factory=FeedSettings)
     feeds: Mapping[str, FeedProfile] = field(default_factory=lambda: BUILT_IN)
     """Every profile by name, the built-in ones among them."""
+    elements: ElementsSettings = field(default_factory=ElementsSettings)
     app: AppSettings = field(default_factory=AppSettings)
     setup: SetupSettings = field(default_factory=SetupSettings)
     problems: tuple[Problem, ...] = ()

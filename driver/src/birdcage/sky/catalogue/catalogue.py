@@ -99,10 +99,14 @@ class Catalogue:
             if group is not None:
                 if whole_group:
                     self._connection.execute("DELETE FROM membership WHERE group_name = ?", (group,))
-                self._connection.executemany(
-                    "INSERT OR IGNORE INTO membership (group_name, key) VALUES (?, ?)", [(group, key) for key in best]
-                )
+                self.add_to_group(group, best)
         return Added(new, newer, len(best) - len(rows))
+
+    def add_to_group(self, group: str, satellites: Iterable[int | str]) -> None:
+        """Let satellites belong to a group; numbers of which nothing is known yet will, once their elements come."""
+        rows = [(group, self._key(each)) for each in satellites]
+        with self._change():
+            self._connection.executemany("INSERT OR IGNORE INTO membership (group_name, key) VALUES (?, ?)", rows)
 
     def remove(self, satellites: Iterable[int | str]) -> int:
         """Take satellites out, by number or name; return how many there were. What the user said of them is kept."""

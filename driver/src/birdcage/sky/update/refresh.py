@@ -14,13 +14,13 @@ from enum import StrEnum
 from typing import Protocol
 
 from birdcage.sky.catalogue import Added, Catalogue, Group
+from birdcage.sky.catalogue.words import at, span
 from birdcage.sky.formats import Complaint
 from birdcage.sky.update.errors import FetchError
 from birdcage.sky.update.fetch import DEADLINE_S, Reply, check_url, fetch
 from birdcage.sky.update.no import LONGEST_PAUSE, pause_of
 from birdcage.sky.update.sources import Source
 from birdcage.sky.update.take import take
-from birdcage.sky.update.words import at, span
 
 
 class Status(StrEnum):
@@ -64,22 +64,28 @@ class Fetch(Protocol):
 def refresh(
     catalogue: Catalogue, sources: Iterable[Source], *, force: bool = False, deadline_s: float = DEADLINE_S,
     ask: Fetch = fetch, now: Callable[[], datetime] = lambda: datetime.now(UTC),
+    begin: Callable[[Source], None] = lambda _source: None,
 ) -> Iterator[Outcome]:  # fmt: skip
     """Fetch groups one after the other; yield what came of each as soon as it is known.
 
+    A server that could not be reached is not tried again for the groups that follow. `begin` is called before each.
     Raises StoreError where the catalogue cannot be written, and nothing else.
     """
+    gone: dict[str, str] = {}
     for source in sources:
-        yield _Refresh(catalogue, source, deadline_s, ask, now).run(force=force)
+        begin(source)
+        yield _Refresh(catalogue, source, deadline_s, ask, now, gone).run(force=force)
 
 
 class _Refresh:
     """One group."""
 
     def __init__(
-        self, catalogue: Catalogue, source: Source, deadline_s: float, ask: Fetch, now: Callable[[], datetime]
-    ) -> None:
+        self, catalogue: Catalogue, source: Source, deadline_s: float, ask: Fetch, now: Callable[[], datetime],
+        gone: dict[str, str],
+    ) -> None:  # fmt: skip
         self._catalogue, self._source, self._deadline_s, self._ask, self._now = catalogue, source, deadline_s, ask, now
+        self._gone = gone
         group = catalogue.groups.get(source.name)
         # Another address is another server: what the old one said counts for nothing there.
         self._group = group if group.url == source.url else Group(source.name, group.count, source.url)
@@ -87,13 +93,20 @@ class _Refresh:
     def run(self, *, force: bool) -> Outcome:
         try:
             host = check_url(self._source.url)
-            early = self._too_early(host, force=force)
-            return early or self._answered(host, self._ask(
-                self._source.url, headers=self._headers(), deadline_s=self._deadline_s
-            ))  # fmt: skip
+            if host in self._gone:
+                raise FetchError(self._gone[host])
+            return self._too_early(host, force=force) or self._answered(host, self._fetch(host))
         except FetchError as error:
             self._catalogue.groups.keep(replace(self._group, problem=str(error)))
             return self._outcome(Status.FAILED, str(error) + self._old())
+
+    def _fetch(self, host: str) -> Reply:
+        try:
+            return self._ask(self._source.url, headers=self._headers(), deadline_s=self._deadline_s)
+        except FetchError as error:
+            if error.reason in ("offline", "timeout", "tls"):
+                self._gone[host] = str(error)
+            raise
 
     def _too_early(self, host: str, *, force: bool) -> Outcome | None:
         now = self._now()

@@ -94,7 +94,6 @@ def _source(name: str, mirror_url: str | None) -> Source:
     if exact is None:
         from birdcage.base.config.value import did_you_mean
 
-        raise ConfigError(
-            f"There is no group {name}{did_you_mean(name, GROUPS)}. `birdcage elements list --groups` shows them all."
-        )
+        meant = did_you_mean(name, GROUPS) or "."
+        raise ConfigError(f"There is no group {name}{meant} `birdcage elements list --groups` shows them all.")
     return Source(exact, SATNOGS if exact == "satnogs" else CELESTRAK.replace("{group}", quote(exact)))

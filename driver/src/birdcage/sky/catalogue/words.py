@@ -14,7 +14,17 @@ def span(seconds: float) -> str:
         return f"{seconds / 60:.0f} min"
     if seconds < 36 * 3600:
         return f"{seconds / 3600:.1f}".removesuffix(".0") + " h"
-    return f"{seconds / 86400:.1f}".removesuffix(".0") + " d"
+    if seconds < 100 * 86400:
+        return f"{seconds / 86400:.1f}".removesuffix(".0") + " d"
+    return f"{seconds / 86400:.0f} d"
+
+
+def age(then: datetime | None, now: datetime) -> str:
+    """Return how long ago something was; `in 3 h` for what is still to come, a dash for what never was."""
+    if then is None:
+        return "-"
+    seconds = (now - then).total_seconds()
+    return span(seconds) if seconds >= 0 else f"in {span(-seconds)}"
 
 
 def at(moment: datetime, now: datetime) -> str:

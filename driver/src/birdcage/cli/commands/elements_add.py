@@ -1,0 +1,98 @@
+"""`birdcage elements add` and `remove`."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING
+
+import click
+
+from birdcage.cli.exits import DATA_EPILOG, NOT_DONE
+from birdcage.cli.options import flags, global_options
+
+if TYPE_CHECKING:
+    from birdcage.sky.formats import Harvest
+
+PASTED = "pasted"
+
+
+@click.command("add", short_help="Take in elements from files, folders, or stdin.", epilog=DATA_EPILOG)
+@click.argument("paths", metavar="PATH|-...", nargs=-1, required=True, type=click.Path(allow_dash=True))
+@click.option("--group", metavar="NAME", help="Let the satellites belong to a group of this name.")
+@global_options("config", "json", "verbose")
+@click.pass_context
+def add(context: click.Context, paths: tuple[str, ...], group: str | None) -> None:
+    """Take in elements from files, folders, or text pasted on stdin (-).
+
+    TLE, OMM in JSON, CSV, XML or KVN, Gpredict's files: the format is found by itself. Of each satellite the newest
+    elements stay. Damaged lines are named and skipped.
+    """
+    from birdcage.cli.commands.elements_common import complaint_values, open_catalogue
+    from birdcage.cli.say import say, tell, tell_json
+
+    harvest = read_all(paths)
+    for complaint in harvest.complaints:
+        say(str(complaint))
+    with open_catalogue() as catalogue:
+        added = catalogue.add(harvest.elements, group=group)
+        for each in harvest.groups:
+            catalogue.add_to_group(each.name, each.norad_ids)
+    if flags().json:
+        complaints = [complaint_values(each) for each in harvest.complaints]
+        groups = [each.name for each in harvest.groups]
+        tell_json({**added._asdict(), "groups": groups, "complaints": complaints})
+    else:
+        grouped = f" {len(harvest.groups)} groups." if harvest.groups else ""
+        tell(f"{added.new} new, {added.newer} with newer elements, {added.kept} known as well or better.{grouped}")
+        if not harvest.elements and not harvest.complaints and not harvest.groups:
+            say("There are no elements in it.")
+    if harvest.complaints or not (harvest.elements or harvest.groups):
+        context.exit(NOT_DONE)
+
+
+def read_all(paths: tuple[str, ...]) -> Harvest:
+    """Return what files, folders and stdin (-) hold."""
+    from pathlib import Path
+
+    from birdcage.cli.say import say
+    from birdcage.sky.formats import Harvest, read_path, read_text
+
+    harvests = []
+    for path in paths:
+        if path != "-":
+            harvests.append(read_path(Path(path)))
+            continue
+        if sys.stdin.isatty():
+            say("Paste the elements, then Ctrl+D on a line of its own.")
+        pasted: bytes = sys.stdin.buffer.read()
+        harvests.append(read_text(pasted.decode("utf-8-sig", "replace"), PASTED))
+    return Harvest(
+        tuple(each for harvest in harvests for each in harvest.elements),
+        tuple(each for harvest in harvests for each in harvest.complaints),
+        tuple(each for harvest in harvests for each in harvest.groups),
+    )
+
+
+@click.command("remove", short_help="Take satellites out.", epilog=DATA_EPILOG)
+@click.argument("satellites", metavar="[SATELLITE]...", nargs=-1)
+@click.option("--older-than", metavar="DAYS", type=click.FloatRange(min=0), help="All whose epoch is older than that.")
+@global_options("config", "json", "verbose")
+def remove(satellites: tuple[str, ...], older_than: float | None) -> None:
+    """Take satellites out of the catalogue, by number or name. What you said of them is kept, should they come back."""
+    from datetime import UTC, datetime, timedelta
+
+    from birdcage.cli.commands.elements_common import open_catalogue
+    from birdcage.cli.say import tell, tell_json
+
+    if not satellites and older_than is None:
+        raise click.UsageError("Name a satellite, or give --older-than DAYS.")
+    with open_catalogue() as catalogue:
+        keys = [catalogue.find(each).key for each in satellites]
+        if older_than is not None:
+            limit = datetime.now(UTC) - timedelta(days=older_than)
+            keys += [each.key for each in catalogue.entries() if each.elements.epoch < limit]
+        removed = catalogue.remove(keys)
+    if flags().json:
+        tell_json({"removed": removed})
+    else:
+        tell(f"{removed} removed.")

@@ -1,0 +1,92 @@
+"""`birdcage elements check`."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime
+from typing import TYPE_CHECKING
+
+import click
+
+from birdcage.cli.exits import DATA_EPILOG, NOT_DONE
+from birdcage.cli.options import flags, global_options
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from birdcage.sky.catalogue import Entry
+    from birdcage.sky.formats import Complaint
+
+
+@click.command("check", short_help="Tell how old elements are, and what in a file is damaged.", epilog=DATA_EPILOG)
+@click.argument("paths", metavar="[PATH|-]...", nargs=-1, type=click.Path(allow_dash=True))
+@click.option("--older-than", metavar="DAYS", type=click.FloatRange(min=0), help="Only those that are older.")
+@global_options("config", "json", "verbose")
+@click.pass_context
+def check(context: click.Context, paths: tuple[str, ...], older_than: float | None) -> None:
+    """Tell the epoch and age of each satellite, oldest first: of the catalogue, or of files that are not taken in.
+
+    What cannot be read in a file is told with its line and why; the exit status is then 1.
+    """
+    from birdcage.cli.commands.elements_add import read_all
+    from birdcage.cli.commands.elements_common import EMPTY, complaint_values, entry_values, open_catalogue
+    from birdcage.cli.say import say, tell_json
+    from birdcage.sky.catalogue import Entry
+
+    now = datetime.now(UTC)
+    complaints: Sequence[Complaint] = ()
+    if paths:
+        harvest = read_all(paths)
+        complaints = harvest.complaints
+        entries = tuple(Entry(each, now) for each in harvest.elements)
+    else:
+        with open_catalogue() as catalogue:
+            entries = catalogue.entries()
+    for complaint in complaints:
+        say(str(complaint))
+    shown = sorted(entries, key=lambda each: each.elements.epoch)
+    if older_than is not None:
+        shown = [each for each in shown if (now - each.elements.epoch).total_seconds() > older_than * 86400]
+    if flags().json:
+        satellites = [entry_values(each, now) for each in shown]
+        if paths:
+            satellites = [{key: value for key, value in each.items() if key in _OF_FILES} for each in satellites]
+        tell_json({"satellites": satellites, "complaints": [complaint_values(each) for each in complaints]})
+    else:
+        _tell(shown, now)
+    if not entries and not complaints:
+        say("There are no elements in it." if paths else EMPTY)
+    else:
+        say(_sum_up(entries, complaints, now))
+    if complaints or (paths and not entries):
+        context.exit(NOT_DONE)
+
+
+_OF_FILES = ("name", "norad_id", "epoch", "age_s", "source")
+
+
+def _tell(entries: Sequence[Entry], now: datetime) -> None:
+    from birdcage.cli.commands.elements_common import tell_table
+    from birdcage.sky.catalogue.words import age
+
+    rows = [
+        (
+            str(each.norad_id or "-"), each.name or "-", f"{each.elements.epoch:%Y-%m-%d %H:%M:%S}",
+            age(each.elements.epoch, now), each.elements.source or "-",
+        )
+        for each in entries
+    ]  # fmt: skip
+    if rows:
+        tell_table(("NUMBER", "NAME", "EPOCH (UTC)", "AGE", "SOURCE"), rows, right="r  r")
+
+
+def _sum_up(entries: Sequence[Entry], complaints: Sequence[Complaint], now: datetime) -> str:
+    from birdcage.sky.catalogue.words import age
+
+    epochs = sorted(each.elements.epoch for each in entries)
+    bad = f" {len(complaints)} damaged, named above and skipped." if complaints else ""
+    if not epochs:
+        return f"No satellites.{bad}"
+    if len(epochs) == 1:
+        return f"One satellite, its epoch {age(epochs[0], now)} ago.{bad}"
+    ages = f"the newest {age(epochs[-1], now)} old, half of them {age(epochs[len(epochs) // 2], now)} at most"
+    return f"{len(epochs)} satellites: {ages}, the oldest {age(epochs[0], now)}.{bad}"

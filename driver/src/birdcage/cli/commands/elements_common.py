@@ -1,0 +1,111 @@
+"""What the commands of `birdcage elements` have in common."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from datetime import UTC, datetime
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from birdcage.base.config import ElementsSettings
+    from birdcage.sky.catalogue import Catalogue, Entry
+    from birdcage.sky.formats import Complaint
+
+EMPTY = (
+    "The catalogue is empty: `birdcage elements update` fetches a few groups, `birdcage elements add FILE` reads one."
+)
+
+
+@contextmanager
+def open_catalogue() -> Iterator[Catalogue]:
+    """Give the catalogue for the length of one command."""
+    from birdcage.cli.options import find_paths
+    from birdcage.sky.catalogue import Catalogue
+
+    with Catalogue(find_paths().catalogue) as catalogue:
+        yield catalogue
+
+
+def elements_settings() -> ElementsSettings:
+    """Return `[elements]`. ConfigError where it cannot be read: somebody with a mirror does not mean other servers."""
+    from birdcage.base.errors import ConfigError
+    from birdcage.cli.options import find_paths, load_settings
+
+    settings = load_settings(find_paths())
+    for problem in settings.problems:
+        key = (problem.key or "").lower()
+        if problem.key is None or key.startswith(("elements", "birdcage_elements", "birdcage_craft")):
+            raise ConfigError(f"{problem.text} Nobody was asked.")
+    return settings.elements
+
+
+def iso(moment: datetime | None) -> str | None:
+    """Return a time for JSON."""
+    return None if moment is None else moment.astimezone(UTC).isoformat().replace("+00:00", "Z")
+
+
+def entry_values(entry: Entry, now: datetime) -> dict[str, object]:
+    """Return a satellite for JSON."""
+    return {
+        "name": entry.name,
+        "norad_id": entry.norad_id or None,
+        "epoch": iso(entry.elements.epoch),
+        "age_s": round((now - entry.elements.epoch).total_seconds()),
+        "fetched": iso(entry.fetched),
+        "source": entry.elements.source or None,
+        "groups": list(entry.groups),
+        "tags": list(entry.tags),
+        "favourite": entry.favourite,
+        "priority": entry.priority,
+        "time_offset_s": entry.time_offset_s,
+        "time_offset_set": iso(entry.time_offset_set),
+    }
+
+
+def complaint_values(complaint: Complaint) -> dict[str, object]:
+    """Return a complaint for JSON."""
+    return {"source": complaint.source, "line": complaint.line or None, "why": complaint.why}
+
+
+def tell_table(head: Sequence[str], rows: Sequence[Sequence[str]], right: str = "") -> None:
+    """Print rows in columns as wide as they need; `right` has an `r` for each column that is flush right."""
+    from birdcage.cli.say import tell
+
+    widths = [max(len(row[column]) for row in (head, *rows)) for column in range(len(head))]
+    for row in (head, *rows):
+        cells = (
+            cell.rjust(width) if right[column : column + 1] == "r" else cell.ljust(width)
+            for column, (cell, width) in enumerate(zip(row, widths, strict=True))
+        )
+        tell("  ".join(cells).rstrip())
+
+
+def tell_entries(entries: Sequence[Entry], now: datetime) -> None:
+    """Print satellites, one a line."""
+    from birdcage.sky.catalogue.words import age
+
+    head = ("", "NUMBER", "NAME", "EPOCH (UTC)", "AGE", "GROUPS, TAGS", "NOTES")
+    rows = [
+        (
+            "*" if each.favourite else "",
+            str(each.norad_id or "-"),
+            each.name or "-",
+            f"{each.elements.epoch:%Y-%m-%d %H:%M}",
+            age(each.elements.epoch, now),
+            " ".join((*each.groups, *each.tags)) or "-",
+            _notes(each),
+        )
+        for each in entries
+    ]
+    tell_table(head, rows, right=" r  r")
+
+
+def _notes(entry: Entry) -> str:
+    notes = [f"priority {entry.priority}"] if entry.priority else []
+    if entry.time_offset_s is not None:
+        dated = f" of {entry.time_offset_set:%Y-%m-%d}" if entry.time_offset_set is not None else ""
+        notes.append(f"offset {entry.time_offset_s:+g} s{dated}")
+    if entry.elements.source in ("frozen", "demo"):
+        notes.append({"frozen": "shipped with birdcage", "demo": "made up"}[entry.elements.source])
+    return ", ".join(notes)
