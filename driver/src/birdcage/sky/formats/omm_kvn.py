@@ -10,7 +10,7 @@ from birdcage.sky.formats.harvest import Basket, Unreadable
 from birdcage.sky.formats.lines import Lines
 from birdcage.sky.formats.tle import type_of_line
 
-_UNIT = re.compile(r"\s*\[[^\]]*\]$")
+_WITH_UNIT = re.compile(r"([-+.\deE]+)\s*\[[^\]]*\]").fullmatch
 _HEADER = frozenset(["CCSDS_OMM_VERS", "CLASSIFICATION", "CREATION_DATE", "ORIGINATOR", "MESSAGE_ID"])
 
 
@@ -56,7 +56,10 @@ def read(lines: Lines, start: int, basket: Basket) -> int:
         if key == "CCSDS_OMM_VERS" or (key in message.fields and not key.startswith("USER_DEFINED")):
             message.settle(basket)
             message = _Message()
-        message.fields[key] = _UNIT.sub("", line.partition("=")[2].strip())
+        value = line.partition("=")[2].strip()
+        # Only behind a number: `COSMOS 2619 [GLONASS-K1]` is a name.
+        number = _WITH_UNIT(value)
+        message.fields[key] = number[1] if number else value
         message.lines[key] = at + 1
     message.settle(basket)
     return at
