@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,8 +15,8 @@ if TYPE_CHECKING:
 
     from birdcage.base.config import Settings
     from birdcage.base.paths import Paths
-    from birdcage.sky.elements import ElementSet
     from birdcage.sky.observer import Observer
+    from birdcage.sky.watch_source import Watched
 
 
 class UtcTime(click.ParamType["datetime"]):
@@ -81,35 +80,24 @@ def find_observer(settings: Settings, lat: float | None, lon: float | None, alt:
     return Observer(place.latitude_deg, place.longitude_deg, height_m, place.name or "")
 
 
-@dataclass(frozen=True, slots=True)
-class Found:
-    """The elements that a command works on, and what the user says about their satellites."""
-
-    elements: tuple[ElementSet, ...]
-    note: str
-    """What to say of them: none, or that they are the frozen set."""
-    favourites: frozenset[int] = frozenset()
-
-
-def find_elements(paths: Paths, file: Path | None, tell: Callable[[str], None]) -> Found:
-    """Return the elements of `--elements`, else of the catalogue, else the frozen set that ships with birdcage.
+def find_elements(paths: Paths, file: Path | None, tell: Callable[[str], None]) -> Watched:
+    """Return the satellites of `--elements`, else of the catalogue, else the frozen set that ships with birdcage.
 
     `tell` gets a sentence about every damaged line and about a frozen set. ConfigError for a file without elements.
     """
     from birdcage.base.errors import ConfigError
+    from birdcage.sky.watch_source import Watched, read_catalogue
 
-    if file is not None:
-        from birdcage.sky.formats import read_path
+    if file is None:
+        found = read_catalogue(paths.catalogue)
+        if found.note:
+            tell(found.note)
+        return found
+    from birdcage.sky.formats import read_path
 
-        harvest = read_path(file)
-        for complaint in harvest.complaints:
-            tell(f"{complaint.source}:{complaint.line}: {complaint.why}")
-        if not harvest.elements:
-            raise ConfigError(f"{file} holds no elements.")
-        return Found(tuple(harvest.elements), "")
-    from birdcage.sky.watch_source import read_catalogue
-
-    loaded = read_catalogue(paths.catalogue)
-    if loaded.note:
-        tell(loaded.note)
-    return Found(loaded.elements, loaded.note, loaded.favourites)
+    harvest = read_path(file)
+    for complaint in harvest.complaints:
+        tell(f"{complaint.source}:{complaint.line}: {complaint.why}")
+    if not harvest.elements:
+        raise ConfigError(f"{file} holds no elements that could be read.")
+    return Watched(harvest.elements)

@@ -62,7 +62,7 @@ class Reach:
     @property
     def total_s(self) -> float:
         """How long it can be followed in all."""
-        return sum(stretch.duration_s for stretch in self.intervals)
+        return sum((stretch.duration_s for stretch in self.intervals), 0.0)
 
     @property
     def reasons(self) -> tuple[str, ...]:

@@ -1,0 +1,147 @@
+"""`birdcage passes`."""
+
+from __future__ import annotations
+
+from datetime import datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from birdcage.cli import exits
+from birdcage.cli.options import Wanted, flags, global_options, wanted
+from birdcage.cli.sky_options import UTC_TIME, elements_option, find_elements, find_observer, observer_options
+
+if TYPE_CHECKING:
+    from birdcage.sky.observer import Observer
+    from birdcage.sky.pass_row import PassRow
+    from birdcage.sky.reach_limits import ReachLimits
+    from birdcage.sky.watch_source import Watched
+
+
+@click.command("passes", epilog=exits.EPILOG)
+@elements_option
+@observer_options
+@click.option("--start", type=UTC_TIME, help="ISO 8601; UTC unless it says its zone.  [default: now]")
+@click.option(
+    "--hours", type=click.FloatRange(0.0, 240.0, min_open=True), default=24.0, show_default=True, help="How far ahead."
+)
+@click.option(
+    "--min-elevation", type=click.FloatRange(-5.0, 89.0), default=0.0, show_default=True, metavar="DEG",
+    help="A pass is the time above this elevation, geometric.",
+)  # fmt: skip
+@click.option("--name", metavar="TEXT", help="Only satellites with this in their name, or with this number.")
+@click.option(
+    "--sort", type=click.Choice(("aos", "max", "reach")), default="aos", show_default=True,
+    help="By rise, by highest elevation, or by how long this dish can follow.",
+)  # fmt: skip
+@click.option("--limit", type=click.IntRange(1), metavar="N", help="The first N of them.")
+@click.option("--freq", type=click.FloatRange(0.0, min_open=True), metavar="MHZ", help="Add the Doppler shift there.")
+@click.option("--csv", "csv_file", type=click.Path(path_type=Path), metavar="FILE", help="Write CSV; `-` is stdout.")
+@click.option("--ics", "ics_file", type=click.Path(path_type=Path), metavar="FILE", help="Write a calendar.")
+@global_options("config", "firmware", "json", "verbose")
+def command(
+    elements: Path | None, lat: float | None, lon: float | None, alt: float | None, start: datetime | None,
+    hours: float, min_elevation: float, name: str | None, sort: str, limit: int | None, freq: float | None,
+    csv_file: Path | None, ics_file: Path | None,
+) -> None:  # fmt: skip
+    """List what comes over: rise, highest point, set, and when this dish can follow it.
+
+    AOS and LOS are of the satellite; *reach* is what of the pass the dish can point at: its floor and ceiling, the
+    horizon and no-go sectors of birdcage.toml, the cable, and its speed near the zenith.
+    """
+    from datetime import UTC
+
+    from birdcage.cli.say import say, tell_json
+    from birdcage.sky.export.fields import values_of
+
+    wants = wanted()
+    observer = find_observer(wants.settings, lat, lon, alt)
+    watched = _named(find_elements(wants.paths, elements, say), name)
+    limits = _limits(wants)
+    begin = start if start is not None else datetime.now(UTC)
+    rows = _rows(watched, observer, limits, begin, hours, min_elevation, sort, limit)
+    freq_hz = None if freq is None else freq * 1e6
+    if csv_file is not None:
+        from birdcage.sky.export.as_csv import passes_csv
+
+        _write(csv_file, passes_csv(rows, freq_hz).encode())
+    if ics_file is not None:
+        from birdcage.sky.export.as_ics import passes_ics
+
+        _write(ics_file, passes_ics(rows, observer, datetime.now(UTC), watched.note))
+    if flags().json:
+        tell_json([values_of(row, freq_hz) for row in rows])
+    elif csv_file is None and ics_file is None:
+        from birdcage.cli.pass_table import tell_passes
+
+        tell_passes(rows, begin, freq_hz)
+        if not rows:
+            say(f"Nothing rises above {min_elevation:g}° within {hours:g} hours.")
+
+
+def _named(watched: Watched, name: str | None) -> Watched:
+    """Return the satellites that are asked for. ConfigError if there is none."""
+    from birdcage.base.errors import ConfigError
+
+    if name is None:
+        return watched
+    part = name.strip().casefold()
+    found = watched.chosen(lambda one: part in one.name.casefold() or part == str(one.norad_id))
+    if not found.elements:
+        raise ConfigError(f"None of {len(watched.elements)} satellites has {name!r} in its name, or that number.")
+    return found
+
+
+def _limits(wants: Wanted) -> ReachLimits:
+    """Return what limits this dish, and say where that comes from."""
+    from birdcage.cli.say import say
+    from birdcage.station.reach_limits import reach_limits
+
+    model = wants.model if wants.firmware_given else None
+    limits = reach_limits(wants.settings, model)
+    whose = "No dish is named (--firmware, or firmware in birdcage.toml)" if model is None else f"The {model.name}"
+    words = f"{whose}: reach is taken from {limits.el_floor_deg:g}° to {limits.el_ceiling_deg:g}° of elevation"
+    if limits.cable is not None:
+        words += f", cable {limits.cable[0]:+.0f}° to {limits.cable[1]:+.0f}° (counted, which takes a homing)"
+    say(f"{words}.")
+    if wants.settings.motion_problem is not None:
+        say("Settings that limit motion could not be read: reach is told without them.")
+    return limits
+
+
+def _rows(
+    watched: Watched, observer: Observer, limits: ReachLimits, start: datetime, hours: float, least_deg: float,
+    sort: str, limit: int | None,
+) -> list[PassRow]:  # fmt: skip
+    """Search, work out what is asked for, sort and cut."""
+    import numpy as np
+
+    from birdcage.cli.say import say
+    from birdcage.sky.pass_row import ORDERS, rows_of
+    from birdcage.sky.passes.search import search
+    from birdcage.sky.propagate import Fleet
+
+    table = search(Fleet(watched.elements), observer, start, hours, least_deg, watched.time_offsets)
+    for failure in table.failed:
+        say(f"{failure.name} ({failure.norad_id or '-'}): no position, {failure.why}.")
+    # Only reach has to be worked out for all of them before it can sort.
+    which = np.argsort(-table.max_elevation_deg, kind="stable") if sort == "max" else np.arange(len(table))
+    some: list[int] = which[:limit].tolist()
+    if sort == "reach":
+        return sorted(rows_of(table, watched, observer, limits), key=ORDERS[sort])[:limit]
+    return list(rows_of(table, watched, observer, limits, some))
+
+
+def _write(file: Path, data: bytes) -> None:
+    """Write a file, or stdout for `-`. ConfigError if that can't be done."""
+    from birdcage.base.errors import ConfigError
+    from birdcage.base.paths import write_aside_and_rename
+
+    if str(file) == "-":
+        click.echo(data, nl=False)
+        return
+    try:
+        write_aside_and_rename(file, data)
+    except OSError as error:
+        raise ConfigError(f"{file} cannot be written: {error.strerror}.") from error

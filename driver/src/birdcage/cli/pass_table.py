@@ -1,0 +1,71 @@
+"""Passes as a table for people."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from datetime import datetime
+from typing import TYPE_CHECKING
+
+from birdcage.cli.say import tell
+from birdcage.sky.doppler import doppler_hz
+
+if TYPE_CHECKING:
+    from birdcage.sky.pass_row import PassRow
+
+HEAD = ("AOS (UTC)", "LOS", "NAME", "MAX", "AZIMUTHS", "REACH", "FROM", "BEST", "NOT WHERE", "SUN", "AGE")
+RIGHT = frozenset({"MAX", "REACH", "BEST", "AGE", "DOPPLER"})
+
+
+def tell_passes(rows: Sequence[PassRow], start: datetime, freq_hz: float | None = None) -> None:
+    """Print passes, one a line. The date stands where it changes; `-` is nothing, or not known."""
+    if not rows:
+        return
+    head = HEAD if freq_hz is None else (*HEAD, "DOPPLER")
+    lines = [head, *(_cells(row, start, freq_hz) for row in rows)]
+    widths = [max(len(line[column]) for line in lines) for column in range(len(head))]
+    for line in lines:
+        cells = (
+            cell.rjust(width) if name in RIGHT else cell.ljust(width)
+            for cell, width, name in zip(line, widths, head, strict=True)
+        )
+        tell("  ".join(cells).rstrip())
+
+
+def _cells(row: PassRow, start: datetime, freq_hz: float | None) -> tuple[str, ...]:
+    passing, found = row.passing, row.reach
+    day = "" if passing.aos.date() == start.date() else f"{passing.aos:%m-%d} "
+    azimuths = (passing.aos_azimuth_deg, passing.tca_azimuth_deg, passing.los_azimuth_deg)
+    cells = (
+        f"{day}{passing.aos:%H:%M:%S}{'<' if passing.already_up else ''}",
+        f"{passing.los:%H:%M:%S}{'>' if passing.still_up else ''}",
+        f"{'* ' if row.favourite else ''}{passing.name}",
+        f"{passing.max_elevation_deg:.1f}°",
+        " ".join(f"{az % 360.0:3.0f}°" for az in azimuths),
+        minutes(found.total_s) if found.intervals else "-",
+        f"{found.intervals[0].start:%H:%M:%S}" if found.intervals else "-",
+        "-" if found.best_el_deg is None else f"{found.best_el_deg:.1f}°",
+        ", ".join(found.reasons) or "-",
+        _sun(row),
+        _age(row.epoch_age_s),
+    )
+    if freq_hz is None:
+        return cells
+    return (*cells, f"{doppler_hz(freq_hz, row.at_aos.range_rate_km_s) / 1e3:+.2f} kHz")
+
+
+def minutes(seconds: float) -> str:
+    """Return a span as `8:05`, hours in front where there are any."""
+    whole = round(seconds)
+    hours, rest = divmod(whole, 3600)
+    return f"{hours}:{rest // 60:02}:{rest % 60:02}" if hours else f"{rest // 60}:{rest % 60:02}"
+
+
+def _sun(row: PassRow) -> str:
+    """Return how much of the pass is lit, and how near the Sun is where that is near."""
+    lit = "lit" if row.sunlit_share > 0.99 else "dark" if row.sunlit_share < 0.01 else f"{row.sunlit_share:.0%} lit"
+    return lit if row.sun is None or row.sun.separation_deg > 10.0 else f"{lit}, {row.sun.separation_deg:.1f}° off"
+
+
+def _age(seconds: float) -> str:
+    hours = seconds / 3600.0
+    return f"{hours:.0f} h" if abs(hours) < 48.0 else f"{hours / 24.0:.0f} d"

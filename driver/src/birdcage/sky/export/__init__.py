@@ -1,0 +1,1 @@
+"""Passes for other programs: JSON, CSV and calendars."""

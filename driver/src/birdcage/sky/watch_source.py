@@ -1,0 +1,70 @@
+"""The satellites that are watched, and what the user says of them: the catalogue, or what ships while it is empty."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from birdcage.sky.elements import ElementSet
+
+
+@dataclass(frozen=True, slots=True)
+class Watched:
+    """A catalogue as read at one moment."""
+
+    elements: tuple[ElementSet, ...]
+    note: str = ""
+    """What has to be said of them: that they are old, or why the catalogue could not be read."""
+    favourites: frozenset[int] = frozenset()
+    """Places in `elements`, as those below."""
+    priorities: Mapping[int, int] = field(default_factory=dict)
+    time_offsets: Mapping[int, float] = field(default_factory=dict)
+    """Seconds by which a satellite is *ahead* of its elements (`Fleet.look`)."""
+
+    def chosen(self, keep: Callable[[ElementSet], bool]) -> Watched:
+        """Return those satellites that `keep` says yes to, with all that is said of them."""
+        old = [index for index, one in enumerate(self.elements) if keep(one)]
+        new = {index: place for place, index in enumerate(old)}
+        return Watched(
+            tuple(self.elements[index] for index in old),
+            self.note,
+            frozenset(new[index] for index in self.favourites if index in new),
+            {new[index]: value for index, value in self.priorities.items() if index in new},
+            {new[index]: value for index, value in self.time_offsets.items() if index in new},
+        )
+
+
+def read_catalogue(path: Path) -> Watched:
+    """Return what the catalogue holds; the frozen set, with a note, if it is empty or not there.
+
+    StoreError if it can't be read.
+    """
+    from birdcage.sky.catalogue import Catalogue
+
+    if not path.exists():
+        return frozen_set()
+    with Catalogue(path) as catalogue:
+        entries = catalogue.entries()
+    if not entries:
+        return frozen_set()
+    return Watched(
+        tuple(entry.elements for entry in entries),
+        favourites=frozenset(index for index, entry in enumerate(entries) if entry.favourite),
+        priorities={index: entry.priority for index, entry in enumerate(entries) if entry.priority},
+        # The catalogue says how much later it comes; SGP4 is asked for the satellite that much earlier.
+        time_offsets={index: -entry.time_offset_s for index, entry in enumerate(entries) if entry.time_offset_s},
+    )
+
+
+def frozen_set() -> Watched:
+    """Return the elements that ship, with a note that says how old they are."""
+    from birdcage.sky.frozen import frozen
+
+    elements = frozen()
+    newest = max(one.epoch for one in elements)
+    return Watched(
+        elements,
+        f"The catalogue is empty. These are the {len(elements)} sets that ship with birdcage, the newest of "
+        f"{newest:%Y-%m-%d}: no dish finds a satellite by them.",
+    )
