@@ -1,0 +1,141 @@
+"""`birdcage place`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from birdcage.cli.commands.place_gps import gps
+from birdcage.cli.commands.place_horizon import horizon
+from birdcage.cli.exits import DATA_EPILOG
+from birdcage.cli.options import find_paths, flags, global_options, load_settings
+from birdcage.cli.sky_options import observer_options
+
+
+@click.group("place", epilog=DATA_EPILOG)
+@global_options("config", "json", "verbose")
+def command() -> None:
+    """Say where the dish stands; keep several places, each with its own horizon.
+
+    The place that counts is [place] of birdcage.toml, which `use` and `gps --use` write. Saved ones are in places.toml.
+    """
+
+
+@command.command("list", epilog=DATA_EPILOG)
+@global_options("config", "json", "verbose")
+def list_() -> None:
+    """Print the saved places; the one in use has a star."""
+    from birdcage.base.places import is_in_use, load_places
+    from birdcage.cli.place_words import place_line, place_values
+    from birdcage.cli.say import say, tell, tell_json
+
+    paths = find_paths()
+    here, places = load_settings(paths).place, load_places(paths.places_file)
+    for problem in places.problems:
+        say(problem)
+    if flags().json:
+        tell_json([{**place_values(each), "in_use": is_in_use(each, here)} for each in places.entries])
+        return
+    for each in places.entries:
+        tell(f"{'*' if is_in_use(each, here) else ' '} {place_line(each)}")
+    if not places.entries:
+        say("No place is saved yet: `birdcage place add NAME WHERE`.")
+
+
+@command.command("show", epilog=DATA_EPILOG)
+@global_options("config", "json", "verbose")
+def show() -> None:
+    """Print the place that counts now."""
+    from birdcage.base.errors import ConfigError
+    from birdcage.cli.place_words import place_in_use, place_line, place_values
+    from birdcage.cli.say import say, tell, tell_json
+
+    settings = load_settings(find_paths())
+    for problem in settings.problems:
+        say(problem.text)
+    place = place_in_use(settings.place)
+    if place is None:
+        raise ConfigError("No place is set: `birdcage place add NAME WHERE --use`, or `birdcage place gps --use`.")
+    if flags().json:
+        tell_json(place_values(place))
+    else:
+        tell(place_line(place))
+
+
+@command.command("add", epilog=DATA_EPILOG)
+@click.argument("name")
+@click.argument("where", nargs=-1)
+@click.option(
+    "--horizon", "file", type=click.Path(path_type=Path), metavar="FILE", help="Its horizon, az and el a line."
+)
+@click.option("--use", "use_it", is_flag=True, help="Make it the place that counts.")
+@observer_options
+@global_options("config", "json", "verbose")
+def add(
+    name: str, where: tuple[str, ...], file: Path | None, use_it: bool, lat: float | None, lon: float | None,
+    alt: float | None,
+) -> None:  # fmt: skip
+    """Save a place: WHERE is `51.9 4.8`, a locator such as JO21jv, or a city; without it, the place that counts.
+
+    A city is known to about a kilometre, and neither it nor a locator tells the height: give --alt. South and west
+    by letters (33.5S 151.2E), or with --lat and --lon.
+    """
+    from birdcage.base.config import edit
+    from birdcage.base.places import add_place, checked_place, place_settings
+    from birdcage.cli.place_words import find_place, place_line, read_mask
+    from birdcage.cli.say import say
+
+    paths = find_paths()
+    latitude, longitude, height_m, points = find_place(load_settings(paths), " ".join(where), lat, lon, alt)
+    if file is not None:
+        points = read_mask(file).points
+    try:
+        place = checked_place(name, latitude, longitude, height_m, points)
+    except ValueError as error:
+        raise click.UsageError(f"{error}.") from None
+    add_place(paths.places_file, place)
+    say(f"Saved: {place_line(place)}")
+    if use_it:
+        edit(paths.config_file, place_settings(place))
+        say(f"{place.name} is the place that counts now.")
+
+
+@command.command("use", epilog=DATA_EPILOG)
+@click.argument("name")
+@global_options("config", "json", "verbose")
+def use(name: str) -> None:
+    """Make a saved place the one that counts: write it into [place] of birdcage.toml."""
+    from birdcage.base.config import edit
+    from birdcage.base.places import is_in_use, load_places, place_settings
+    from birdcage.cli.place_words import place_in_use, place_line
+    from birdcage.cli.say import say
+
+    paths = find_paths()
+    places = load_places(paths.places_file)
+    place = places.named(name)
+    if place is None:
+        known = ", ".join(each.name for each in places.entries) or "none"
+        raise click.UsageError(f'There is no place "{name}"; saved are: {known}.')
+    here = load_settings(paths).place
+    before = place_in_use(here)
+    edit(paths.config_file, place_settings(place))
+    if before is not None and not any(is_in_use(each, here) for each in places.entries):
+        say(f"The place before it was not saved: {place_line(before)}")
+    say(f"In use: {place_line(place)}")
+
+
+@command.command("remove", epilog=DATA_EPILOG)
+@click.argument("name")
+@global_options("config", "json", "verbose")
+def remove(name: str) -> None:
+    """Forget a saved place. The one that counts goes on to count."""
+    from birdcage.base.places import remove_place
+    from birdcage.cli.say import say
+
+    remove_place(find_paths().places_file, name)
+    say(f"{name} is forgotten.")
+
+
+command.add_command(gps)
+command.add_command(horizon)

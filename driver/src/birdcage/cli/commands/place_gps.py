@@ -1,0 +1,85 @@
+"""`birdcage place gps`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import click
+
+from birdcage.cli.exits import EPILOG
+from birdcage.cli.options import find_paths, flags, global_options, load_settings
+
+if TYPE_CHECKING:
+    from birdcage.gps.fix import GpsFix
+
+
+@click.command("gps", epilog=EPILOG)
+@click.argument("receiver", required=False)
+@click.option("--use", "use_it", is_flag=True, help="Make it the place that counts.")
+@click.option("--name", help="What to call it, with --use.")
+@click.option("--baud", "gps_baud", type=click.IntRange(300, 4_000_000), help="Speed of its port.  [default: tried]")
+@click.option("--timeout", "timeout_s", type=click.FloatRange(1.0, 3600.0), default=30.0, show_default=True,
+              help="Seconds to wait for a fix.")  # fmt: skip
+@global_options("config", "json", "verbose")
+def gps(receiver: str | None, use_it: bool, name: str | None, gps_baud: int | None, timeout_s: float) -> None:
+    """Ask a GPS receiver: gpsd (also gpsd://host:port), or its own port with NMEA such as /dev/ttyACM0.
+
+    Without RECEIVER it is `gps` in [place] of birdcage.toml, else gpsd. The port of the dish is never opened.
+    """
+    from birdcage.base.clock import RealClock
+    from birdcage.base.places import Place
+    from birdcage.cli.place_words import place_line
+    from birdcage.cli.say import say, tell, tell_json
+    from birdcage.gps.clock_check import remember
+    from birdcage.gps.locate import locate
+    from birdcage.gps.verdict import by_gps
+
+    paths = find_paths()
+    settings = load_settings(paths)
+    receiver = receiver or settings.place.gps or "gpsd"
+    fix = locate(receiver, RealClock(), baud=gps_baud, timeout_s=timeout_s, dish_port=settings.dish.port)
+    verdict = by_gps(fix)
+    if flags().json:
+        tell_json({
+            "latitude_deg": fix.latitude_deg, "longitude_deg": fix.longitude_deg, "height_m": fix.height_m,
+            "utc": None if fix.utc is None else fix.utc.isoformat(), "satellites": fix.satellites, "hdop": fix.hdop,
+            "clock_offset_s": None if verdict is None else verdict.offset_s, "source": fix.source,
+        })  # fmt: skip
+    else:
+        tell(place_line(Place(name or "GPS", fix.latitude_deg, fix.longitude_deg, fix.height_m or 0.0)))
+        used = "-" if fix.satellites is None else fix.satellites
+        say(f"By {fix.source}: {used} satellites, HDOP {'-' if fix.hdop is None else f'{fix.hdop:g}'}"
+            f"{'' if fix.height_m is not None else ', height not known'}.")  # fmt: skip
+        say("The receiver told no time." if verdict is None else verdict.sentence)
+    if verdict is not None:
+        remember(paths.state, verdict)
+    if use_it:
+        _use(fix, name, receiver)
+
+
+def _use(fix: GpsFix, name: str | None, receiver: str) -> None:
+    from birdcage.base.config import edit
+    from birdcage.base.geometry import separation
+    from birdcage.cli.say import say
+
+    paths = find_paths()
+    here = load_settings(paths).place
+    latitude, longitude = round(fix.latitude_deg, 6), round(fix.longitude_deg, 6)
+    moved_deg = None
+    if here.latitude_deg is not None and here.longitude_deg is not None:
+        moved_deg = separation(here.longitude_deg, here.latitude_deg, longitude, latitude)
+    changes: dict[str, str | float | None] = {
+        "place.latitude_deg": latitude, "place.longitude_deg": longitude, "place.gps": receiver,
+        "place.declination_deg": None,
+    }  # fmt: skip
+    if fix.height_m is not None:
+        changes["place.height_m"] = round(fix.height_m, 1)
+    if name is not None:
+        changes["place.name"] = name
+    if moved_deg is None or moved_deg > 0.002:
+        # Some 200 m on: other trees, another name, and a height that was typed for elsewhere.
+        changes = {"place.height_m": None, "place.name": None, "place.horizon": None, **changes}
+        if here.horizon:
+            say("The horizon was another place's, and is flat now: `birdcage place horizon import`.")
+    edit(paths.config_file, changes)
+    say("It is the place that counts now.")

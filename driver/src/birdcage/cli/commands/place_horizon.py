@@ -1,0 +1,90 @@
+"""`birdcage place horizon`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from birdcage.cli.exits import DATA_EPILOG
+from birdcage.cli.options import find_paths, flags, global_options, load_settings
+
+if TYPE_CHECKING:
+    from birdcage.sky.horizon import HorizonMask
+
+
+@click.group("horizon", epilog=DATA_EPILOG)
+@global_options("config", "json", "verbose")
+def horizon() -> None:
+    """Keep the line of trees and roofs at the place that counts. It tells what is heard; it refuses no motion."""
+
+
+@horizon.command("show", epilog=DATA_EPILOG)
+@global_options("config", "json", "verbose")
+def show() -> None:
+    """Print its points, azimuth and elevation a line, as `import` reads them."""
+    from birdcage.cli.say import say, tell, tell_json
+    from birdcage.sky.horizon import HorizonMask
+    from birdcage.sky.horizon_file import write_horizon
+
+    mask = HorizonMask(load_settings(find_paths()).place.horizon)
+    if flags().json:
+        tell_json([list(point) for point in mask.points])
+    elif mask:
+        tell(write_horizon(mask).rstrip())
+    else:
+        say("The horizon is flat: no point is kept.")
+
+
+@horizon.command("import", epilog=DATA_EPILOG)
+@click.argument("file", type=click.Path(path_type=Path))
+@global_options("config", "json", "verbose")
+def import_(file: Path) -> None:
+    """Take the horizon from FILE, in place of the one before.
+
+    One point a line, azimuth and elevation in true degrees, `#` for remarks (Stellarium's list reads as it is); the
+    table that PVGIS prints; or heights alone, the first one north, clockwise.
+    """
+    from birdcage.cli.place_words import read_mask
+
+    _keep(read_mask(file))
+
+
+@horizon.command("add", epilog=DATA_EPILOG)
+@click.argument("az_deg", type=click.FloatRange(-360.0, 360.0))
+@click.argument("el_deg", type=click.FloatRange(-90.0, 90.0))
+@global_options("config", "json", "verbose")
+def add(az_deg: float, el_deg: float) -> None:
+    """Add one point, or measure the one at that azimuth again."""
+    from birdcage.sky.horizon import HorizonMask
+
+    _keep(HorizonMask(load_settings(find_paths()).place.horizon).insert(az_deg, el_deg))
+
+
+@horizon.command("clear", epilog=DATA_EPILOG)
+@global_options("config", "json", "verbose")
+def clear() -> None:
+    """Take all points away: a flat horizon."""
+    from birdcage.sky.horizon import HorizonMask
+
+    _keep(HorizonMask())
+
+
+def _keep(mask: HorizonMask) -> None:
+    """Write it into `[place]`, and to the saved place where that is the one in use."""
+    from dataclasses import replace
+
+    from birdcage.base.config import HorizonPoint, edit
+    from birdcage.base.places import is_in_use, load_places, replace_place
+    from birdcage.cli.place_words import horizon_words
+    from birdcage.cli.say import say
+
+    paths = find_paths()
+    points = tuple(HorizonPoint(round(az_deg, 3), round(el_deg, 3)) for az_deg, el_deg in mask.points)
+    here = load_settings(paths).place
+    edit(paths.config_file, {"place.horizon": points or None})
+    saved = next((each for each in load_places(paths.places_file).entries if is_in_use(each, here)), None)
+    if saved is not None:
+        replace_place(paths.places_file, saved.name, replace(saved, horizon=points))
+    say(f"Kept for {'this place' if saved is None else saved.name}: {horizon_words(points)}.")
