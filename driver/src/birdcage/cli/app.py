@@ -25,6 +25,8 @@ COMMANDS = {
     "elements": "Keep the orbital elements of satellites: add, update, list, check, search.",
     "place": "Say where the dish stands: places, GPS, horizon.",
     "clock": "Say whether this machine's clock can be trusted.",
+    "where": "Print where a satellite, a body or a slot stands.",
+    "sky": "List what is up now.",
     "config": "Show and check birdcage.toml.",
     "paths": "Print where files are kept.",
 }

@@ -69,10 +69,13 @@ def parse_target(text: str, catalogue: Searchable | None = None) -> Target:
     exact = _exactly(typed, hits)
     if exact is not None:
         return exact
-    named = [slot for slot in slots() if _plain(typed) in map(_plain, (slot.name, *slot.aliases))]
-    if named:
+    wanted = _plain(typed)
+    named = [slot for slot in slots() if wanted in _names(slot)]
+    if len(named) == 1:
         return SlotTarget(named[0])
-    found_slots = [slot for slot in slots() if any(_plain(typed) in _plain(n) for n in (slot.name, *slot.aliases))]
+    found_slots = named or [
+        slot for slot in slots() if any(_plain(typed) in _plain(n) for n in (slot.name, *slot.aliases))
+    ]
     if len(hits) == 1 and not found_slots:
         return _satellite(hits[0])
     if not hits and len(found_slots) == 1:
@@ -104,6 +107,10 @@ def _satellite(hit: Hit) -> Satellite:
 def _plain(name: str) -> str:
     """Return a name without case, blanks and punctuation: QO-100, qo 100 and QO100 are one."""
     return re.sub(r"[\W_]+", "", name.casefold())
+
+
+def _names(slot: Slot) -> list[str]:
+    return [_plain(name) for name in (slot.name, *slot.aliases)]
 
 
 def _slot(found: re.Match[str]) -> SlotTarget:
