@@ -15,7 +15,9 @@ from birdcage.sky.passes.nodes import Indices, Intervals
 PARTS = 12
 """Sub-intervals in an interval: 6 degrees of orbit at perigee, in which the elevation turns at most once."""
 
-_BATCH = 4096
+_BATCH = 1024
+"""Intervals at a time: their arrays stay in the cache, and BLAS starts no threads for products of this size, which on
+a busy machine wait for each other longer than they work."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +46,7 @@ class Found:
 
 
 def find(ground: Ground, intervals: Intervals) -> Found:
-    """Return where satellites cross the mask or turn; batches keep the arrays small enough for the cache."""
+    """Return where satellites cross the mask or turn."""
     total = len(intervals.begin_s)
     parts = [
         _find(ground, intervals, np.arange(start, min(start + _BATCH, total))) for start in range(0, total, _BATCH)

@@ -14,19 +14,6 @@ from birdcage.sky.passes.orbits import MU_KM3_S2
 _EARTH_KM = 6378.135  # WGS72, as in SGP4
 _J2 = 0.001082616
 
-_TO_POWERS = np.array(
-    [
-        # r0, h v0, h2 a0, r1, h v1, h2 a1
-        [1.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 1.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.5, 0.0, 0.0, 0.0],
-        [-10.0, -6.0, -1.5, 10.0, -4.0, 0.5],
-        [15.0, 8.0, 1.5, -15.0, 7.0, -1.0],
-        [-6.0, -3.0, -0.5, 6.0, -3.0, 0.5],
-    ]
-)
-"""Rows: the powers of s; columns: what is known at the ends (textbook quintic Hermite basis, multiplied out)."""
-
 
 def acceleration(r: Floats) -> Floats:
     """Return the acceleration of the two-body problem with J2 (km/s^2) for positions of three rows."""
@@ -41,8 +28,10 @@ def acceleration(r: Floats) -> Floats:
 
 def coefficients(h: Floats, r0: Floats, v0: Floats, r1: Floats, v1: Floats) -> Floats:
     """Return polynomials (6 powers, 3 rows, n) through n pairs of states (3 rows, n) that are `h` seconds apart."""
-    known = np.stack((r0, h * v0, h * h * acceleration(r0), r1, h * v1, h * h * acceleration(r1)))
-    return (_TO_POWERS @ known.reshape(6, -1)).reshape(known.shape)
+    v0, v1, a0, a1 = h * v0, h * v1, 0.5 * h * h * acceleration(r0), 0.5 * h * h * acceleration(r1)
+    # What the first three powers leave to the last three, at s = 1, in position and derivatives.
+    p, q, b = r1 - r0 - v0 - a0, v1 - v0 - 2.0 * a0, a1 - a0
+    return np.stack((r0, v0, a0, 10.0 * p - 4.0 * q + b, -15.0 * p + 7.0 * q - 2.0 * b, 6.0 * p - 3.0 * q + b))
 
 
 def on_grid(c: Floats, h: Floats, s: Floats) -> tuple[Floats, Floats]:
