@@ -13,7 +13,7 @@ ROOT = Path(__file__).parents[2]
 DRIVER = ROOT / "driver/src"
 APP = ROOT / "tui/src"
 
-HEAVY = ("numpy", "sgp4", "skyfield", "astropy", "PIL")
+HEAVY = ("numpy", "sgp4", "skyfield", "astropy", "PIL", "urllib3")
 FACES = ("textual", "rich", "click", "mcp")
 
 

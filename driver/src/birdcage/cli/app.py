@@ -27,6 +27,8 @@ COMMANDS = {
     "clock": "Say whether this machine's clock can be trusted.",
     "where": "Print where a satellite, a body or a slot stands.",
     "sky": "List what is up now.",
+    "passes": "List what comes over, and when this dish can follow it.",
+    "craft": "Ask a remote prediction service, if you have set one.",
     "config": "Show and check birdcage.toml.",
     "paths": "Print where files are kept.",
 }
