@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from concurrent.futures import Future
 from dataclasses import fields
 from datetime import UTC, datetime
 
@@ -10,6 +11,7 @@ from birdcage.base.clock import VirtualClock
 from birdcage.base.config import load
 from birdcage.base.errors import LinkError
 from birdcage.base.paths import Paths
+from birdcage.gps.fix import NoFix
 from birdcage.link.link import Link
 from birdcage.setup.engine import Setup
 from birdcage.sim.port import SimPort, open_device
@@ -34,6 +36,7 @@ class House:
         self.paths = Paths.in_folder(folder)
         self.environ = {}
         self.plugged = [ADAPTER]
+        self.receivers, self.asked = {}, []
         self.start()
 
     def start(self):
@@ -50,8 +53,16 @@ class House:
         self.station = Station(self.clock, wanted)
         self.session = Session(self.clock, self.station)
         self.setup = Setup(self.session, settings, self.paths, environ=self.environ, ports=lambda: self.plugged,
-                           system=SystemFacts)  # fmt: skip
+                           system=SystemFacts, receiver=self._ask)  # fmt: skip
         return self
+
+    def _ask(self, receiver, dish_port):
+        """Answer as a receiver does, at once: with a fix, or with why there is none."""
+        self.asked.append((receiver, dish_port))
+        answer = Future()
+        told = self.receivers.get(receiver, NoFix(f"No {receiver} here.", reason="no_gps"))
+        (answer.set_exception if isinstance(told, Exception) else answer.set_result)(told)
+        return answer
 
     def _open(self, port, baud):
         if port not in [each.device for each in self.plugged]:

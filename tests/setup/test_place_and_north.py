@@ -2,12 +2,22 @@
 
 from __future__ import annotations
 
-from datetime import UTC, datetime
+from datetime import UTC, datetime, timedelta
 
 import pytest
+from birdcage.base.config import edit
+from birdcage.gps.fix import GpsFix
 from birdcage.setup.north import NotYet, az_offset_deg
 from birdcage.setup.step import NoSuchChoice
 from birdcage.sky.sun import sun
+
+
+def fix(house, ahead_s, height_m):
+    """Return what a receiver tells while this machine is so far ahead."""
+    utc = house.clock.utc()
+    told = None if ahead_s is None else utc - timedelta(seconds=ahead_s)
+    return GpsFix(39.1, -95.7, height_m, told, house.clock.monotonic(), utc, 9, 1.0, "gpsd")
+
 
 PLACE = {"latitude_deg": "39.1", "longitude_deg": "-95.7", "height_m": "250"}
 
@@ -22,8 +32,52 @@ class TestPlace:
         assert house.marks()["place"] == "done"
         assert house.view("place").evidence == "JO21jv, 51.8958 N 4.7917 E, 0 m; clock trusted"
 
-    def test_says_that_there_is_no_gps(self, house):
-        assert any("no GPS yet" in words for words in house.view("place").words)
+    def test_by_city(self, house):
+        house.choose("place", "locator", locator="köln", height_m="60")
+        place = house.file().place
+        assert (place.latitude_deg, place.height_m) == (pytest.approx(50.93, abs=0.02), 60.0)
+
+    @pytest.mark.parametrize(("typed", "says"), [("springfield", "Which one"), ("JO21", "wide"), ("", "Type latitude")])
+    def test_what_is_no_place_is_not_kept(self, house, typed, says):
+        with pytest.raises(NoSuchChoice, match=says):
+            house.setup.choose("place", "locator", {"locator": typed})
+        assert house.file().place.latitude_deg is None
+
+    def test_another_place_has_another_horizon(self, house):
+        house.choose("place", "typed", **PLACE)
+        edit(house.paths.config_file, {"place.horizon": [(0.0, 5.0)], "place.name": "Roof"})
+        house.choose("place", "typed", **{**PLACE, "height_m": "251"})
+        assert house.file().place.name == "Roof"
+        house.choose("place", "typed", **{**PLACE, "latitude_deg": "40"})
+        assert (house.file().place.name, house.file().place.horizon) == (None, ())
+
+    @pytest.mark.parametrize("height_m", [None, 250.0])
+    def test_by_gps_with_the_clock(self, house, height_m):
+        house.receivers["/dev/ttyACM0"] = fix(house, 0.65, height_m)
+        house.choose("place", "gps", receiver="/dev/ttyACM0")
+        place = house.file().place
+        assert (place.latitude_deg, place.height_m, place.gps) == (39.1, height_m or 0.0, "/dev/ttyACM0")
+        assert house.marks()["place"] == "done"
+        assert house.view("place").evidence.endswith("clock +0.4 s by GPS")
+        assert house.asked == [("/dev/ttyACM0", None)]
+
+    def test_a_clock_that_gps_finds_wrong_is_told_and_the_place_is_kept(self, house):
+        house.receivers["gpsd"] = fix(house, -60.0, 1.0)
+        house.choose("place", "gps", receiver="")
+        assert house.marks()["place"] == "failed"
+        assert "60.2 s slow by gpsd" in house.view("place").evidence
+        assert house.file().place.latitude_deg == 39.1
+
+    def test_no_fix_says_why(self, house):
+        house.choose("place", "gps", receiver="gpsd")
+        assert (house.marks()["place"], house.view("place").evidence) == ("failed", "No gpsd here.")
+        assert house.file().place.latitude_deg is None
+
+    def test_a_receiver_without_a_time_leaves_the_clock_open(self, house):
+        house.receivers["gpsd"] = fix(house, None, 1.0)
+        house.choose("place", "gps", receiver="gpsd")
+        assert house.marks()["place"] == "todo"
+        assert house.view("place").evidence.endswith("clock not compared")
 
     @pytest.mark.parametrize(("utc", "offset_s"), [("18:20:00", 4.0), ("18:19:50", 14.0), ("18:21", -56.0)])
     def test_the_clock_against_a_watch(self, build, utc, offset_s):

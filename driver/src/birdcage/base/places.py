@@ -12,12 +12,16 @@ from pathlib import Path
 
 from birdcage.base.config.edit import Value
 from birdcage.base.config.sections import HorizonPoint, PlaceSettings
+from birdcage.base.geometry import separation
 from birdcage.base.named_tables import Found, NamedTables, checked_name, number_of, same
 
 HEADER = (
     "# Places with names. Latitude north +, longitude east +; the horizon as [azimuth, elevation] in true degrees.\n"
     "# `birdcage place use NAME` puts one into birdcage.toml.\n\n"
 )
+
+SAME_PLACE_DEG = 0.002
+"""Some 200 m: beyond it other trees stand around."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,6 +105,26 @@ def place_settings(place: Place) -> dict[str, Value]:
         "place.horizon": place.horizon or None,
         "place.declination_deg": None,
     }
+
+
+def moved_settings(
+    here: PlaceSettings, latitude_deg: float, longitude_deg: float, height_m: float | None, name: str | None = None
+) -> dict[str, Value]:
+    """Return what `base.config.edit` has to write once `[place]` is found to be there. Height None: not known.
+
+    Further than `SAME_PLACE_DEG` on, the name, the horizon, the height and a typed declination of the place before go.
+    """
+    changes: dict[str, Value] = {"place.latitude_deg": latitude_deg, "place.longitude_deg": longitude_deg}
+    if name is not None:
+        changes["place.name"] = name
+    if height_m is not None:
+        changes["place.height_m"] = height_m
+    if here.latitude_deg is None or here.longitude_deg is None:
+        far = True
+    else:
+        far = separation(here.longitude_deg, here.latitude_deg, longitude_deg, latitude_deg) > SAME_PLACE_DEG
+    elsewhere = dict.fromkeys(("name", "height_m", "horizon", "declination_deg"))
+    return {**{f"place.{key}": value for key, value in elsewhere.items()}, **changes} if far else changes
 
 
 def is_in_use(place: Place, settings: PlaceSettings) -> bool:

@@ -8,7 +8,9 @@ from concurrent.futures import Future
 from datetime import datetime
 
 from birdcage.base.config import Kept, Settings, edit, load
+from birdcage.base.config.edit import Value
 from birdcage.base.paths import Paths
+from birdcage.setup.receiver import AskReceiver, ask_receiver
 from birdcage.station.known import PortInfo, SystemFacts
 from birdcage.station.requests import ApplySettings, ReleaseLease, Request
 from birdcage.station.session import Session
@@ -17,8 +19,6 @@ from birdcage.station.state import Link, Pointing, StationState
 FRESH_S = 5.0
 """A position older than this, in seconds, is no base for a measurement."""
 
-Value = str | float | bool | None
-
 
 class Bench:
     """One for each `Setup`. Only for the thread that drives it."""
@@ -26,11 +26,11 @@ class Bench:
     def __init__(
         self, session: Session, settings: Settings, paths: Paths, *, environ: Mapping[str, str] | None,
         flags: Mapping[str, object] | None, holder: str, ports: Callable[[], list[PortInfo]],
-        system: Callable[[str], SystemFacts],
+        system: Callable[[str], SystemFacts], receiver: AskReceiver = ask_receiver,
     ) -> None:  # fmt: skip
         self.station, self.clock = session.station, session.clock
         self.settings, self.paths, self.holder = settings, paths, holder
-        self.ports, self.system = ports, system
+        self.ports, self.system, self.receiver = ports, system, receiver
         self._environ = os.environ if environ is None else environ
         self._flags = dict(flags or {})
         self.begin_anew = ""

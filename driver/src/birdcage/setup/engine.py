@@ -9,6 +9,7 @@ from birdcage.base.config import Settings
 from birdcage.base.paths import Paths
 from birdcage.setup.bench import Bench
 from birdcage.setup.case import Cause
+from birdcage.setup.receiver import AskReceiver, ask_receiver
 from birdcage.setup.step import NAMES, AreaNotClear, Choice, Mark, NoSuchChoice, StepView
 from birdcage.setup.steps.base import Step
 from birdcage.setup.steps.direction import DirectionStep
@@ -51,9 +52,18 @@ class Setup:
         self, session: Session, settings: Settings, paths: Paths, *, environ: Mapping[str, str] | None = None,
         flags: Mapping[str, object] | None = None, holder: str = "setup",
         ports: Callable[[], list[PortInfo]] = list_ports, system: Callable[[str], SystemFacts] = look_at_system,
+        receiver: AskReceiver = ask_receiver,
     ) -> None:  # fmt: skip
         self._bench = Bench(
-            session, settings, paths, environ=environ, flags=flags, holder=holder, ports=ports, system=system
+            session,
+            settings,
+            paths,
+            environ=environ,
+            flags=flags,
+            holder=holder,
+            ports=ports,
+            system=system,
+            receiver=receiver,
         )
         self._steps = {step.name: step(self._bench) for step in STEPS}
         self._clear = False

@@ -11,7 +11,6 @@ from birdcage.sky.observer import Observer
 COARSE_DEG = 0.2
 """Half the height of a locator square from which its middle is no place to point from."""
 _ANGLE = re.compile(r"([-+]?\d+(?:\.\d+)?)\s*°?\s*([NSEW]?)", re.IGNORECASE)
-_LOCATOR = re.compile(r"[A-R]{2}\d{2}(?:[A-X]{2}(?:\d{2})?)?", re.IGNORECASE)
 
 
 def parse_place(text: str) -> Observer:
@@ -24,7 +23,7 @@ def parse_place(text: str) -> Observer:
         raise ValueError("Type latitude and longitude, a Maidenhead locator, or a city.")
     if text[0] in "+-.0123456789":
         return _from_angles(text)
-    if _LOCATOR.fullmatch(text):
+    if any(letter.isdigit() for letter in text):
         return from_locator(text)
     city = find_city(text)
     return Observer(city.latitude_deg, city.longitude_deg, 0.0, city.name)

@@ -11,7 +11,7 @@ from birdcage.base.config.field import Complaint, Section, setting
 
 _WHEN = r"\d{4}-\d\d-\d\dT\d\d:\d\dZ"
 _LINE = re.compile(rf"(done|skipped|begun) ({_WHEN})(?:: (.*))?")
-_CLOCK = re.compile(rf"compared {_WHEN}: ([+-]\d+(?:\.\d+)?) s|trusted {_WHEN}")
+_CLOCK = re.compile(rf"(?:compared|gps) {_WHEN}: ([+-]\d+(?:\.\d+)?) s|trusted {_WHEN}")
 
 
 class Kept(NamedTuple):
@@ -63,7 +63,8 @@ class SetupSettings(Section):
     north: str | None = setting(None, "Step 10, north.")
     first: str | None = setting(None, "Step 11, the first satellite.")
     clock: str | None = setting(
-        None, "The clock of this machine: `compared WHEN: +1 s` against a watch, or `trusted WHEN`."
+        None,
+        "The clock of this machine: `compared WHEN: +1 s` against a watch, `gps WHEN: +0.1 s`, or `trusted WHEN`.",
     )
 
     def kept(self, step: str) -> Kept | None:
@@ -78,7 +79,7 @@ class SetupSettings(Section):
 
     @property
     def clock_offset_s(self) -> float | None:
-        """How far this machine's clock was ahead of a watch, 0 where it is trusted; None when nobody looked."""
+        """How far this machine's clock was ahead of a watch or GPS, 0 where it is trusted; None when nobody looked."""
         found = _CLOCK.fullmatch(self.clock or "")
         if found is None:
             return None

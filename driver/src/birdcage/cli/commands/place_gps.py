@@ -59,27 +59,15 @@ def gps(receiver: str | None, use_it: bool, name: str | None, gps_baud: int | No
 
 def _use(fix: GpsFix, name: str | None, receiver: str) -> None:
     from birdcage.base.config import edit
-    from birdcage.base.geometry import separation
+    from birdcage.base.places import moved_settings
     from birdcage.cli.say import say
 
     paths = find_paths()
     here = load_settings(paths).place
-    latitude, longitude = round(fix.latitude_deg, 6), round(fix.longitude_deg, 6)
-    moved_deg = None
-    if here.latitude_deg is not None and here.longitude_deg is not None:
-        moved_deg = separation(here.longitude_deg, here.latitude_deg, longitude, latitude)
-    changes: dict[str, str | float | None] = {
-        "place.latitude_deg": latitude, "place.longitude_deg": longitude, "place.gps": receiver,
-        "place.declination_deg": None,
-    }  # fmt: skip
-    if fix.height_m is not None:
-        changes["place.height_m"] = round(fix.height_m, 1)
-    if name is not None:
-        changes["place.name"] = name
-    if moved_deg is None or moved_deg > 0.002:
-        # Some 200 m on: other trees, another name, and a height that was typed for elsewhere.
-        changes = {"place.height_m": None, "place.name": None, "place.horizon": None, **changes}
-        if here.horizon:
-            say("The horizon was another place's, and is flat now: `birdcage place horizon import`.")
+    height_m = None if fix.height_m is None else round(fix.height_m, 1)
+    changes = moved_settings(here, round(fix.latitude_deg, 6), round(fix.longitude_deg, 6), height_m, name)
+    changes["place.gps"] = receiver
+    if here.horizon and "place.horizon" in changes:
+        say("The horizon was another place's, and is flat now: `birdcage place horizon import`.")
     edit(paths.config_file, changes)
     say("It is the place that counts now.")

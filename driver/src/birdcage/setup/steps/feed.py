@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from birdcage.base.config import STOCK_FEED, FeedProfile
-from birdcage.setup.bench import Value
+from birdcage.base.config.edit import Value
 from birdcage.setup.step import Choice, Field, NoSuchChoice
 from birdcage.setup.steps.base import Plan, Step
 from birdcage.setup.typed import frequency_hz, optional_number, yes

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from birdcage.setup.bench import Value
+from birdcage.base.config.edit import Value
 from birdcage.setup.step import Choice, Field, NoSuchChoice
 from birdcage.setup.steps.base import Plan, Step
 from birdcage.setup.typed import optional_number

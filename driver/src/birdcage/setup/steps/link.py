@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from birdcage.setup.bench import Bench, Value
+from birdcage.base.config.edit import Value
+from birdcage.setup.bench import Bench
 from birdcage.setup.case import Case, Cause, describe
 from birdcage.setup.causes import find_causes
 from birdcage.setup.step import Choice, Field, Mark, NoSuchChoice

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from birdcage.base.config.edit import Value
 from birdcage.setup import north
-from birdcage.setup.bench import Value
 from birdcage.setup.step import Choice, Field, NoSuchChoice
 from birdcage.setup.steps.base import Plan, Step
 from birdcage.setup.typed import number, optional_number, yes

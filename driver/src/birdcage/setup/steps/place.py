@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from datetime import timedelta
 
-from birdcage.setup.bench import Value
+from birdcage.base.config.edit import Value
+from birdcage.base.errors import BirdcageError
+from birdcage.base.places import moved_settings
 from birdcage.setup.step import Choice, Field, NoSuchChoice
-from birdcage.setup.steps.base import Step
+from birdcage.setup.steps.base import Plan, Step
 from birdcage.setup.typed import number, optional_number, time_of_day
-from birdcage.sky.locator import decode, encode
+from birdcage.sky.locator import encode
 
 WRONG_CLOCK_S = 10.0
 """A clock this far off moves the Sun by 0.04 degrees: it must be set."""
-COARSE_DEG = 0.2
-"""Half the height of a locator square from which its middle is no place to point from."""
 
 
 class PlaceStep(Step):
@@ -50,29 +50,35 @@ class PlaceStep(Step):
         offset_s = setup.clock_offset_s
         if offset_s is None:
             return "clock not compared"
-        return f"clock {offset_s:+g} s by your watch" if "compared" in (setup.clock or "") else "clock trusted"
+        how = (setup.clock or "").partition(" ")[0]
+        by = {"compared": "your watch", "gps": "GPS"}.get(how)
+        return "clock trusted" if by is None else f"clock {offset_s:+g} s by {by}"
 
     def words(self) -> tuple[str, ...]:
-        """Ask for both; say that there is no GPS."""
+        """Ask for both."""
         return (
-            "Type where the dish stands: from a map, or a Maidenhead locator. 0.1° is plenty for pointing.",
-            "By GPS: later. This version has no GPS yet.",
+            "Say where the dish stands: from a map, a locator, a city near by, or GPS. 0.1° is plenty for pointing.",
+            "GPS tells the place and the clock at once: `gpsd` where that runs, or the receiver's own port.",
             f"Clock: {self.bench.utc:%H:%M:%S} UTC. Compare it with a watch set by radio or network, or trust it.",
         )
 
     def choices(self) -> tuple[Choice, ...]:
-        """Type a place, compare the clock."""
+        """Give a place, compare the clock."""
         place = self.bench.settings.place
         place_fields = (
             Field("latitude_deg", "latitude", "deg", "north is +", _text(place.latitude_deg)),
             Field("longitude_deg", "longitude", "deg", "east is +", _text(place.longitude_deg)),
             Field("height_m", "height", "m", "above the sea", f"{place.height_m:g}"),
         )
-        locator = (Field("locator", "locator", hint="JO21jv"), Field("height_m", "height", "m", "", "0"))
+        locator = (
+            Field("locator", "locator or city", hint="JO21jv, Rotterdam"), Field("height_m", "height", "m", "", "0"),
+        )  # fmt: skip
+        receiver = (Field("receiver", "receiver", "", "gpsd, /dev/ttyACM0", place.gps or "gpsd"),)
         here, clock = ("p", "enter") if self._has_place else ("enter", "c")
         return (
             Choice("typed", here, "Type latitude and longitude", fields=place_fields),
-            Choice("locator", "m", "Type a Maidenhead locator", fields=locator),
+            Choice("locator", "m", "Locator or city", fields=locator),
+            Choice("gps", "g", "Ask a GPS receiver", fields=receiver),
             Choice(
                 "clock", clock, "Compare the clock", fields=(Field("utc", "UTC on your watch now", "", "12:03:20"),)
             ),
@@ -85,24 +91,46 @@ class PlaceStep(Step):
             self._compare(values.get("utc", ""))
         elif choice == "trust":
             self._keep({"setup.clock": f"trusted {self.bench.stamp}"})
+        elif choice == "gps":
+            receiver = values.get("receiver", "").strip() or "gpsd"
+            self.begin(self._by_gps(receiver), f"asking {receiver} for a fix")
         else:
             lat, lon = self._located(values) if choice == "locator" else (
                 number(values, "latitude_deg", "latitude", -90.0, 90.0),
                 number(values, "longitude_deg", "longitude", -180.0, 180.0),
             )  # fmt: skip
             height_m = optional_number(values, "height_m", "height", -500.0, 9000.0) or 0.0
-            keys = {"place.latitude_deg": lat, "place.longitude_deg": lon, "place.height_m": height_m}
-            self._keep({**keys, "place.declination_deg": None})  # what was typed for another place
+            changes = moved_settings(self.bench.settings.place, lat, lon, height_m)
+            self._keep({**changes, "place.declination_deg": None})  # the model knows it; typed anew in step 10
 
     @staticmethod
     def _located(values: Mapping[str, str]) -> tuple[float, float]:
+        from birdcage.sky.whereabouts import parse_place
+
         try:
-            lat, lon, half_deg = decode(values.get("locator", ""))
+            found = parse_place(values.get("locator", ""))
         except ValueError as error:
             raise NoSuchChoice(str(error)) from None
-        if half_deg > COARSE_DEG:
-            raise NoSuchChoice(f"That square is {4 * half_deg:g}° wide: give six characters, such as JO21jv.")
-        return round(lat, 6), round(lon, 6)
+        return found.latitude_deg, found.longitude_deg
+
+    def _by_gps(self, receiver: str) -> Plan:
+        """Take place and clock from a receiver, as far as it tells them."""
+        from birdcage.gps.fix import GpsFix
+        from birdcage.gps.verdict import by_gps
+
+        fix = yield self.bench.receiver(receiver, self.bench.settings.dish.port)
+        assert isinstance(fix, GpsFix), "that is what a receiver gives"
+        height_m = None if fix.height_m is None else round(fix.height_m, 1)
+        here = self.bench.settings.place
+        changes = moved_settings(here, round(fix.latitude_deg, 6), round(fix.longitude_deg, 6), height_m)
+        changes["place.gps"] = receiver
+        verdict = by_gps(fix)
+        if verdict is not None and verdict.offset_s is not None:
+            changes["setup.clock"] = f"gps {self.bench.stamp}: {verdict.offset_s:+.1f} s"
+        self._keep(changes)
+        if verdict is not None and (verdict.offset_s is None or abs(verdict.offset_s) > WRONG_CLOCK_S):
+            self.bench.completed.discard(self.name)
+            raise BirdcageError(f"The place is kept. {verdict.doubt}")
 
     def _compare(self, text: str) -> None:
         """Compare now: what was typed is taken for this moment."""
