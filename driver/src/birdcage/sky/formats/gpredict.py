@@ -29,7 +29,7 @@ def read_sections(lines: Lines, start: int, basket: Basket) -> int:
             section, values = at, {}
             continue
         key = _KEY(line)
-        if key is None:
+        if key is None or text_lines.kind(lines, at) == "kvn":
             _satellite(section + 1, values, basket)
             return at
         values[key[1].upper()] = (at + 1, key[2])

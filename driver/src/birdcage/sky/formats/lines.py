@@ -54,7 +54,8 @@ def kind(lines: Lines, at: int) -> str:
     """Return what begins at a line that is not blank: xml, json, sections, table, kvn or tle."""
     line = lines[at].strip()
     first = line[0]
-    if type_of_line(line) or (first in "<[{" and type_of_line(next_full(lines, at + 1))):
+    # Whatever stands above an element line is a name, however it looks.
+    if type_of_line(line) or type_of_line(next_full(lines, at + 1)):
         return "tle"
     if first == "<":
         return "xml" if re.match(r"<[?!A-Za-z]", line) else "tle"

@@ -13,7 +13,7 @@ from itertools import accumulate
 
 from birdcage.sky.formats import omm, tle
 from birdcage.sky.formats.harvest import Basket, Unreadable
-from birdcage.sky.formats.lines import Lines
+from birdcage.sky.formats.lines import Lines, kind
 from birdcage.sky.formats.tle_text import name_of
 
 _GAP = re.compile(r"[\s,]*").match
@@ -41,8 +41,12 @@ def read(lines: Lines, start: int, basket: Basket) -> int:
     place = 0
     open_arrays: list[int] = []
     while True:
+        before = text.line(place)
         place = _GAP(body, place).end()  # type: ignore[union-attr]  # it matches the empty string too
         here = body[place : place + 1]
+        at = text.line(place) - 1
+        if here and not open_arrays and at >= before and kind(lines, at) != "json":
+            return at
         if here == "[":
             open_arrays.append(place)
             place += 1
@@ -61,12 +65,8 @@ def read(lines: Lines, start: int, basket: Basket) -> int:
             further = re.compile(r"[{\]]").search(body, place)
             place = further.start() if further else len(body)
         else:
-            # Back to the reader of texts: another format begins here, on the same line or further down.
-            line = text.line(place)
-            if line == text.line(max(place - 1, 0)) and body[:place].rpartition("\n")[2].strip():
-                basket.complain(line, "there is more behind the JSON on this line, which is not read")
-                return line
-            return line - 1
+            basket.complain(text.line(place), "there is more behind the JSON on this line, which is not read")
+            return text.line(place)
 
 
 def _object(text: _Text, place: int, basket: Basket) -> int:

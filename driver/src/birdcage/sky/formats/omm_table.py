@@ -18,15 +18,16 @@ def read(lines: Lines, start: int, basket: Basket) -> int:
     missing = [key for key in ("EPOCH", "MEAN_MOTION", "ECCENTRICITY") if key not in columns]
     if missing:
         basket.complain(start + 1, f"a table without {', '.join(missing)} holds no elements: skipped")
-    for at in range(start + 1, len(lines)):
-        line = lines[at]
-        if not line.strip():
-            continue
-        if _ends(lines, at, comma):
-            return at
-        if not missing:
-            _row(line, at + 1, columns, comma, basket)
-    return len(lines)
+    at, rows = start + 1, 0
+    while at < len(lines) and not (lines[at].strip() and _ends(lines, at, comma)):
+        if lines[at].strip():
+            rows += 1
+            if not missing:
+                _row(lines[at], at + 1, columns, comma, basket)
+        at += 1
+    if not rows and not missing:
+        basket.complain(start + 1, "the head of a table, with no row below it")
+    return at
 
 
 def _ends(lines: Lines, at: int, comma: str) -> bool:
