@@ -24,7 +24,8 @@ def test_a_place(typed, expected):
     ("typed", "says"),
     [
         ("", "Type latitude"), ("51.9", "is no latitude and longitude"), ("1 2 3 4", "is no latitude"),
-        ("4.8E 51.9N", "latitude comes first"), ("95 4", "no place on Earth"), ("JO21", "2° wide"), ("5x 3", "is no"), ("ZZ99", "no Maidenhead locator"),
+        ("4.8E 51.9N", "latitude comes first"), ("95 4", "no place on Earth"), ("JO21", "2° wide"), ("5x 3", "is no"),
+        ("ZZ99", "no Maidenhead locator"),
         ("springfield", "Which one"), ("nowhere at all", "no city"),
     ],
 )  # fmt: skip
