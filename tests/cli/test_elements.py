@@ -230,3 +230,28 @@ def test_search_that_finds_nothing_says_so(elements):
     result = elements("search", "noaa")
     assert (result.exit_code, result.stdout) == (exits.NOT_DONE, "")
     assert "noaa" in result.stderr
+
+
+def test_ctrl_c_keeps_the_groups_that_had_come(elements, server, monkeypatch):
+    from birdcage.sky.update.refresh import _Refresh
+
+    def fetch_one(self, host):
+        if self._source.name == "second":
+            raise KeyboardInterrupt
+        return fetch(self, host)
+
+    fetch = _Refresh._fetch
+    monkeypatch.setattr(_Refresh, "_fetch", fetch_one)
+    server.bodies["/first.json"] = (200, BODY)
+    result = elements("update", "first", "second", env={"BIRDCAGE_ELEMENTS_MIRROR_URL": server.mirror})
+    assert result.exit_code == 130
+    assert "what had come by then is kept" in result.stderr
+    assert "NOAA 20" in elements("list", "first").stdout
+
+
+def test_lists_are_sorted_for_people(elements):
+    elements("add", "-", input=json.dumps([omm("B", 9), omm("a", 1000), omm("C", 20)]))
+    lines = elements("list", "--all").stdout.splitlines()[1:]
+    assert [line.split()[1] for line in lines] == ["a", "B", "C"]
+    elements("favourite", "20", "--priority", "2")
+    assert elements("list", "--all").stdout.splitlines()[1].split()[:3] == ["*", "20", "C"]

@@ -34,6 +34,13 @@ def test_the_newest_epoch_stays_whichever_comes_first(catalogue, sat):
     assert catalogue.get(43013) == latest
 
 
+def test_of_two_of_one_epoch_the_first_stays_whoever_sends_the_other(catalogue, sat):
+    catalogue.add([sat()])
+    assert catalogue.add([sat("JPSS-1", source="satnogs")], group="satnogs") == (0, 0, 1)
+    assert catalogue.get(43013) == sat()
+    assert catalogue.entry(43013).groups == ("satnogs",)
+
+
 def test_elements_without_a_name_take_the_one_that_is_known(catalogue, sat):
     catalogue.add([sat(days=0)])
     catalogue.add([sat("", days=1)])

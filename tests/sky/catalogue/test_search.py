@@ -28,6 +28,7 @@ def index(sat):
             entry("SWISSCUBE", 35932, "amateur"),
             entry("QO-100 (ES'HAIL 2)", 43700, "geo", favourite=True),
             entry("COSMOS 25544", 77),
+            entry("CAPSULE OF NOAA", 78),
             entry("TEVEL-2", 255441),
         ]
     )
@@ -66,12 +67,12 @@ def test_better_matches_come_first(index):
     assert names(index, "iss") == ["ISS (ZARYA)", "ISS DEB", "SWISSCUBE"], (
         "names that begin so before those that hold it"
     )
-    assert names(index, "noaa") == ["NOAA 15", "NOAA 20 (JPSS-1)"]
+    assert names(index, "noaa") == ["NOAA 15", "NOAA 20 (JPSS-1)", "CAPSULE OF NOAA"], "the beginning before the middle"
     assert names(index, "weather") == ["METEOR-M2 3", "NOAA 15", "NOAA 20 (JPSS-1)"]
 
 
 def test_an_empty_text_shows_favourites_first_and_a_limit_counts(index):
-    assert names(index, " - ", limit=2) == ["QO-100 (ES'HAIL 2)", "COSMOS 25544"]
+    assert names(index, " - ", limit=2) == ["QO-100 (ES'HAIL 2)", "CAPSULE OF NOAA"]
     assert names(index, "iss", limit=1) == ["ISS (ZARYA)"]
     assert names(index, "iss", limit=0) == []
 

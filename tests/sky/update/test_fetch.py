@@ -8,7 +8,7 @@ import time
 
 import pytest
 from birdcage.sky.update.errors import FetchError
-from birdcage.sky.update.fetch import check_url, fetch
+from birdcage.sky.update.fetch import _Request, check_url, fetch
 
 
 def refused(url, **more):
@@ -40,6 +40,15 @@ def test_redirects_are_followed_to_the_end_but_not_round_and_round(server):
 def test_a_redirect_out_of_http_is_refused(server):
     server.answers["/a"] = (301, {"Location": "file:///etc/passwd"}, b"")
     assert refused(server.url("/a")).reason == "url"
+
+
+def test_nothing_leads_from_an_encrypted_address_to_a_plain_one():
+    request = _Request("https://celestrak.org/x", {}, 0.0, 0)
+    assert request._next("https://celestrak.org/x", "/y") == "https://celestrak.org/y"
+    assert request._next("http://celestrak.org/x", "https://celestrak.org/x") == "https://celestrak.org/x"
+    with pytest.raises(FetchError) as caught:
+        request._next("https://celestrak.org/x", "http://celestrak.org/x")
+    assert caught.value.reason == "redirects"
 
 
 def test_gzip_is_unpacked_by_header_or_by_itself_and_never_half(server):

@@ -42,7 +42,8 @@ def list_(
             context.exit(USAGE)
         entries = tuple(each for each in entries if wanted in each.groups)
     if favourites:
-        entries = tuple(sorted((e for e in entries if e.favourite), key=lambda e: (-e.priority, e.name.casefold())))
+        entries = tuple(each for each in entries if each.favourite)
+    entries = tuple(sorted(entries, key=lambda each: (-each.priority, each.name.casefold())))
     if everything or favourites or group is not None:
         _tell_satellites(entries, now)
     else:

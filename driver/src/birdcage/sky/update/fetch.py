@@ -51,15 +51,15 @@ def check_url(url: str) -> str:
 
 def fetch(
     url: str, *, headers: Mapping[str, str] | None = None, deadline_s: float = DEADLINE_S,
-    largest: int = LARGEST_BODY, follow: bool = True,
+    largest: int = LARGEST_BODY,
 ) -> Reply:  # fmt: skip
     """Ask for `url` once, by GET, and return the answer; nothing is tried a second time.
 
-    Redirects are followed unless `follow` is False, but never from https to http. FetchError for everything that is
+    Redirects are followed, but never from https to http. FetchError for everything that is
     no answer, a truncated one among them.
     """
     check_url(url)
-    request = _Request(url, dict(headers or {}), time.monotonic() + deadline_s, largest, follow)
+    request = _Request(url, dict(headers or {}), time.monotonic() + deadline_s, largest)
     # On a thread of its own: neither looking up a name nor a header that trickles in has a deadline otherwise.
     thread = threading.Thread(target=request.run, name="fetch", daemon=True)
     thread.start()
@@ -77,9 +77,9 @@ def fetch(
 class _Request:
     """One request on its thread."""
 
-    def __init__(self, url: str, headers: dict[str, str], deadline: float, largest: int, follow: bool) -> None:
+    def __init__(self, url: str, headers: dict[str, str], deadline: float, largest: int) -> None:
         self._url, self._headers, self._deadline = url, headers, deadline
-        self._largest, self._follow = largest, follow
+        self._largest = largest
         self.done, self.given_up = threading.Event(), threading.Event()
         self.reply: Reply | None = None
         self.error: BaseException | None = None
@@ -111,7 +111,7 @@ class _Request:
         for _ in range(MOST_REDIRECTS + 1):
             response = pool.request("GET", url, headers=headers, preload_content=False, redirect=False)
             try:
-                location = response.get_redirect_location() if self._follow else None
+                location = response.get_redirect_location()
                 if not location:
                     return self._read(response)
             finally:
