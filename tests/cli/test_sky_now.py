@@ -58,6 +58,21 @@ def test_each_row_is_what_where_says(sky, run, as_json, filled):
             assert told[key] == pytest.approx(row[key], abs=2e-4), (target, key)
 
 
+def test_a_satellite_that_comes_later_stands_where_where_has_it(sky, run, as_json, filled, at_home):
+    low = min((each for each in filled if each.mean_motion_rev_day > 10.0), key=lambda each: each.norad_id)
+    before = as_json(sky("--json", "--min-elevation", -90))
+    with Catalogue(Paths.in_folder(at_home).catalogue) as catalogue:
+        catalogue.set_time_offset(low.norad_id, 60.0)
+    after = as_json(sky("--json", "--min-elevation", -90))
+    told = as_json(run("where", low.norad_id, *HERE, *AT, "--json", firmware=""))
+
+    def row(rows):
+        return next(row for row in rows if row["norad_id"] == low.norad_id)
+
+    assert row(after)["range_km"] == pytest.approx(told["range_km"], abs=0.01)
+    assert abs(row(after)["range_km"] - row(before)["range_km"]) > 10.0
+
+
 def test_a_higher_limit_leaves_out_what_is_lower(sky, as_json, filled):
     high = as_json(sky("--json", "--min-elevation", 30))
     assert high

@@ -162,6 +162,7 @@ def test_what_this_dish_cannot_reach_is_said(where, as_json, at_home):
         "[place]\nhorizon = [[0, 0], [90, 40], [120, 0]]\n"
     )
     assert "below the floor of 25°" in where("az 0 el 24", *HOUSTON).stdout
+    assert "below the floor of 25°" in where("az 0 el 24", *HOUSTON, firmware="g2").stdout, "the narrower counts"
     assert "no-go: mast" in where(*high).stdout
     assert "behind the horizon" in where("az 90 el 39", *HOUSTON).stdout
     assert as_json(where("az 300 el 30", *HOUSTON, "--json"))["in_reach"] is True
