@@ -1,7 +1,7 @@
 """OMM in XML (CCSDS 505.0-B): `ndm` with an `omm` for each satellite, or one `omm` alone.
 
-Each message is parsed by itself, so that a damaged one costs no other. A document type is refused, and entities with
-it: no element set needs them, and they are the way to blow up a reader.
+Each message is parsed by itself, so that a damaged one costs no other, and so that no document type can come before
+it: entities, which are the way to blow up a reader, are then never defined. A document with one is refused.
 """
 
 from __future__ import annotations
@@ -82,8 +82,6 @@ class _Leaves:
         self.parser.StartElementHandler = self._start
         self.parser.EndElementHandler = self._end
         self.parser.CharacterDataHandler = self._text.append
-        self.parser.StartDoctypeDeclHandler = self._refuse
-        self.parser.EntityDeclHandler = self._refuse
 
     @property
     def line(self) -> int:
@@ -103,9 +101,6 @@ class _Leaves:
         if key.isupper() and key not in ("COMMENT", "USER_DEFINED"):
             self.fields[key] = "".join(self._text).strip()
         self._text.clear()
-
-    def _refuse(self, *_declaration: object) -> None:
-        raise Unreadable("XML with a document type or entities is not read: no element set needs them")
 
 
 def _message(body: str, first_line: int, basket: Basket) -> None:
