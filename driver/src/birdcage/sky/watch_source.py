@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -24,10 +24,13 @@ class Watched:
 
     def chosen(self, keep: Callable[[ElementSet], bool]) -> Watched:
         """Return those satellites that `keep` says yes to, with all that is said of them."""
-        old = [index for index, one in enumerate(self.elements) if keep(one)]
-        new = {index: place for place, index in enumerate(old)}
+        return self.part([index for index, one in enumerate(self.elements) if keep(one)])
+
+    def part(self, places: Sequence[int]) -> Watched:
+        """Return the satellites at some places, in that order, with all that is said of them."""
+        new = {index: place for place, index in enumerate(places)}
         return Watched(
-            tuple(self.elements[index] for index in old),
+            tuple(self.elements[index] for index in places),
             self.note,
             frozenset(new[index] for index in self.favourites if index in new),
             {new[index]: value for index, value in self.priorities.items() if index in new},

@@ -1,0 +1,271 @@
+"""Watches the sky for a face: what is up now, once a second, and what comes over, in a thread of its own.
+
+The heavy libraries are loaded by that thread, which a face starts after its first paint. On a virtual clock there is
+no thread: a test calls `step`.
+"""
+
+from __future__ import annotations
+
+import math
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass
+from datetime import datetime, timedelta
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from birdcage.base.clock import Clock
+from birdcage.base.errors import StoreError
+from birdcage.base.wake import Wake
+from birdcage.sky.observer import Observer
+from birdcage.sky.reach_limits import ReachLimits
+from birdcage.sky.watch_model import SkyNow, UpNow
+from birdcage.sky.watch_source import Watched, frozen_set, read_catalogue
+
+if TYPE_CHECKING:
+    from birdcage.sky.propagate import Fleet
+    from birdcage.sky.watch_hunt import PassHunt
+
+LOOK_S = 1.0
+PUBLISH_S = 0.25
+"""While a search goes on, what it found is published this often."""
+LOOK_AT_FILE_S = 5.0
+"""How often the file is looked at, which another program may have changed."""
+ROLL_HOURS = 6.0
+"""A search is done again when it is this old."""
+
+
+@dataclass(slots=True)
+class _Orders:
+    """What was asked for and not yet taken in. Written by any thread, under the lock."""
+
+    observer: Observer | None
+    limits: ReachLimits
+    view: tuple[datetime, float, float] | None = None
+    """A view time: from when on it runs (UTC, monotonic seconds), and how fast."""
+    reload: bool = True
+
+
+class SkyWatch:
+    """Owns the reading of the catalogue, the look angles and the search. All methods but `step` return at once.
+
+    `publish` is called on the watch's thread, with an immutable `SkyNow`.
+    """
+
+    def __init__(
+        self, catalogue: Path, publish: Callable[[SkyNow], None], clock: Clock, *,
+        observer: Observer | None = None, limits: ReachLimits | None = None,
+    ) -> None:  # fmt: skip
+        self._path, self._publish, self._clock = catalogue, publish, clock
+        self._orders = _Orders(observer, limits or ReachLimits())
+        self._lock, self._wake = threading.Lock(), Wake()
+        self._thread: threading.Thread | None = None
+        self._closing = False
+        self.crash: BaseException | None = None
+        """What ended the thread, if a fault of birdcage did."""
+        # From here on for the watch's thread only.
+        self._observer, self._limits = observer, self._orders.limits
+        self._view: tuple[datetime, float, float] | None = None
+        self._watched: Watched | None = None
+        self._fleet: Fleet | None = None
+        self._hunt: PassHunt | None = None
+        self._next_hunt: PassHunt | None = None
+        """One that replaces `_hunt` once it is done: the list keeps standing meanwhile."""
+        self._seen: tuple[object, ...] = ()
+        self._up: tuple[UpNow, ...] = ()
+        self._look_at = self._publish_at = self._file_at = -math.inf
+        self._untold = False
+        """Whether something was found since the last publication."""
+
+    # --- for any thread
+
+    def start(self) -> None:
+        """Begin to watch, in a daemon thread."""
+        self._thread = threading.Thread(target=self._run, name="sky", daemon=True)
+        self._thread.start()
+
+    def close(self, timeout_s: float = 0.1) -> None:
+        """End the watch. A thread in the middle of a bite dies with the program if it takes longer."""
+        self._closing = True
+        self._wake.set()
+        if self._thread is not None:
+            self._thread.join(timeout_s)
+        if self._thread is None or not self._thread.is_alive():
+            self._wake.close()
+
+    def set_observer(self, observer: Observer | None) -> None:
+        """Look from another place: the search under way is given up, its passes go."""
+        with self._lock:
+            self._orders.observer = observer
+        self._wake.set()
+
+    def set_limits(self, limits: ReachLimits) -> None:
+        """Work out reach with other limits; passes stay."""
+        with self._lock:
+            self._orders.limits = limits
+        self._wake.set()
+
+    def set_view_time(self, when: datetime | None, rate: float = 1.0) -> None:
+        """Look at another time, which runs at `rate` from now on (0 stands still); None for the clock's.
+
+        The clock itself is not touched: nothing but what is published changes.
+        """
+        with self._lock:
+            self._orders.view = None if when is None else (when, self._clock.monotonic(), rate)
+        self._wake.set()
+
+    def refresh(self) -> None:
+        """Read the catalogue again."""
+        with self._lock:
+            self._orders.reload = True
+        self._wake.set()
+
+    # --- for the watch's thread
+
+    def step(self) -> float:
+        """Do one bite of work; return until when (monotonic seconds) there is nothing to do: now or earlier for more.
+
+        Takes some 10 ms at most, but for the first one and those after a change of the catalogue.
+        """
+        self._take_in()
+        now, monotonic = self._now(), self._clock.monotonic()
+        if monotonic >= self._look_at:
+            self._up = self._looks(now)
+            self._look_at = monotonic + LOOK_S
+            self._tell(now, monotonic)
+            return monotonic
+        if self._work(now):
+            self._untold = True
+            if monotonic >= self._publish_at:
+                self._tell(now, monotonic)
+            return monotonic
+        if self._untold:
+            self._tell(now, monotonic)
+        return self._look_at
+
+    def _run(self) -> None:
+        try:
+            while not self._closing:
+                self._wake.clear()
+                until = self.step()
+                if not self._closing:
+                    self._clock.wait(None, until, self._wake)
+        except BaseException as crash:  # noqa: BLE001 - a face without a sky still drives its dish
+            # Kept for the face to tell: a traceback from this thread would land in the middle of its screen.
+            self.crash = crash
+            self._publish(SkyNow(self._clock.utc(), live=True, observer=None, note=f"The sky stopped: {crash!r}"))
+
+    def _take_in(self) -> None:
+        with self._lock:
+            observer, limits, reload = self._orders.observer, self._orders.limits, self._orders.reload
+            view, self._orders.reload = self._orders.view, False
+        monotonic = self._clock.monotonic()
+        if not reload and monotonic >= self._file_at:
+            self._file_at = monotonic + LOOK_AT_FILE_S
+            reload = self._fingerprint() != self._seen
+        moved = observer != self._observer
+        if moved:
+            self._observer, self._hunt, self._next_hunt = observer, None, None
+        if limits != self._limits:
+            self._limits = limits
+            for hunt in (self._hunt, self._next_hunt):
+                if hunt is not None:
+                    hunt.set_limits(limits)
+        if reload:
+            self._load()
+        if reload or moved or view != self._view:
+            self._view, self._look_at = view, monotonic
+        self._keep_hunting(self._now(), anew=reload)
+
+    def _load(self) -> None:
+        from birdcage.sky.propagate import Fleet
+
+        try:
+            self._watched = read_catalogue(self._path)
+        except StoreError as error:
+            shipped = frozen_set()
+            self._watched = Watched(shipped.elements, f"{error} Shown are the sets that ship with birdcage.")
+        self._seen = self._fingerprint()
+        self._fleet = Fleet(self._watched.elements)
+
+    def _fingerprint(self) -> tuple[object, ...]:
+        """Return something that differs after the catalogue was written to."""
+        found: list[object] = []
+        for path in (self._path, self._path.with_name(f"{self._path.name}-wal")):
+            try:
+                state = path.stat()
+            except FileNotFoundError:
+                found.append(None)
+            else:
+                found.append((state.st_mtime_ns, state.st_size))
+        return tuple(found)
+
+    def _keep_hunting(self, now: datetime, *, anew: bool) -> None:
+        """Begin a search where there is none, or the one that is there no longer covers the time looked at."""
+        from birdcage.sky.watch_hunt import PassHunt
+
+        if self._observer is None or self._watched is None:
+            return
+        latest = self._next_hunt or self._hunt
+        stale = latest is None or not latest.start <= now < latest.start + timedelta(hours=ROLL_HOURS)
+        if not (anew or stale):
+            return
+        # Passes that are under way shall be found whole: none of a low orbit lasts longer than half an hour.
+        hunt = PassHunt(self._watched, self._observer, self._limits, now - timedelta(minutes=30))
+        if self._hunt is None or not self._hunt.start <= now < self._hunt.ends():
+            self._hunt, self._next_hunt = hunt, None
+        else:
+            self._next_hunt = hunt
+
+    def _work(self, now: datetime) -> bool:
+        if self._next_hunt is not None:
+            if self._next_hunt.work(now):
+                return True
+            self._hunt, self._next_hunt = self._next_hunt, None
+            return True
+        return self._hunt is not None and self._hunt.work(now)
+
+    def _looks(self, now: datetime) -> tuple[UpNow, ...]:
+        """Return everything above the horizon, highest first."""
+        import numpy as np
+
+        from birdcage.sky.illumination import sunlit
+
+        if self._observer is None or self._fleet is None or self._watched is None:
+            return ()
+        looks = self._fleet.look(self._observer, now, self._watched.time_offsets)
+        up = np.flatnonzero(looks.el_deg > 0.0)
+        up = up[np.argsort(-looks.el_deg[up], kind="stable")]
+        values = (looks.az_deg[up], looks.el_deg[up], looks.range_km[up])
+        lit = sunlit(self._observer, np.array([now.timestamp()]), *values)
+        favourites = self._watched.favourites
+        return tuple(
+            UpNow(self._fleet[index].name, self._fleet[index].norad_id, az, el, far, rate, shines, index in favourites)
+            for index, az, el, far, rate, shines in zip(
+                up.tolist(), *(value.tolist() for value in (*values, looks.range_rate_km_s[up], lit)), strict=True
+            )
+        )
+
+    def _now(self) -> datetime:
+        if self._view is None:
+            return self._clock.utc()
+        when, since, rate = self._view
+        return when + timedelta(seconds=(self._clock.monotonic() - since) * rate)
+
+    def _tell(self, now: datetime, monotonic: float) -> None:
+        if self._closing:
+            return
+        self._publish_at, self._untold = monotonic + PUBLISH_S, False
+        current = self._next_hunt or self._hunt
+        self._publish(
+            SkyNow(
+                utc=now,
+                live=self._view is None,
+                observer=self._observer,
+                up=self._up,
+                passes=() if self._hunt is None else self._hunt.rows(now),
+                searching=None if current is None else current.progress,
+                satellites=0 if self._watched is None else len(self._watched.elements),
+                note="" if self._watched is None else self._watched.note,
+            )
+        )
