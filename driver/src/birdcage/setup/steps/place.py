@@ -77,8 +77,8 @@ class PlaceStep(Step):
         here, clock = ("p", "enter") if self._has_place else ("enter", "c")
         return (
             Choice("typed", here, "Type latitude and longitude", fields=place_fields),
-            Choice("locator", "m", "Locator or city", fields=locator),
-            Choice("gps", "g", "Ask a GPS receiver", fields=receiver),
+            Choice("locator", "m", "Look it up", fields=locator),
+            Choice("gps", "g", "Ask GPS", fields=receiver),
             Choice(
                 "clock", clock, "Compare the clock", fields=(Field("utc", "UTC on your watch now", "", "12:03:20"),)
             ),
