@@ -138,6 +138,18 @@ class TestHorizon:
         assert "trees.txt:2: elevation 120" in result.stderr
         assert not home.config_file.exists()
 
+    def test_recorded_where_the_dish_looks(self, run, home):
+        home.config_file.write_text("[alignment]\naz_offset_deg = 30.0\n[place]\nhorizon = [[0, 5]]\n")
+        at = json.loads(run("pos", "--json").stdout)
+        assert run("place", "horizon", "record").exit_code == 0
+        recorded = (pytest.approx(at["azimuth_deg"], abs=0.1), pytest.approx(at["elevation_deg"], abs=0.1))
+        assert place(home).horizon == ((0.0, 5.0), recorded)
+
+    def test_a_dish_that_does_not_know_where_it_is_records_nothing(self, run, home):
+        result = run("place", "horizon", "record", port="sim:g2?unhomed=1")
+        assert result.exit_code == 4
+        assert not home.config_file.exists()
+
 
 class TestGps:
     def test_printed_and_used(self, run, home, gpsd):

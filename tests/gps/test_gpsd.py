@@ -70,6 +70,7 @@ def test_a_height_that_is_not_known_is_none(clock, changes, height_m):
         ((VERSION, {"class": "DEVICES", "devices": []}), "no_fix", r"has no receiver"),
         ((), "no_gps", "is no gpsd: silence for 10 s"),
         ((VERSION, {**TPV, "lat": 200}), "no_fix", "has no fix"),
+        ((VERSION, {**TPV, "mode": 1}), "no_fix", "mode 1"),
         ((VERSION, {**TPV, "lat": True}), "no_fix", "has no fix"),
         (([1, 2], "x"), "no_gps", "2 lines that are no JSON"),
     ],

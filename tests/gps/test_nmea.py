@@ -12,8 +12,9 @@ from birdcage.base.errors import LinkError
 from birdcage.gps.fix import NoFix
 from birdcage.gps.locate import locate
 from birdcage.gps.nmea import read_nmea
+from birdcage.link.link import Link
 
-from .receiver import Bank, gga, rmc, sentence
+from .receiver import Bank, Receiver, gga, rmc, sentence
 
 URL = "/dev/ttyACM0"
 
@@ -104,6 +105,23 @@ def test_noise_without_an_end_does_not_grow(clock):
     with pytest.raises(NoFix, match="no sentence in what came") as no:
         read(clock, [(0.1 * index, b"\x55" * 4000) for index in range(200)], timeout_s=12.0)
     assert no.value.reason == "no_gps"
+
+
+def test_a_stream_without_a_pause_ends_as_well(clock):
+    class Flood(Receiver):
+        reads = 0
+
+        def pending(self):
+            return True
+
+        def read(self):
+            self.reads += 1
+            assert self.reads < 100, "nobody looks at the clock"
+            clock.advance(0.5)
+            return b"\x55\n"
+
+    with pytest.raises(NoFix, match="no sentence in what came"):
+        read_nmea(URL, clock, baud=9600, timeout_s=5.0, open_link=lambda url, _baud: Link(Flood(clock, url, []), clock))
 
 
 def test_a_port_that_is_not_there_says_so(clock):

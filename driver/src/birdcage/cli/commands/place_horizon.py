@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from birdcage.cli.exits import DATA_EPILOG
+from birdcage.cli.exits import DATA_EPILOG, EPILOG
 from birdcage.cli.options import find_paths, flags, global_options, load_settings
 
 if TYPE_CHECKING:
@@ -60,6 +60,28 @@ def add(az_deg: float, el_deg: float) -> None:
     from birdcage.sky.horizon import HorizonMask
 
     _keep(HorizonMask(load_settings(find_paths()).place.horizon).insert(az_deg, el_deg))
+
+
+@horizon.command("record", epilog=EPILOG)
+@global_options()
+def record() -> None:
+    """Add the point at which the dish looks now: jog it along the tree line, and record at each corner.
+
+    The dish is asked where it points, and not moved.
+    """
+    from birdcage.base.errors import PositionUnknown
+    from birdcage.cli.dish import how_to_home, open_dish
+    from birdcage.cli.options import wanted
+    from birdcage.sky.horizon import HorizonMask
+
+    with open_dish(wanted(), survey=False) as dish:
+        state = dish.come_up(15.0)
+    position = state.position
+    if position is None or state.position_lost is not None:
+        raise PositionUnknown(f"The dish does not know where it is. {how_to_home(state)}", reason="unhomed")
+    if not abs(position.el_deg) <= 90.0:
+        raise PositionUnknown(f"The dish leans back, to {position.el_deg:.2f}°: that is no point of a horizon.")
+    _keep(HorizonMask(load_settings(find_paths()).place.horizon).insert(position.az_deg, position.el_deg))
 
 
 @horizon.command("clear", epilog=DATA_EPILOG)
