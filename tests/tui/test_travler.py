@@ -264,9 +264,9 @@ def test_the_end_of_a_motion_tells_the_skew_where_there_is_one():
 
 def test_the_opening_is_told_once():
     view = view_of("travler")
-    opening = LinkState(Link.OPENING, detail="opening /tmp/dish")
+    opening = LinkState(Link.OPENING, detail="opening dish-1")
     text = bad_day_or_calm(View(replace(view.state, link=opening), view.now, view.utc, AppSettings()))
-    assert text == "Opening /tmp/dish …"
+    assert text == "Opening dish-1 …"
 
 
 def bad_day_or_calm(view):
