@@ -143,7 +143,7 @@ def test_stop_on_a_motion_nobody_asked_for_retargets_ahead_of_it():
     before = bench.device.truth()
     assert before.moving
     bench.station.stop("you")
-    bench.step(3)
+    bench.step(6)
     after = bench.device.truth()
     assert not after.moving
     assert before.az_deg < after.az_deg < before.az_deg + 15

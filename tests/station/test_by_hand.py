@@ -207,7 +207,7 @@ def test_stop_while_it_stows_is_tried_from_the_motor_menu():
     assert bench.device.truth().moving
     before = bench.clock.monotonic()
     bench.station.stop("you")
-    bench.step(3)
+    bench.step(6)
     said = [event.report.sentence for event in bench.events if type(event).__name__ == "StopSent"]
     assert "No STOP is documented for stowing" in said[0]
     with pytest.raises(Stopped):

@@ -42,7 +42,7 @@ def test_in_motion_tells_where_to_and_what_a_stop_takes(bench) -> None:
 
 def test_after_stop(bench) -> None:
     bench.station.stop("you")
-    bench.step(2)
+    bench.step(5)
     told = report(bench)
     assert (told["held"], told["held_by"], told["held_reason"]) == (True, "you", "stop")
     assert told["last_stop"]["confirmed"] is True

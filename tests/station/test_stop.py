@@ -32,7 +32,7 @@ def test_the_dish_comes_to_rest_ahead_of_where_it_was_and_stays(bench):
     future = in_mid_slew(bench)
     before = bench.device.truth().az_deg
     bench.station.stop("you")
-    bench.step(2)
+    bench.step(5)
     after = bench.device.truth()
     assert not after.moving
     assert before < after.az_deg < before + 20
@@ -100,7 +100,7 @@ def test_release_lets_a_person_move_again(bench):
 def test_stop_at_rest_latches_and_looks(bench):
     bench.do(Goto(180, 45, "you"))
     bench.station.stop("you")
-    bench.step(1)
+    bench.step(5)
     assert bench.state.held is not None
     assert bench.state.last_stop.means == "nothing moved"
     assert bench.state.last_stop.confirmed is True

@@ -163,7 +163,7 @@ def test_after_the_speeds_were_changed_by_hand_stop_looks_before_it_aims(bench):
     before = bench.device.truth()
     assert before.moving
     bench.station.stop("you")
-    bench.step(3)
+    bench.step(6)
     assert bench.at_rest()
     assert bench.device.truth().az_deg > before.az_deg - 5
     assert bench.state.last_stop.confirmed is True

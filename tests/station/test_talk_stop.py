@@ -59,7 +59,7 @@ def test_stop_of_a_raw_motion_that_is_not_foreseen_looks_and_aims(bench, line):
     bench.step(0.5)
     before = bench.device.truth().az_deg
     bench.station.stop("you")
-    bench.step(2)
+    bench.step(6)
     assert bench.at_rest()
     assert before - 40 < bench.device.truth().az_deg < before
     assert bench.state.last_stop.means == "retarget"
@@ -78,7 +78,7 @@ def test_stop_from_another_menu_goes_to_the_motor_menu_first(counted):
     assert bench.state.held is None  # the station has not run yet
     bench.step(0.5)
     assert bench.state.last_stop.by == "you"
-    bench.step(3)
+    bench.step(6)
     assert bench.state.menu == "mot"
     assert bench.at_rest()
     assert before - 30 < bench.device.truth().az_deg < before

@@ -47,6 +47,8 @@ class BirdcageAntenna:
         self._modelling = threading.RLock()
         self.model = protocol.model
         """The dish with the speeds that are in force now; `protocol.model` is what it can do."""
+        self.speeds_deg_s: Mapping[int, float] = {}
+        """The greatest speeds in force by motor number, as far as they are known."""
         self.align(self.alignment)
 
     @property
@@ -82,6 +84,7 @@ class BirdcageAntenna:
         """Plan with these greatest speeds (motor number to deg/s); an axis that is not named goes as its model says."""
         self._check_thread()
         model = self._protocol.model
+        self.speeds_deg_s = dict(speeds)
         self.model = replace(
             model,
             azimuth=replace(model.azimuth, speed_deg_s=speeds.get(MOTOR_AZIMUTH, model.azimuth.speed_deg_s)),

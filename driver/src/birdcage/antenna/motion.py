@@ -42,6 +42,13 @@ class AxisMotion:
         """Return where the model has the axis, and its velocity, in mechanical seconds."""
         return self.slew.at((now - self.started) * rate)
 
+    @property
+    def least_speed_deg_s(self) -> float | None:
+        """The least speed that it goes at, by its readings; infinite if it was not sent, None if they do not tell."""
+        if not self.slew.segments:
+            return math.inf
+        return abs(self.rate_deg_s) / 2 if self.rate_deg_s and abs(self.rate_deg_s) > AGAINST_DEG_S else None
+
     def with_reading(self, angle_deg: float, at: float, rate: float) -> AxisMotion:
         """Take in an angle that was read at `at`."""
         unrolled = self.read_deg + shortest_turn(self.read_deg, angle_deg)

@@ -32,7 +32,7 @@ WRONG_FIRMWARE = "wrong_firmware"
 """The console is another dish's: waiting longer changes nothing."""
 SLICE_S = 0.1
 """How long a wait goes without looking round: on Windows no signal ends it."""
-CONFIRM_S = 4.0
+CONFIRM_S = 6.0
 """How long the end of a command waits for the dish to confirm a STOP."""
 SURVEY_S = 10.0
 """The line counts as quiet 4 s after it was opened; a survey takes less than one."""

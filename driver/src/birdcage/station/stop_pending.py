@@ -28,9 +28,11 @@ class Pending:
     report: StopReport
     sent: int
     answered: bool
-    last: Pointing | None
+    still_from: Pointing | None
+    """The first of the readings that agree with the last one."""
     deadline: float
-    still_since: float | None = None
+    slowest: bool = False
+    """Whether it may move more slowly than the speeds that are known: it was not, or not only, sent by this program."""
     grip_is_complete: bool = False
     """Whether what follows the answer was done."""
     note: str = ""

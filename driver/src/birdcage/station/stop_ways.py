@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from contextlib import suppress
 from dataclasses import dataclass
 
-from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.antenna import STILL_DEG, BirdcageAntenna
 from birdcage.antenna.motion import stop_power_s
 from birdcage.base.errors import CommandRefused
 from birdcage.base.geometry import shortest_turn
@@ -17,6 +17,8 @@ from birdcage.station.state import Activity, Pointing, Search
 
 GRACE_S = 1.0
 """How much longer than its stopping power a dish may take to rest, before STOP is reported as not working."""
+PRINTED_DEG = 0.01
+"""Angles are printed in hundredths: two that differ by less may be printed alike."""
 QUEUED_STILL_S = 0.3
 """On a dish that speeds up slowly, readings in shorter order agree in mid-move too."""
 
@@ -38,8 +40,6 @@ class StopWay(ABC):
 
     anywhere = False
     """Whether what stops it does so in every menu."""
-    still_s = 0.0
-    """How long the readings must agree before it counts as at rest."""
 
     def __init__(self, board: Board, antenna: BirdcageAntenna) -> None:
         self._board, self._antenna = board, antenna
@@ -53,6 +53,13 @@ class StopWay(ABC):
     @abstractmethod
     def on_sight(self, earlier: Pointing, later: Pointing) -> Grip:
         """Return what stops a motion that nobody asked for, and that two readings show."""
+
+    @abstractmethod
+    def still_s(self, *, slowest: bool) -> float:
+        """Return for how long the readings must agree before it counts as at rest, in mechanical seconds.
+
+        `slowest`: whether it may move as slowly as its motors can.
+        """
 
     @abstractmethod
     def lasts_s(self, means: str) -> float:
@@ -69,8 +76,16 @@ class StopWay(ABC):
 class Retarget(StopWay):
     """A new target just ahead (decision 0004)."""
 
+    def __init__(self, board: Board, antenna: BirdcageAntenna) -> None:
+        super().__init__(board, antenna)
+        self._seen: tuple[float | None, float | None] = (None, None)
+        """The least speeds at which the motion that was last stopped was seen to go."""
+
     def at_once(self) -> Grip:
         """Aim ahead of the motion as it is modelled."""
+        motion = self._antenna.motion
+        if motion is not None:
+            self._seen = motion.azimuth.least_speed_deg_s, motion.elevation.least_speed_deg_s
         if self.retarget_works is not False:
             lines = self._antenna.stop_lines()
             return Grip("retarget", "A new target just ahead of the dish was sent.", lines) if lines else NOTHING
@@ -84,6 +99,19 @@ class Retarget(StopWay):
         lines = self._antenna.stop_lines_seen(*seen[0], *seen[1])
         return Grip("retarget", "The dish was seen moving: retargeted ahead of it.", lines)
 
+    def still_s(self, *, slowest: bool) -> float:
+        """Return how long an axis takes, at the least speed that may be in force, to be seen elsewhere."""
+        model, motion, known = self._antenna.protocol.model, self._antenna.motion, self._antenna.speeds_deg_s
+        axes = model.azimuth, model.elevation
+        seen = (None, None) if motion is None else self._seen
+        still_s = 0.0
+        for axis, seen_deg_s in zip(axes, seen, strict=True):
+            told_deg_s = None if slowest else known.get(axis.index)
+            # One step a second is the least that a motor can be set to.
+            speed_deg_s = told_deg_s or seen_deg_s or axis.step_deg
+            still_s = max(still_s, (STILL_DEG + PRINTED_DEG + axis.step_deg) / speed_deg_s)
+        return still_s
+
     def lasts_s(self, means: str) -> float:  # noqa: ARG002
         """Return the stopping power, and some grace."""
         return stop_power_s(self._antenna.model) + GRACE_S
@@ -96,7 +124,6 @@ class Queued(StopWay):
     """
 
     anywhere = True
-    still_s = QUEUED_STILL_S
 
     def at_once(self) -> Grip:
         """Send a byte wherever it may do good: it moves nothing."""
@@ -133,13 +160,17 @@ class Queued(StopWay):
         self._board.change(search=Search.OFF_UNTIL_POWER_UP)
         protocol.enter_motor_menu()
 
+    def still_s(self, *, slowest: bool) -> float:  # noqa: ARG002
+        """Return a time in which a dish that goes is seen to: its speeds can't be set."""
+        return QUEUED_STILL_S
+
     def lasts_s(self, means: str) -> float:
         """Return the stopping power, or what is left of the move, and some grace."""
         clock, motion = self._board.clock, self._antenna.motion
         left_s = stop_power_s(self._antenna.model)
         if means == "end of move" and motion is not None:
             left_s = max(0.0, motion.eta(clock.rate) - clock.monotonic()) * clock.rate
-        return left_s + GRACE_S + self.still_s
+        return left_s + GRACE_S
 
     def is_there(self, now: float) -> bool:
         """Give the move of one axis its time: it may hardly have begun."""

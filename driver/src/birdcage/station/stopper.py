@@ -31,6 +31,8 @@ RELEASED = "The motors are released: nothing drives the dish, and where it is, i
 
 GRIPS = ("retarget", "abort", "search")
 """Means that were sent."""
+OTHERS = (Activity.UNKNOWN, Activity.MOVING_UNASKED, Activity.STOWING)
+"""Where motion is not at the speed that this program knows, if it moves at all."""
 LOOKING = ("nothing moved", "look")
 """Means of a STOP that has sent nothing yet, and does so as soon as the dish is seen moving."""
 
@@ -126,14 +128,15 @@ class Stopper:
             if report.means == "no link":
                 self._publish(replace(report, confirmed=False), sent=False)
                 continue
+            slowest = self._may_crawl(report.means)
             self._mover.activity(Activity.STOPPING, "")
             if report.means == "look":
                 self._antenna.motion = None  # by the time that it can be aimed for, it is long outdated
             now = self._board.clock.monotonic()
             repeats = self._pending.sent if self._pending is not None else 0
             self._pending = Pending(
-                report, repeats + bool(lines), not lines, None, now + self._lasts_s(report.means), lines=lines,
-                grip_is_complete=report.means not in GRIPS,
+                report, repeats + bool(lines), not lines, None, now + self._lasts_s(report.means, slowest=slowest),
+                slowest, lines=lines, grip_is_complete=report.means not in GRIPS,
             )  # fmt: skip
             self.due = now
 
@@ -166,11 +169,12 @@ class Stopper:
             if not pending.answered:
                 self._repeat(pending)
                 return
-            lasts_s = self._lasts_s(pending.report.means)
+            lasts_s = self._lasts_s(pending.report.means, slowest=pending.slowest)
             pending.deadline = max(pending.deadline, self._board.clock.monotonic() + lasts_s)
         if not pending.grip_is_complete:
             pending.grip_is_complete = True
             self._complete(pending)
+        asked = self._board.clock.monotonic()
         pointing = self._look.position()
         if self._pending is not pending:
             return
@@ -179,7 +183,12 @@ class Stopper:
         if pointing is None:
             released = bool(self._antenna.protocol.gate.released)
             self._finish(pending, None, RELEASED if released else UNKNOWN)
-        elif self._rests(pending, pointing, now):
+        elif pending.still_from is None:
+            pending.still_from = pointing
+        elif not self._look.is_still(pointing, pending.still_from):
+            earlier, pending.still_from = pending.still_from, pointing
+            self._still_moving(pending, earlier, pointing, now)
+        elif self._rests(pending, pending.still_from, asked, now):
             if pending.report.means == "retarget":
                 self.way.retarget_works = self.way.retarget_works is not False and now <= pending.deadline
             self._finish(
@@ -187,33 +196,36 @@ class Stopper:
                 f"{pending.note}Stands still at {pointing.az_deg:.2f}°/{pointing.el_deg:.2f}°, "
                 f"{now - pending.report.at:.1f} s after STOP.",
             )  # fmt: skip
-        elif pending.still_since is None and pending.last is not None:
-            self._still_moving(pending, pending.last, pointing, now)
-        pending.last = pointing
 
-    def _rests(self, pending: Pending, pointing: Pointing, now: float) -> bool:
-        """Return whether the readings agree, and have done so for long enough."""
-        if pending.last is None or not self._look.is_still(pointing, pending.last):
-            pending.still_since = None
-            return False
-        pending.still_since = pending.last.at if pending.still_since is None else pending.still_since
-        long_enough = now - pending.still_since >= self.way.still_s / self._board.clock.rate
-        return long_enough and self.way.is_there(now)
+    def _rests(self, pending: Pending, still_from: Pointing, asked: float, now: float) -> bool:
+        """Return whether the readings have agreed for long enough.
+
+        The first was made before it came, and the last after it was `asked` for: so late an answer proves nothing.
+        """
+        still_s = self.way.still_s(slowest=pending.slowest) / self._board.clock.rate
+        return asked - still_from.at >= still_s and self.way.is_there(now)
 
     def _complete(self, pending: Pending) -> None:
         try:
             self.way.answered(pending.report.means)
             now = self._board.clock.monotonic()
-            pending.deadline = max(pending.deadline, now + self._lasts_s(pending.report.means))
+            pending.deadline = max(pending.deadline, now + self._lasts_s(pending.report.means, slowest=pending.slowest))
             pending.note = "The TV search was ended. " if pending.report.means == "search" else ""
         except CommandRefused as refused:
             pending.note = f"The TV search was not ended: {refused} "
 
-    def _lasts_s(self, means: str) -> float:
+    def _may_crawl(self, means: str) -> bool:
+        """Return whether the dish may move otherwise than at a speed that is known: as nobody here has sent it."""
+        if self._pending is not None and self._pending.slowest:
+            return True
+        return means in LOOKING and self._board.state.activity in OTHERS
+
+    def _lasts_s(self, means: str, *, slowest: bool) -> float:
         """Return how long the dish may take to rest, and to be seen at rest by readings that take their time."""
         protocol = self._antenna.protocol
         round_trip_s = protocol.console.round_trip_s if protocol.is_connected else None
-        return self.way.lasts_s(means) / self._board.clock.rate + READINGS * (round_trip_s or 0.0)
+        lasts_s = self.way.lasts_s(means) + self.way.still_s(slowest=slowest)
+        return lasts_s / self._board.clock.rate + READINGS * (round_trip_s or 0.0)
 
     def _answered(self, *, last: bool) -> bool:
         console = self._antenna.protocol.console
@@ -233,17 +245,17 @@ class Stopper:
         self._antenna.protocol.interject(pending.lines)
         self.due = self._board.clock.monotonic()
 
-    def _still_moving(self, pending: Pending, last: Pointing, pointing: Pointing, now: float) -> None:
+    def _still_moving(self, pending: Pending, earlier: Pointing, pointing: Pointing, now: float) -> None:
         if pending.report.means in LOOKING:
-            grip = self.way.on_sight(last, pointing)
+            grip = self.way.on_sight(earlier, pointing)
             self._antenna.protocol.interject(grip.lines)
             self.reach = Reach.SENT
             pending.lines = grip.lines
             pending.report = replace(pending.report, means=grip.means, sentence=grip.sentence)
-            pending.deadline = now + self._lasts_s(grip.means)
+            pending.deadline = now + self._lasts_s(grip.means, slowest=pending.slowest)
             pending.answered = pending.grip_is_complete = False
             pending.sent += 1
-        elif closes_in(self._antenna, last, pointing):
+        elif closes_in(self._antenna, earlier, pointing):
             pending.deadline = max(pending.deadline, now + 1.0)  # slower than modelled, but on its way to rest
         elif now > pending.deadline and pending.report.confirmed is None and pending.report.means not in LOOKING:
             self.way.retarget_works = False

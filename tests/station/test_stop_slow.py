@@ -1,0 +1,51 @@
+"""STOP of a dish whose motors were set to go slowly: it is confirmed when the dish rests, and not before."""
+
+from __future__ import annotations
+
+import pytest
+from birdcage.station.events import StopConfirmed
+from birdcage.station.requests import Goto
+
+from .conftest import Bench
+
+SPEEDS_DEG_S = (0.02, 0.1, 0.2, 0.3, 0.5, 1.0, 5.0)
+
+
+def stopped(speed_deg_s: float, *, survey: bool) -> tuple[Bench, list[bool], float]:
+    """Return a bench, whether the dish moved at each confirmation, and how long that took."""
+    bench = Bench(f"g2?seed=1&az_speed={speed_deg_s}&az=-180", {"survey": survey}).connect()
+    bench.watch("position", rate_hz=2.0)
+    bench.step(4.0)
+    moved: list[bool] = []
+
+    def hear(event: object) -> None:
+        if isinstance(event, StopConfirmed) and event.report.confirmed:
+            moved.append(bench.device.truth().moving)
+
+    bench.station.subscribe(hear)
+    position = bench.state.position
+    assert position is not None
+    bench.station.submit(Goto(position.az_deg + 40.0, position.el_deg, "you"))
+    bench.step(1.0)
+    assert bench.device.truth().moving
+    before = bench.clock.monotonic()
+    bench.station.stop("you")
+    while not moved and bench.clock.monotonic() < before + 16.0:
+        bench.step(0.05)
+    return bench, moved, bench.clock.monotonic() - before
+
+
+@pytest.mark.parametrize("speed_deg_s", SPEEDS_DEG_S)
+def test_a_speed_that_is_known_is_allowed_for(speed_deg_s):
+    bench, moved, took_s = stopped(speed_deg_s, survey=True)
+    assert moved == [False]
+    assert took_s < 1.0 or speed_deg_s < 0.1
+    assert bench.state.last_stop.sentence.startswith("Stands still at ")
+
+
+@pytest.mark.parametrize("speed_deg_s", SPEEDS_DEG_S)
+def test_a_speed_that_is_not_known_may_be_the_least_that_can_be_set(speed_deg_s):
+    _bench, moved, took_s = stopped(speed_deg_s, survey=False)
+    assert True not in moved
+    assert moved or speed_deg_s <= 0.5, "it is far from its aim, and goes on"
+    assert took_s < 1.0 or speed_deg_s < 5.0, "it was seen to be faster"
