@@ -135,4 +135,7 @@ def test_what_a_second_costs():
     assert cost_sentence(good, 0.6, "NOAA 20") == (
         "One second costs 0.6° on NOAA 20 (0.6°/s); this clock at most 0.15°."
     )
+    hours = by_watch(NOW - timedelta(hours=4), NOW)
+    assert cost_sentence(hours, 1.0).endswith("with this clock it is not where the dish looks at all.")
+    assert cost_sentence(by_watch(NOW - timedelta(seconds=30), NOW), 1.0).endswith("this clock at most 31°.")
     assert "is not known" in cost_sentence(by_system(NOW, system()), 1.0)

@@ -39,6 +39,8 @@ def horizon_words(points: Sequence[tuple[float, float]]) -> str:
     """Return a horizon in a few words."""
     if not points:
         return "flat horizon"
+    if len(points) == 1:
+        return f"horizon at {points[0][1]:.1f}° all round"
     az_deg, el_deg = max(points, key=lambda point: point[1])
     return f"horizon of {len(points)} points, up to {el_deg:.1f}° at {az_deg:.0f}°"
 

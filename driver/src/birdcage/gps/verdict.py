@@ -14,6 +14,8 @@ WATCH_S = 1.0
 """How well a person presses Enter at the second that was typed."""
 OVERHEAD_DEG_S = 1.0
 """How fast the space station crosses the zenith: the fastest pass that is common (7.2 km/s over 415 km)."""
+LOST_DEG = 60.0
+"""Beyond this an error in degrees means nothing: it is another part of the sky."""
 ROLLOVER = timedelta(weeks=1024)
 """Old receivers count weeks in ten bits, and begin again after this."""
 
@@ -84,10 +86,17 @@ def cost_deg(error_s: float, rate_deg_s: float) -> float:
 
 def cost_sentence(verdict: ClockVerdict, rate_deg_s: float, what: str = "the space station overhead") -> str:
     """Say what a second costs, and what this clock may cost, on a target of that greatest speed."""
-    second = f"One second costs {cost_deg(1.0, rate_deg_s):.2g}° on {what} ({rate_deg_s:g}°/s)"
+    second = f"One second costs {_degrees(cost_deg(1.0, rate_deg_s))} on {what} ({rate_deg_s:g}°/s)"
     if verdict.worst_s is None:
         return f"{second}; how many this clock is off is not known."
-    return f"{second}; this clock at most {cost_deg(verdict.worst_s, rate_deg_s):.2g}°."
+    worst_deg = cost_deg(verdict.worst_s, rate_deg_s)
+    if worst_deg > LOST_DEG:
+        return f"{second}; with this clock it is not where the dish looks at all."
+    return f"{second}; this clock at most {_degrees(worst_deg)}."
+
+
+def _degrees(angle: float) -> str:
+    return f"{angle:.0f}°" if angle >= 10.0 else f"{angle:.2g}°"
 
 
 def _measured(kind: Kind, source: str, now: datetime, offset_s: float, precision_s: float) -> ClockVerdict:
