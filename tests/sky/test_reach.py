@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 import itertools
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime
 
 import numpy as np
 import pytest
-from birdcage.sky.reach import reach
+from birdcage.sky.elements import ElementSet
+from birdcage.sky.horizon import HorizonMask
+from birdcage.sky.observer import Observer
+from birdcage.sky.passes.search import search
+from birdcage.sky.propagate import Fleet, track
+from birdcage.sky.reach import reach, sample_times
 from birdcage.sky.reach_cable import runs_of
 from birdcage.sky.reach_limits import NoGo, ReachLimits
 from birdcage.sky.reach_speed import azimuth_room, too_fast
@@ -136,14 +142,16 @@ def test_the_rewind_is_done_while_the_satellite_is_above_the_ceiling():
 
 
 def test_an_unknown_turn_counts_only_what_is_safe_for_every_turn():
-    # From 100 down to 280 (-80) over north: at 100 the cable may stand at 100 or 460; both stay inside 0..500? No.
-    wide = {"cable_min_deg": -100.0, "cable_max_deg": 400.0}
-    sky = flyover(60.0, towards_deg=280.0)
-    known = reach(sky, ReachLimits(**wide, turn_known=True, az_rate_deg_s=30.0))
-    unknown = reach(sky, ReachLimits(**wide, turn_known=False, az_rate_deg_s=30.0))
-    assert known.lost == ()
-    assert unknown.total_s <= known.total_s
-    assert all(stretch.turn is None for stretch in unknown.intervals)
+    # From 350 down to 170: at 350 the cable may stand at 350 or at -10, and the latter ends at -100, azimuth 260.
+    cable = {"cable_min_deg": -100.0, "cable_max_deg": 400.0, "az_rate_deg_s": 50.0}
+    sky = flyover(60.0, towards_deg=170.0)
+    assert reach(sky, ReachLimits(**cable, turn_known=True)).lost == ()
+    unknown = reach(sky, ReachLimits(**cable, turn_known=False))
+    assert [
+        (pytest.approx(start, abs=0.1), pytest.approx(end, abs=2.1), reason)
+        for start, end, reason in [(seconds(one.start), seconds(one.end), one.reason) for one in unknown.lost]
+    ] == [(0.0, 10.0, "cable")]
+    assert [stretch.turn for stretch in unknown.intervals] == [None, None]
 
 
 def test_less_than_a_circle_of_cable_of_unknown_turn_reaches_nothing():
@@ -184,6 +192,41 @@ def test_intervals_and_losses_are_the_whole_pass():
         assert (seconds(spans[0].start), seconds(spans[-1].end)) == (-300.0, 300.0)
         for before, after in itertools.pairwise(spans):
             assert seconds(after.start) == pytest.approx(seconds(before.end), abs=0.01)
+
+
+# --- against brute force on a real orbit
+
+ISS = ElementSet("ISS", 25544, datetime(2026, 11, 21, 12, tzinfo=UTC), 51.64, 247.46, 0.0007, 130.5, 325.0, 15.72, 1e-4)
+HIGH = replace(ISS, name="Molniya", inclination_deg=63.4, eccentricity=0.7, mean_motion_rev_day=2.006, bstar=0.0)
+
+
+@pytest.mark.parametrize("elements", [ISS, HIGH], ids=lambda one: one.name)
+def test_reach_is_where_brute_force_finds_the_direction_allowed(elements):
+    here = Observer(40.0, -105.0, 1650.0)
+    mask = HorizonMask([(0, 20), (90, 35), (91, 10), (200, 10), (300, 25)])
+    limits = ReachLimits(
+        el_floor_deg=18.0, el_ceiling_deg=65.0, horizon=mask, no_go=(NoGo(330.0, 20.0, 50.0), NoGo(150.0, 170.0, 40.0)),
+        cable_min_deg=-423.33, cable_max_deg=23.33, turn_known=True, az_rate_deg_s=65.0, el_rate_deg_s=45.0,
+    )  # fmt: skip
+    reached = 0
+    for one in search(Fleet([elements]), here, elements.epoch, 72.0):
+        found = reach(track(elements, here, sample_times(one)), limits)
+        step = 0.1 if one.duration_s < 3600 else 2.0
+        t = np.arange(one.aos.timestamp(), one.los.timestamp(), step)
+        dense = track(elements, here, t)
+        az, el = dense.az_deg, dense.el_deg
+        allowed = (el >= 18.0) & (el <= 65.0) & (el >= np.array([mask.at(each) for each in az.tolist()]))
+        allowed &= ~(((az >= 330.0) | (az <= 20.0)) & (el < 50.0)) & ~((az >= 150.0) & (az <= 170.0) & (el < 40.0))
+        inside = np.zeros(len(t), dtype=bool)
+        for stretch in found.intervals:
+            inside |= (t >= stretch.start.timestamp()) & (t <= stretch.end.timestamp())
+        # At each edge the two may differ by a tenth of a second. Only the cable may take more.
+        edges = 1 + 2 * (len(found.intervals) + len(found.lost))
+        assert np.count_nonzero(inside & ~allowed) * step <= edges * max(0.1, step)
+        if "cable" not in found.reasons:
+            assert np.count_nonzero(allowed & ~inside) * step <= edges * max(0.1, step)
+        reached += bool(found.intervals)
+    assert reached >= 2
 
 
 # --- the cable against brute force
