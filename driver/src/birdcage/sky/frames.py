@@ -15,7 +15,7 @@ from datetime import UTC, datetime, timedelta
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from birdcage.sky.dut1 import dut1_s
+from birdcage.sky.dut1 import dut1_at
 from birdcage.sky.observer import Observer
 
 Floats = NDArray[np.float64]
@@ -49,12 +49,12 @@ def julian(t_s: ArrayLike) -> tuple[Floats, Floats]:
     return days + _UNIX_JD, rest_s / DAY_S
 
 
-def sidereal_rad(t_s: ArrayLike, dut1: float) -> Floats:
+def sidereal_rad(t_s: ArrayLike, dut1: ArrayLike) -> Floats:
     """Return Greenwich mean sidereal time (IAU 1982; Aoki et al. 1982) in radians, 0 to 2 pi.
 
     `t_s` in POSIX seconds of UTC, `dut1` is UT1 - UTC in seconds.
     """
-    days = (np.asarray(t_s, dtype=np.float64) + dut1 - _J2000_UNIX_S) / DAY_S
+    days = (np.asarray(t_s, dtype=np.float64) - _J2000_UNIX_S + dut1) / DAY_S
     t = days / 36525.0
     beyond_days_s = 67310.54841 + t * (8640184.812866 + t * (0.093104 - 6.2e-6 * t))
     turns: Floats = (beyond_days_s / DAY_S + days % 1.0) % 1.0
@@ -118,7 +118,7 @@ def look(observer: Observer, t_s: ArrayLike, position_km: Floats, velocity_km_s:
     """Return the look angles of TEME states (n, 3) at POSIX seconds `t_s`: one time for all, or one for each."""
     times = np.asarray(t_s, dtype=np.float64)
     site = Site.of(observer)
-    angle = sidereal_rad(times, dut1_s(utc(float(times.flat[0]))) if times.size else 0.0) + site.longitude_rad
+    angle = sidereal_rad(times, dut1_at(times)) + site.longitude_rad
     c, s = np.cos(angle), np.sin(angle)
     px = position_km[:, 0] - site.axis_km * c
     py = position_km[:, 1] - site.axis_km * s

@@ -23,6 +23,9 @@ _LIMIT = 0.02
 """The longest step, in intervals: a quarter of the sub-grid's."""
 _NEAR_S = 0.5
 """After a step of this size a second-order root is good to 0.1 ms, also near the zenith at 400 km."""
+_SWIFT_RAD_S = 1e-3
+"""Slower satellites than this one must come nearer in proportion: SGP4's velocity is not quite the derivative of its
+position, which tells the more the less a satellite moves against the ground."""
 _NEAR_TURN_S = 1.0
 _SETTLED_S = 5e-4
 _GRAZING = 0.1
@@ -104,7 +107,8 @@ class Exact:
             r[:, active] = at + step * (v + 0.5 * step * a)
             size = np.abs(step)
             grazing = (size > _SETTLED_S) & (np.abs(step * course.bend) > _GRAZING * np.abs(course.rate))
-            active = active[np.where(turning, size > _NEAR_TURN_S, (size > _NEAR_S) | grazing)]
+            near = np.clip(_NEAR_S / _SWIFT_RAD_S * np.abs(course.rate), _SETTLED_S, _NEAR_S)
+            active = active[np.where(turning, size > _NEAR_TURN_S, (size > near) | grazing)]
         return Events(satellite, kind, t, limit_s, r)
 
     def bends(self, events: Events) -> tuple[Floats, Floats]:

@@ -12,11 +12,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from birdcage.sky.dut1 import dut1_s
-from birdcage.sky.frames import SIDEREAL_RATE_RAD_S, Floats, Site, sidereal_rad, utc
+from birdcage.sky.dut1 import LEAP_S, dut1_at
+from birdcage.sky.frames import SIDEREAL_RATE_RAD_S, Floats, Site, sidereal_rad
 from birdcage.sky.observer import Observer
-
-_W = SIDEREAL_RATE_RAD_S
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,19 +42,25 @@ class Ground:
     """POSIX seconds of the start of the search."""
     angle_rad: float
     """Local sidereal time at the start."""
+    rate_rad_s: float
+    """How fast local sidereal time runs: UT1 drifts against UTC, which for a distant satellite is 10 ms in a day."""
     sin_mask: float
     """The sine of the elevation that counts as up."""
 
     @classmethod
-    def of(cls, observer: Observer, start_s: float, min_elevation_deg: float) -> Ground:
+    def of(cls, observer: Observer, start_s: float, span_s: float, min_elevation_deg: float) -> Ground:
         """Return the ground for a search that starts at `start_s` (POSIX)."""
         site = Site.of(observer)
-        angle = float(sidereal_rad(start_s, dut1_s(utc(start_s)))) + site.longitude_rad
-        return cls(site, start_s, angle, math.sin(math.radians(min_elevation_deg)))
+        begin, end = dut1_at([start_s, start_s + span_s]).tolist()
+        if end - begin > LEAP_S:
+            end -= 1.0  # neither POSIX time nor SGP4 counts the leap second
+        angle = float(sidereal_rad(start_s, begin)) + site.longitude_rad
+        rate = SIDEREAL_RATE_RAD_S * (1.0 + (end - begin) / span_s)
+        return cls(site, start_s, angle, rate, math.sin(math.radians(min_elevation_deg)))
 
     def turned(self, t: Floats) -> tuple[Floats, Floats]:
         """Return cosine and sine of the local sidereal time."""
-        angle = self.angle_rad + _W * t
+        angle = self.angle_rad + self.rate_rad_s * t
         return np.cos(angle), np.sin(angle)
 
     def sine(self, t: Floats, r: Floats) -> Floats:
@@ -69,13 +73,13 @@ class Ground:
 
     def sine_and_turn(self, t: Floats, r: Floats, v: Floats) -> tuple[Floats, Floats]:
         """Return S and N (see `Course`) for positions and velocities."""
-        site = self.site
+        site, w = self.site, self.rate_rad_s
         c, s = self.turned(t)
-        across = site.axis_km * _W
+        across = site.axis_km * w
         px, py, pz = r[0] - site.axis_km * c, r[1] - site.axis_km * s, r[2] - site.north_km
         qx, qy, qz = v[0] + across * s, v[1] - across * c, v[2]
         g = site.cos_lat * (px * c + py * s) + site.sin_lat * pz
-        g1 = site.cos_lat * ((qx + _W * py) * c + (qy - _W * px) * s) + site.sin_lat * qz
+        g1 = site.cos_lat * ((qx + w * py) * c + (qy - w * px) * s) + site.sin_lat * qz
         rho2 = px * px + py * py + pz * pz
         sine: Floats = g / np.sqrt(rho2)
         turn: Floats = g1 * rho2 - g * (px * qx + py * qy + pz * qz)
@@ -83,17 +87,17 @@ class Ground:
 
     def course(self, t: Floats, r: Floats, v: Floats, a: Floats) -> Course:
         """Return how S moves, for positions, velocities and accelerations."""
-        site = self.site
+        site, w = self.site, self.rate_rad_s
         c, s = self.turned(t)
-        across = site.axis_km * _W
+        across = site.axis_km * w
         px, py, pz = r[0] - site.axis_km * c, r[1] - site.axis_km * s, r[2] - site.north_km
         qx, qy, qz = v[0] + across * s, v[1] - across * c, v[2]
-        ax, ay, az = a[0] + across * _W * c, a[1] + across * _W * s, a[2]
+        ax, ay, az = a[0] + across * w * c, a[1] + across * w * s, a[2]
         # up turns: up' = w x up, so g' = q.up + p.up' and g'' = a.up + 2 q.up' + p.up''
         g = site.cos_lat * (px * c + py * s) + site.sin_lat * pz
-        g1 = site.cos_lat * ((qx + _W * py) * c + (qy - _W * px) * s) + site.sin_lat * qz
+        g1 = site.cos_lat * ((qx + w * py) * c + (qy - w * px) * s) + site.sin_lat * qz
         g2 = (
-            site.cos_lat * ((ax + 2.0 * _W * qy - _W * _W * px) * c + (ay - 2.0 * _W * qx - _W * _W * py) * s)
+            site.cos_lat * ((ax + 2.0 * w * qy - w * w * px) * c + (ay - 2.0 * w * qx - w * w * py) * s)
             + site.sin_lat * az
         )
         rho2 = px * px + py * py + pz * pz

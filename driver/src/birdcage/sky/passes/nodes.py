@@ -15,6 +15,8 @@ from birdcage.sky.passes.ground import Ground
 from birdcage.sky.passes.orbits import MU_KM3_S2, Orbits
 from birdcage.sky.passes.quintic import coefficients
 
+_EARTH_KM = 6400.0
+
 Indices = NDArray[np.intp]
 
 
@@ -118,7 +120,9 @@ def _may_be_up(ground: Ground, orbits: Orbits, members: Indices, t: Floats, r: F
     highest = np.maximum(np.maximum(g[:, before], g[:, after]), middle)
     rate = orbits.perigee_rad_s[members] + SIDEREAL_RATE_RAD_S
     bound = 1.4 * orbits.apogee_km[members] * rate * rate * h * h / 32.0
-    return np.asarray(highest > -bound[:, None])
+    # A mask below the horizon counts more as up, by what it is below over the greatest distance.
+    lowest = min(ground.sin_mask, 0.0) * (orbits.apogee_km[members] + _EARTH_KM)
+    return np.asarray(highest > (lowest - bound)[:, None])
 
 
 def _stops(error: NDArray[np.uint8], members: Indices, t: Floats) -> tuple[Stop, ...]:

@@ -51,7 +51,8 @@ def search(
     fleet, by which a satellite is ahead of its elements. Satellites without a position, decayed or with elements that
     are no orbit, are named in `failed`. ValueError for a naive time, a span that is not above 0, or no such mask.
     """
-    return PassTable.joined(list(_parts(fleet, observer, start, hours, min_elevation_deg, time_offsets, _SLAB)))
+    ground = _ground(observer, start, hours, min_elevation_deg)
+    return PassTable.joined(list(_parts(fleet, ground, hours * 3600.0, time_offsets or {}, _SLAB)))
 
 
 def search_in_parts(
@@ -62,26 +63,28 @@ def search_in_parts(
 
     Closing the iterator ends the search. Each table is in order of AOS; `PassTable.joined` makes one of them.
     """
-    return _parts(fleet, observer, start, hours, min_elevation_deg, time_offsets, _FIRST_PART)
+    ground = _ground(observer, start, hours, min_elevation_deg)
+    return _parts(fleet, ground, hours * 3600.0, time_offsets or {}, _FIRST_PART)
 
 
-def _parts(
-    fleet: Fleet, observer: Observer, start: datetime, hours: float, min_elevation_deg: float,
-    time_offsets: Mapping[int, float] | None, part: int,
-) -> Iterator[PassTable]:  # fmt: skip
+def _ground(observer: Observer, start: datetime, hours: float, min_elevation_deg: float) -> Ground:
     if not (math.isfinite(hours) and hours > 0.0):
         raise ValueError(f"no span to search: {hours} hours")
     if not abs(min_elevation_deg) < 90.0:
         raise ValueError(f"no elevation to rise above: {min_elevation_deg} degrees")
-    start_s = posix_s(start)
-    ground = Ground.of(observer, start_s, min_elevation_deg)
+    return Ground.of(observer, posix_s(start), hours * 3600.0, min_elevation_deg)
+
+
+def _parts(
+    fleet: Fleet, ground: Ground, span_s: float, time_offsets: Mapping[int, float], part: int
+) -> Iterator[PassTable]:
     begin = 0
-    error, r, v = fleet.states(start_s, time_offsets)
+    error, r, v = fleet.states(ground.start_s, time_offsets)
     while begin < len(fleet) or not begin:
         end = min(begin + part, len(fleet))
-        offsets = {index - begin: shift for index, shift in (time_offsets or {}).items() if begin <= index < end}
+        offsets = {index - begin: shift for index, shift in time_offsets.items() if begin <= index < end}
         some = slice(begin, end)
-        yield _search(fleet, begin, ground, hours * 3600.0, offsets, error[some], r[some], v[some])
+        yield _search(fleet, begin, ground, span_s, offsets, error[some], r[some], v[some])
         begin, part = max(end, 1), min(part * 4, _SLAB)
 
 
