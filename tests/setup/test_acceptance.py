@@ -7,7 +7,8 @@ from birdcage.base.config import edit
 from birdcage.base.geometry import shortest_turn
 from birdcage.setup.step import AreaNotClear
 from birdcage.sim.almanac import sun
-from birdcage.sky.geostationary import SLOTS, look_angle
+from birdcage.sky.geostationary import look_angle
+from birdcage.sky.slots import slots
 
 FRESH = "g2?boot=1&nvs20=0&home_fails=1&heading=30&seed=4"
 """Freshly booted, not homed, its TV search on; its zero looks at 30 degrees true."""
@@ -76,7 +77,7 @@ def test_a_dish_out_of_its_box_ends_homed_limited_turned_north_and_pointing(buil
     evidence = house.view("first").evidence
     assert evidence.startswith("points at")
     assert house.view("first").words[0] == f"The dish {evidence}."
-    slot = next(slot for slot in SLOTS if slot.label in evidence)
+    slot = next(slot for slot in slots() if slot.label in evidence)
     assert house.looks_at() == pytest.approx(look_angle(39.1, -95.7, slot.longitude_deg), abs=0.25)
     assert house.setup.finished
     settings = house.file()
