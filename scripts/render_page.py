@@ -32,7 +32,9 @@ async def shown(
     name: str, size: tuple[int, int], theme: str, keys: list[str], glyphs: str = "braille"
 ) -> tuple[str, str]:
     """Return the SVG and the text of the app in a state of the stand-in."""
-    app = stand_in.app_in(name, theme=theme, glyphs=glyphs)
+    import sky_stand_in  # `stage` has put the stand-ins on the path
+
+    app = stand_in.app_in(name, theme=theme, glyphs=glyphs, sky=sky_stand_in.make())
     async with app.run_test(size=size) as pilot:
         await pilot.pause()
         if keys:

@@ -22,6 +22,7 @@ from birdcage.station.known import SystemFacts
 from birdcage_tui.app import BirdcageApp
 from birdcage_tui.run import DEMO_PLACE, demo_port
 from birdcage_tui.settings import AppSettings
+from birdcage_tui.sky_feed import make_sky
 from birdcage_tui.themes import LOOKS
 from textual.pilot import Pilot
 
@@ -53,6 +54,8 @@ class Stage:
         """Let so much time of the dish pass."""
         for _ in range(max(1, round(seconds / STEP_S))):
             self.app.session.step(STEP_S)
+            if self.app.sky.source is not None:
+                self.app.sky.source.step()
             await self.pilot.pause()
             self.app._tick()  # noqa: SLF001 - its timer runs in real time
         self.app.paint()
@@ -95,6 +98,7 @@ async def demo(
             tour=tour,
             presets_file=paths.presets_file,
             setup=lambda: Setup(session, HERE, paths, environ={}, ports=list, system=SystemFacts),
+            sky=make_sky(HERE, paths, clock, demo=True, threads=False),
         )
         app = BirdcageApp(session, settings)
         async with app.run_test(size=size) as pilot:

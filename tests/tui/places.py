@@ -7,6 +7,7 @@ import sys
 from dataclasses import dataclass, field, replace
 
 import setup_stand_in
+import sky_stand_in
 import stand_in
 from birdcage.base.presets import Preset, add_preset
 from birdcage.protocol.hal.model import TRAVLER
@@ -54,7 +55,12 @@ POCKET = (40, 12)
 
 PLACES = (
     *(_page(name, f"f{number}") for number, (name, _, _) in enumerate(PAGES, 1)
-      if name not in ("control", "console", "setup")),
+      if name not in ("control", "console", "setup", "passes")),
+    _page("passes", "f7", holds="PassesPage/PassList"),
+    _page("passes, roomy", "f7", holds="PassesPage/PassList", size=(120, 36)),
+    _page("passes, elevation", "f7", "v", holds="PassesPage/PassList"),
+    _page("passes, filter", "f7", "slash", holds="PassesPage/PassList PassesPage/Input"),
+    _page("go to, over passes", "f7", "g", holds="PassesPage/PassList GotoLine/Input"),
     _page("control", "f2", holds=HANDS),
     _page("control, roomy", "f2", holds=f"{HANDS} {LIST}", size=(120, 36)),
     _page("control, presets", "f2", "p", holds=f"ControlPage/RosePane {LIST}"),
@@ -110,7 +116,7 @@ def at(place, folder, test, *, state="slewing", size=None, **settings):
         asked = []
         app = stand_in.app_in(
             state, setup=setup_stand_in.ENGINES[place.engine], presets_file=presets, history_file=folder / "history",
-            **settings,
+            sky=sky_stand_in.make(), **settings,
         )  # fmt: skip
         app.station.state = replace(app.station.state, **place.state)
 

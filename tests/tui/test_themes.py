@@ -4,6 +4,7 @@ import asyncio
 import itertools
 
 import pytest
+import sky_stand_in
 import stand_in
 from birdcage_tui.themes import LOOKS, contrast
 
@@ -26,6 +27,9 @@ SCREENS = {
     "the console, a hazard typed": ("5", "i", *"stow"),
     "the console, searched": ("5", "slash", "x"),
     "setup": ("8",),
+    "passes": ("7",),
+    "passes, not now": ("7", "right_square_bracket"),
+    "passes, filter": ("7", "slash", "m"),
     "a page to come": ("6",),
     "jump": ("semicolon",),
     "the palette": ("colon",),
@@ -121,6 +125,7 @@ def test_a_bar_at_night_is_no_lamp():
 
 def shown(state, theme, look_at, size=(80, 24), **settings):
     async def main():
+        settings.setdefault("sky", sky_stand_in.make())
         app = stand_in.app_in(state, theme=theme, **settings)
         async with app.run_test(size=size) as pilot:
             await pilot.pause()

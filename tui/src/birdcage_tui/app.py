@@ -98,11 +98,6 @@ class BirdcageApp(Shell):
         }
         return deeds.get(name)
 
-    def say(self, words: str) -> None:
-        """Tell what was done, or why not, in one sentence."""
-        self.note(words)
-        self.paint()
-
     def ask(self, request: Request) -> None:
         """Submit a request; if it fails, the sentence of its error is shown."""
 

@@ -7,6 +7,7 @@ from typing import Protocol
 from birdcage.station.requests import Request
 
 from birdcage_tui.control.book import PresetBook
+from birdcage_tui.sky_feed import SkyFeed
 from birdcage_tui.view import View
 
 
@@ -15,6 +16,8 @@ class Host(Protocol):
 
     presets: PresetBook
     """Directions with names."""
+    sky: SkyFeed
+    """What is known of the sky, and how to ask for more."""
     aim: tuple[float, float] | None
     """Where the go-to line would lead, while one types into it."""
 

@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from birdcage.station.events import Event, MoveProgress, PositionRead
 from textual.message import Message
+
+if TYPE_CHECKING:
+    from birdcage_tui.passes.model import SkyPicture
 
 _TELEMETRY = (PositionRead, MoveProgress)
 
@@ -30,3 +35,15 @@ class StationEvent(Message):
             and isinstance(self.event, _TELEMETRY)
             and type(message.event) is type(self.event)
         )
+
+
+class SkyChanged(Message):
+    """Another moment of the sky. A newer one replaces one that still waits in the queue."""
+
+    def __init__(self, sky: SkyPicture) -> None:
+        super().__init__()
+        self.sky = sky
+
+    def can_replace(self, message: Message) -> bool:
+        """Return whether this one makes `message` needless."""
+        return isinstance(message, SkyChanged)

@@ -25,6 +25,7 @@ from birdcage_tui.app import BirdcageApp
 from birdcage_tui.glyphs import fitting
 from birdcage_tui.settings import AppSettings, Place
 from birdcage_tui.setup.engine import SetupEngine
+from birdcage_tui.sky_feed import make_sky
 
 DEMO_FIRMWARE = "g2"
 """What the demo drives unless told otherwise, and what is spoken at first where nothing has told what the dish is."""
@@ -131,7 +132,9 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSetti
         return Setup(session, settings, paths, environ={} if options.demo else None, flags=flags, ports=ports)
 
     app_settings = _app_settings(settings, paths, demo=options.demo)
-    return session, replace(app_settings, setup=make_setup, first_page=begin)
+    return session, replace(
+        app_settings, setup=make_setup, sky=make_sky(settings, paths, clock, demo=options.demo), first_page=begin
+    )
 
 
 def _only_port() -> str:

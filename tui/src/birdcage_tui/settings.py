@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from birdcage_tui.setup.engine import SetupEngine
+    from birdcage_tui.sky_feed import MakeSky
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,5 +44,7 @@ class AppSettings:
     """Where directions with names are kept; None: nowhere."""
     setup: Callable[[], SetupEngine] | None = field(default=None, compare=False)
     """Makes the engine of the setup page when it is first visited; None: there is no setup."""
+    sky: MakeSky | None = field(default=None, compare=False)
+    """Makes what watches the sky, after the first frame; None: nothing does."""
     first_page: str = "dashboard"
     """The page that the app opens with."""

@@ -25,13 +25,14 @@ from birdcage_tui.console.tap import WireTap
 from birdcage_tui.control.book import PresetBook
 from birdcage_tui.footer import KeyBar
 from birdcage_tui.goto import GotoLine
-from birdcage_tui.messages import StationEvent
+from birdcage_tui.messages import SkyChanged, StationEvent
 from birdcage_tui.pages.dashboard import DashboardPage
 from birdcage_tui.pages.page import Page
 from birdcage_tui.paging import Paging
 from birdcage_tui.palette import CommandProvider
 from birdcage_tui.scope import Scope, scopes_of
 from birdcage_tui.settings import AppSettings
+from birdcage_tui.sky_feed import SkyFeed
 from birdcage_tui.status import BadDayRow, TopRow
 from birdcage_tui.stopping import focused_widget, is_stop_key, stop_first
 from birdcage_tui.surface import Surface
@@ -82,6 +83,7 @@ class Shell(Surface):
         """The console, once it was opened."""
         self.presets = PresetBook(self.settings.presets_file)
         """Directions with names; read after the first frame."""
+        self.sky = SkyFeed(self.settings.sky, lambda sky: self.post_message(SkyChanged(sky)), self.say_soon)
         self.aim: tuple[float, float] | None = None
         """Where the go-to line would lead, while one types into it."""
         self._signal: deque[Sample] = deque(maxlen=KEPT_SAMPLES)
@@ -134,6 +136,7 @@ class Shell(Surface):
         except BirdcageError as problem:
             self.tap_problem = str(problem)
         self.session.start()
+        self.sky.begin(self.station.state, self.settings.place)
         self.watch_page()
         if self.settings.first_page != "dashboard":
             self.show_page(self.settings.first_page)
@@ -145,6 +148,7 @@ class Shell(Surface):
 
     def on_unmount(self) -> None:
         """Hear no more events."""
+        self.sky.close()
         if self._unsubscribe is not None:
             self._unsubscribe()
 
@@ -176,6 +180,7 @@ class Shell(Surface):
             presets=self.presets.entries,
             aim=self.aim,
             told=tuple(self._told),
+            sky=self.sky.now,
         )
 
     def paint(self) -> None:
@@ -211,6 +216,7 @@ class Shell(Surface):
     def _tick(self) -> None:
         """Move the tour on and draw: ages and the time have changed."""
         self._tour_says = self._tour.step(self.view())
+        self.sky.keep(self.station.state, self.settings.place)
         self._changed()
 
     @on(StationEvent)
@@ -220,6 +226,11 @@ class Shell(Surface):
             self._signal.append(Sample(event.at, float(event.value)))
         if isinstance(event, MoveEnded) and event.end is not End.SUPERSEDED:  # the newer one ends, too
             self.note(ended_text(event))
+        self._changed()
+
+    @on(SkyChanged)
+    def _see(self, message: SkyChanged) -> None:
+        self.sky.now = message.sky
         self._changed()
 
     def on_resize(self, event: events.Resize) -> None:
@@ -264,6 +275,15 @@ class Shell(Surface):
     def soon(self, work: Callable[[], None]) -> None:
         """Do something soon on the app's thread. Any thread; nothing happens once the app has ended."""
         self.call_later(work)
+
+    def say_soon(self, words: str) -> None:
+        """Tell something soon. Any thread; nothing is told once the app has ended."""
+        self.call_later(self.say, words)
+
+    def say(self, words: str) -> None:
+        """Tell what was done, or why not, in one sentence."""
+        self.note(words)
+        self.paint()
 
     @property
     def page(self) -> Page:

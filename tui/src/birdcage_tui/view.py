@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import datetime
+from typing import TYPE_CHECKING
 
 from birdcage.base.geometry import shortest_turn
 from birdcage.base.presets import Preset
@@ -12,6 +13,9 @@ from birdcage.station.raw import CONSOLE
 from birdcage.station.state import Activity, Link, StationState
 
 from birdcage_tui.settings import AppSettings
+
+if TYPE_CHECKING:
+    from birdcage_tui.passes.model import SkyPicture
 
 YOU = "you"
 """The lease holder's name of whoever sits at this terminal."""
@@ -69,6 +73,8 @@ class View:
     """Where the go-to line would lead, while one types into it; true degrees."""
     told: Sequence[Told] = ()
     """What the last commands did, the newest last: `note`, unless that was cleared since."""
+    sky: SkyPicture | None = None
+    """What is up, and which passes come; None before it was first worked out."""
 
     @property
     def position_age_s(self) -> float | None:

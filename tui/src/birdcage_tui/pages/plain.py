@@ -27,10 +27,6 @@ WILL = {
         "A picture every so often, or at the events of a pass.",
         "Files named by time, target and direction, never overwritten.",
     ),
-    "passes": (
-        "What will be in reach of this dish, with countdown and minutes.",
-        "The path of the chosen pass over the sky, and what cuts it short.",
-    ),
     "motor": (
         "A one-axis positioner driven over the coaxial cable.",
         "Its stored positions, limits, and the arc it can reach.",

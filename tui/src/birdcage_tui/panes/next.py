@@ -1,4 +1,4 @@
-"""What it is doing, what stops it, what comes next, and which key makes it so."""
+"""What it is doing, what stops it, what comes next, and which key makes it so; then the next passes."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import textwrap
 
 from birdcage_tui.canvas import Cells
 from birdcage_tui.pane import Pane
+from birdcage_tui.panes.sky_next import draw_next, next_rows, troubled
 from birdcage_tui.view import View
 from birdcage_tui.words import next_steps
 
@@ -24,16 +25,23 @@ class NextPane(Pane):
         self.border_title = "What next"
 
     def draw(self, cells: Cells, view: View) -> None:
-        """Wrap the sentences; in a tall pane a blank row parts them."""
+        """Wrap the sentences; in a tall pane a blank row parts them. Passes stand below, where nothing is wrong."""
         width = max(cells.width - 2, 10)
         steps = [(ink, _wrapped(words, width)) for ink, words in next_steps(view)]
         rows = sum(len(lines) for _, lines in steps)
-        air = 1 if cells.height >= rows + len(steps) - 1 else 0
+        passes = next_rows(view)
+        spare = cells.height - (rows if troubled(view) else len(steps[0][1]))
+        kept = max(min(len(passes), spare, max(cells.height // 2, 2)), 0)
+        height = cells.height - kept
+        air = 1 if height >= rows + len(steps) - 1 + bool(kept) else 0
         y = 0
         for ink, lines in steps:
-            if y and y + len(lines) > cells.height:
+            if y and y + len(lines) > height:
                 break  # half a sentence is worse than none
             for line in lines:
                 cells.put(1, y, line, ink)
                 y += 1
             y += air
+        for below, row in enumerate(passes[:kept], max(y, 0)):
+            draw_next(cells, below, row, view.utc.timestamp())
+            self.heat(0, below, cells.width, "page-passes")

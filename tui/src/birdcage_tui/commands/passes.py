@@ -1,0 +1,60 @@
+"""Commands of the page of passes: the list, the time machine, and what leaves the page as files."""
+
+from __future__ import annotations
+
+from birdcage_tui.commands.table import Command
+from birdcage_tui.view import View
+
+HERE = ("passes",)
+
+
+def can_choose(view: View) -> str | None:
+    """Return why there is no pass to do something with."""
+    if view.sky is None or not view.sky.rows:
+        return "No pass is known yet."
+    return None
+
+
+def _pass(name: str, keys: tuple[str, ...], shown: str, title: str, text: str, footer: str = "") -> Command:
+    return Command(name, keys, shown, title, text, "Passes", can_choose, footer, HERE)
+
+
+def _time(name: str, keys: tuple[str, ...], shown: str, title: str, text: str, footer: str = "") -> Command:
+    return Command(name, keys, shown, title, text, "Time machine", footer=footer, where=HERE)
+
+
+PASSES = (
+    Command("pass-up", ("up", "k"), "↑ k", "Pass above", "Choose the one above.", "Passes", where=HERE),
+    Command("pass-down", ("down", "j"), "↓ j", "Pass below", "Choose the one below.", "Passes", where=HERE),
+    Command("pass-page-up", ("pageup",), "PgUp", "Page up", "As many as are seen.", "Passes", where=HERE),
+    Command("pass-page-down", ("pagedown",), "PgDn", "Page down", "As many as are seen.", "Passes", where=HERE),
+    Command("pass-first", ("home",), "Home", "First pass", "Follow what stands first in the list.", "Passes",
+            where=HERE),
+    Command("pass-filter", ("slash",), "/", "Filter", "Type parts of names, numbers or groups.", "Passes", where=HERE,
+            footer="filter"),
+    _pass("pass-sort", ("s",), "s", "Order", "By what comes next, by minutes in reach, or by highest elevation.",
+          "order"),
+    _pass("pass-reachable", ("r",), "r", "In reach only", "Hide what this dish cannot point at, or show it again.",
+          "in reach"),
+    _pass("pass-favourites", ("f",), "f", "Favourites only", "Hide all other satellites, or show them again."),
+    _pass("pass-favourite", ("asterisk",), "*", "Favourite", "Mark the satellite of the chosen pass, or unmark it.",
+          "favourite"),
+    Command("pass-undo", ("u",), "u", "Undo favourite", "Take back the last marking or unmarking.", "Passes",
+            where=HERE),
+    Command("pass-view", ("v",), "v", "Path, elevation, timeline",
+            "What a small screen shows beside the list; a large one shows all.", "Passes", where=HERE, footer="view"),
+    _pass("pass-export", ("x",), "x", "Export",
+          "Write the listed passes as a calendar (ICS), a table (CSV) and JSON, and say where.", "export"),
+    _time("time-back", ("left_square_bracket",), "[", "Earlier", "Show the sky a minute earlier. Nothing moves by it."),
+    _time("time-forward", ("right_square_bracket",), "]", "Later", "Show the sky a minute later. Nothing moves by it.",
+          "time"),
+    _time("time-far-back", ("left_curly_bracket",), "{", "Much earlier", "Half an hour."),
+    _time("time-far-forward", ("right_curly_bracket",), "}", "Much later", "Half an hour."),
+    Command("time-event", ("e",), "e", "Jump to next event",
+            "Show the moment at which the chosen pass rises, comes into reach, culminates or sets.", "Time machine",
+            can_choose, where=HERE),
+    _time("time-pause", ("z",), "z", "Pause", "Let the time shown stand still, or go on."),
+    _time("time-faster", ("full_stop",), ".", "Faster", "Let the time shown run, up to 900 times as fast."),
+    _time("time-slower", ("comma",), ",", "Slower", "Let the time shown run more slowly."),
+    _time("time-now", ("n",), "n", "Back to now", "Show now again.", "now"),
+)  # fmt: skip

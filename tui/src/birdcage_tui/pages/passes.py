@@ -1,0 +1,249 @@
+"""F7: what comes next, how high, where, and how much of it this dish can follow."""
+
+from __future__ import annotations
+
+from typing import cast
+
+from textual import events
+from textual.app import ComposeResult
+from textual.containers import Horizontal, Vertical
+from textual.timer import Timer
+from textual.widgets import Input
+
+from birdcage_tui.host import Host
+from birdcage_tui.pages.page import Page
+from birdcage_tui.pane import Pane
+from birdcage_tui.passes.desk import Desk
+from birdcage_tui.passes.head import PassHead
+from birdcage_tui.passes.layout import VIEWS, Layout, layout
+from birdcage_tui.passes.listing import PassList
+from birdcage_tui.passes.plot import PassSky
+from birdcage_tui.passes.strip import PassStrip
+from birdcage_tui.passes.timeline import Timeline
+from birdcage_tui.view import View
+
+SHIFTS_S = {"time-back": -60.0, "time-forward": 60.0, "time-far-back": -1800.0, "time-far-forward": 1800.0}
+RUN_S = 0.25
+"""Between two frames while the time shown runs by itself."""
+
+
+class PassesPage(Page):
+    """The list at the left, the chosen pass at the right, the timeline below."""
+
+    DEFAULT_CSS = """
+    PassesPage { layout: vertical; }
+    PassesPage PassHead { height: 1; }
+    PassesPage #pass-upper { height: auto; }
+    PassesPage PassList, PassesPage PassSky, PassesPage PassStrip, PassesPage Timeline { border: round $line;
+        border-title-color: $dim; border-title-style: none; border-subtitle-color: $dim; }
+    PassesPage PassList:focus { border: round $focus; border-title-color: $foreground; }
+    PassesPage #pass-side { width: 1fr; }
+    PassesPage Input, PassesPage Input:focus { height: 1; border: none; padding: 0 1; background: $panel; }
+    """
+    RATE_HZ = 1.0
+    FIRST_FOCUS = "#pass-list"
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.desk = Desk()
+        self._shown = VIEWS[0]
+        self._layout: Layout | None = None
+        self._pace: Timer | None = None
+        self._toggled: list[tuple[int, str, bool]] = []
+        """Favourites marked or unmarked here, the last one last: number, name, what it was before."""
+
+    def compose(self) -> ComposeResult:
+        """The parts, from the top left."""
+        yield PassHead(self.desk, id="pass-head")
+        field = Input(placeholder="names, numbers, groups; Enter keeps it, Esc clears it", id="pass-filter",
+                      disabled=True)  # fmt: skip
+        field.display = False
+        yield field
+        with Horizontal(id="pass-upper"):
+            yield PassList(self.desk, id="pass-list")
+            with Vertical(id="pass-side"):
+                yield PassSky(self.desk, id="pass-sky")
+                yield PassStrip(self.desk, id="pass-strip")
+        yield Timeline(self.desk, id="pass-timeline")
+
+    def on_mount(self) -> None:
+        """Have a timer ready for a time that runs."""
+        self._pace = self.set_interval(RUN_S, self._run, pause=True)
+
+    def on_resize(self) -> None:
+        """Choose the layout."""
+        self._arrange()
+
+    def _arrange(self) -> None:
+        field = self.query_one(Input)
+        found = layout(self.size.width, self.size.height - bool(field.display), self._shown)
+        if found == self._layout:
+            return
+        self._layout = found
+        side, upper = self.query_one("#pass-side"), self.query_one("#pass-upper")
+        listing = self.query_one(PassList)
+        listing.styles.width, listing.styles.height = found.list_width, found.list_height
+        side.display = found.plot_height + found.strip_height > 0
+        side.styles.height = found.plot_height + found.strip_height
+        upper.styles.layout = "horizontal" if found.plot_height else "vertical"
+        upper.styles.height = found.list_height + (0 if found.plot_height else found.strip_height)
+        for kind, rows in ((PassSky, found.plot_height), (PassStrip, found.strip_height),
+                           (Timeline, found.timeline_height)):  # fmt: skip
+            pane = self.query_one(kind)
+            pane.display = rows > 0
+            pane.styles.height = rows
+        for pane in self.query(Pane):
+            pane.redraw()
+
+    @property
+    def host(self) -> Host:
+        """The app."""
+        return cast(Host, self.app)
+
+    # The time machine.
+
+    def _run(self) -> None:
+        if not self.display or not self.desk.machine.runs:
+            if self._pace is not None:
+                self._pace.pause()
+            return
+        self.host.paint()
+
+    def show(self, view: View) -> None:
+        """Draw; and go on drawing while the time shown runs."""
+        if self._pace is not None and self.desk.machine.runs:
+            self._pace.resume()
+        super().show(view)
+
+    def on_timeline_scrubbed(self, event: Timeline.Scrubbed) -> None:
+        """Show the moment under the mouse; there it stands still."""
+        event.stop()
+        machine, now_s = self.desk.machine, self.host.view().utc.timestamp()
+        machine.to(now_s, event.t_s)
+        self._moment()
+
+    def _time(self, command: str, view: View) -> bool:
+        machine, now_s = self.desk.machine, view.utc.timestamp()
+        self.desk.time(view)  # the bounds
+        match command:
+            case "time-now":
+                machine.back_to_now()
+            case "time-pause":
+                machine.pause(now_s)
+            case "time-faster" | "time-slower":
+                machine.faster(now_s, 1 if command == "time-faster" else -1)
+            case "time-event":
+                self._jump(view)
+            case _ if command in SHIFTS_S:
+                machine.shift(now_s, SHIFTS_S[command])
+            case _:
+                return False
+        self._moment()
+        return True
+
+    def _jump(self, view: View) -> None:
+        row, t_s = self.desk.chosen(view), self.desk.time(view)
+        if row is None:
+            return
+        # At LOS it is over, and no longer in the list.
+        moments = sorted([row.tca_s, *(at_s for at_s, word in row.events() if word != "LOS")])
+        later = next((at_s for at_s in moments if at_s > t_s + 0.5), None)
+        if later is None:
+            self.host.say("Nothing more happens before it sets.")
+            return
+        self.desk.machine.to(view.utc.timestamp(), later)
+        self.desk.choose(row)
+
+    def _moment(self) -> None:
+        self.desk.changed()
+        self.host.paint()
+
+    # The list.
+
+    def do(self, command: str) -> bool:
+        """Do what is the page's own."""
+        view = self.host.view()
+        if command.startswith("time-"):
+            return self._time(command, view)
+        choice = self.desk.choice
+        match command:
+            case "pass-up" | "pass-down":
+                self.desk.move(view, 1 if command == "pass-down" else -1)
+            case "pass-page-up" | "pass-page-down":
+                rows = self.query_one(PassList).page_rows
+                self.desk.move(view, rows if command == "pass-page-down" else -rows)
+            case "pass-first":
+                self.desk.choose(None)
+            case "pass-sort":
+                self.host.say(f"In order of {choice.next_sort()}.")
+            case "pass-reachable":
+                choice.reachable_only = not choice.reachable_only
+            case "pass-favourites":
+                choice.favourites_only = not choice.favourites_only
+            case "pass-view":
+                self._shown = VIEWS[(VIEWS.index(self._shown) + 1) % len(VIEWS)]
+                self._arrange()
+            case "pass-filter":
+                self._open_filter()
+            case "pass-favourite" | "pass-undo":
+                self._favourite(command, view)
+            case "pass-export":
+                self._export(view)
+            case _:
+                return False
+        self._moment()
+        return True
+
+    def _favourite(self, command: str, view: View) -> None:
+        if command == "pass-undo":
+            if not self._toggled:
+                self.host.say("No favourite was changed here yet.")
+                return
+            number, name, wanted = self._toggled.pop()
+        else:
+            row = self.desk.chosen(view)
+            if row is None:
+                return
+            number, name, wanted = row.norad_id, row.name, not row.favourite
+            self._toggled.append((number, name, row.favourite))
+        self.host.sky.set_favourite(number or name, wanted)
+        undo = "" if command == "pass-undo" else " u takes it back."
+        self.host.say(f"{name} is {'a favourite' if wanted else 'no favourite any more'}.{undo}")
+
+    def _export(self, view: View) -> None:
+        self.host.sky.export(self.desk.rows(view))
+
+    # The filter.
+
+    def _open_filter(self) -> None:
+        field = self.query_one(Input)
+        field.disabled, field.display = False, True
+        self._arrange()
+        field.focus()
+
+    def _close_filter(self, words: str) -> None:
+        field = self.query_one(Input)
+        field.value = words
+        self.desk.choice.filter = words
+        self.query_one(PassList).focus()
+        field.disabled, field.display = True, False
+        self._arrange()
+        self._moment()
+
+    def on_input_changed(self, event: Input.Changed) -> None:
+        """Show what is left, as one types."""
+        event.stop()
+        self.desk.choice.filter = event.value.strip()
+        self.desk.choose(None)
+        self._moment()
+
+    def on_input_submitted(self, event: Input.Submitted) -> None:
+        """Go back to the list, with the filter in force."""
+        event.stop()
+        self._close_filter(event.value.strip())
+
+    def on_key(self, event: events.Key) -> None:
+        """Esc in the filter clears it."""
+        if event.key == "escape" and self.query_one(Input).has_focus:
+            event.stop()
+            self._close_filter("")

@@ -1,0 +1,124 @@
+"""What of a polar sky stays between frames: grid, limits, horizon, what cannot be reached, the geostationary arc."""
+
+from __future__ import annotations
+
+from birdcage.sky.geostationary import arc
+from birdcage.sky.horizon import HorizonMask
+
+from birdcage_tui.canvas import Braille, Cells
+from birdcage_tui.panes.polar import Polar
+from birdcage_tui.view import View
+
+QUIET = ("faint", "line", "dim")
+"""Dots that a name may cover."""
+MASK_STEP_DEG = 2
+ARC_INK = "target"
+
+
+class Ground:
+    """Draws the layer, and keeps it until size, limits, horizon or place are others."""
+
+    def __init__(self, *, with_arc: bool = True) -> None:
+        self._with_arc = with_arc
+        self._kept: tuple[object, Braille] | None = None
+
+    def draw(self, polar: Polar, view: View) -> Braille:
+        """Return a copy of the layer, to draw on."""
+        state = view.state
+        mask = None if view.sky is None else view.sky.mask
+        key = (polar, state.el_min_deg, state.el_max_deg, sector(view), state.no_go_sectors, mask, view.settings.place)
+        if self._kept is None or self._kept[0] != key:
+            self._kept = (key, self._layer(polar, view, mask))
+        return self._kept[1].copy()
+
+    def _layer(self, polar: Polar, view: View, mask: HorizonMask | None) -> Braille:
+        state = view.state
+        canvas = Braille(polar.width, polar.height)
+        low, high = state.el_min_deg, state.el_max_deg
+        if low is not None:
+            polar.hatch(canvas, "faint", 0.0, low)
+        if high is not None:
+            polar.hatch(canvas, "faint", high, 90.0)
+        closed = sector(view)
+        if closed is not None:
+            polar.hatch(canvas, "faint", low or 0.0, high or 90.0, *closed)
+        for az_from, az_to, below, _ in state.no_go_sectors:
+            if below > (low or 0.0):
+                polar.hatch(canvas, "faint", low or 0.0, min(below, 90.0), az_from, (az_to - az_from) % 360.0)
+        for az_deg in (0.0, 90.0, 180.0, 270.0):
+            canvas.line(*polar.dot(az_deg, high or 88.0), *polar.dot(az_deg, low or 0.0), "line", every=4)
+        for el_deg in (30.0, 60.0):
+            if low is None or high is None or low + 8 < el_deg < high - 8:
+                polar.ring(canvas, el_deg, "line", 4.0)
+        for edge in (low, high):
+            if edge is not None:
+                polar.ring(canvas, edge, "line")
+        polar.ring(canvas, 0.0, "dim")
+        if mask:
+            self._mask(canvas, polar, mask)
+        place = view.settings.place
+        if place is not None and self._with_arc:
+            points = arc(place.latitude_deg, place.longitude_deg, 1.5)
+            canvas.dotted([polar.dot(az_deg, el_deg) for _, az_deg, el_deg in points], ARC_INK, 2.6)
+        return canvas
+
+    @staticmethod
+    def _mask(canvas: Braille, polar: Polar, mask: HorizonMask) -> None:
+        """Draw the line of trees and roofs, and hatch what it hides."""
+        before = None
+        for az_deg in range(0, 361, MASK_STEP_DEG):
+            el_deg = mask.at(float(az_deg))
+            here = polar.dot(az_deg, el_deg)
+            if before is not None and (el_deg > 0 or before[2] > 0):
+                canvas.line(*before[:2], *here, "dim")
+            if el_deg > 1:
+                canvas.line(*polar.dot(az_deg, 0.0), *here, "faint", every=3)
+            before = (*here, el_deg)
+
+
+def sector(view: View) -> tuple[float, float] | None:
+    """Return azimuth and width of what the cable keeps out of reach on any turn; None when it is nothing."""
+    state = view.state
+    if state.dish is None or state.dish.cable is None or state.turn.value == "unknown":
+        return None
+    span = state.dish.cable.max_deg - state.dish.cable.min_deg
+    if span >= 360:
+        return None
+    return round((state.dish.cable.max_deg + state.az_offset_deg) % 360, 1), round(360 - span, 1)
+
+
+def rim(cells: Cells, polar: Polar, view: View) -> None:
+    """Write the winds, the limits of elevation, and where the cable ends."""
+    state = view.state
+    for az_deg, name in ((0.0, "N"), (90.0, "E"), (180.0, "S"), (270.0, "W")):
+        cells.put(*polar.cell(az_deg, 0.0), name, "strong")
+    place = view.settings.place
+    away_deg = 45.0 if place is None or place.latitude_deg >= 0 else 135.0  # where the arc is not
+    for limit in (state.el_min_deg, state.el_max_deg):
+        if limit is not None:
+            x, y = polar.cell(away_deg, limit)
+            cells.put(x, y, f"{limit:.0f}°", "dim")
+    position, dish = state.position, state.dish
+    if position is not None and position.cable_deg is not None and dish is not None and dish.cable is not None:
+        for end in (dish.cable.min_deg, dish.cable.max_deg):
+            cells.put(*polar.cell(position.az_deg + end - position.cable_deg, 0.0), "▨", "warn")
+
+
+def label(cells: Cells, names: tuple[str, ...], x: int, y: int, off: int, ink: str) -> bool:
+    """Write the first name that lies on nothing beside a mark: outward if possible, else not at all.
+
+    `off`: how many columns right of the middle the mark stands. Return whether one was written.
+    """
+    for name in names:
+        length = len(name)
+        beside = x + 2 if off >= 0 else x - 1 - length
+        below = x - length // 2
+        if abs(off) > 8:
+            places = [(beside, y), (beside, y + 1), (below, y + 1)]
+        else:
+            places = [(below, y + 1), (beside, y + 1), (beside, y), (below, y - 1)]
+        for start, row in places:
+            if cells.free(start - 2, row, length + 4, *QUIET):
+                cells.put(start, row, name, ink)
+                return True
+    return False

@@ -1,0 +1,46 @@
+"""The next passes that this dish can follow, a row each."""
+
+from __future__ import annotations
+
+from birdcage_tui.canvas import Cells
+from birdcage_tui.passes.model import Row
+from birdcage_tui.passes.words import count_text, length_text
+from birdcage_tui.view import View
+
+MOST = 8
+
+
+def troubled(view: View) -> bool:
+    """Return whether something is wrong with the dish: its sentences come before any pass then."""
+    state = view.state
+    return not view.link_up or state.held is not None or state.fault is not None or state.homed is not True
+
+
+def next_rows(view: View) -> list[Row]:
+    """Return the first few passes that come into reach, or are in it; none by elements that are too old for a dish."""
+    if view.sky is None or view.sky.note:
+        return []
+    now_s = view.utc.timestamp()
+    found: list[Row] = []
+    for row in view.sky.rows:
+        if row.reach is not None and row.reach.intervals and row.reach.intervals[-1][1] > now_s:
+            found.append(row)
+            if len(found) == MOST:
+                break
+    return found
+
+
+def draw_next(cells: Cells, y: int, row: Row, now_s: float) -> None:
+    """Write what comes next and when, the name, the highest elevation and the minutes in reach."""
+    event = row.next_event(now_s)
+    if event is None:
+        return
+    inside = row.reach is not None and row.reach.holds(now_s)
+    cells.put(1, y, f"{event[1]:<5}", "dim")
+    cells.right(13, y, count_text(event[0] - now_s), "target" if inside else "text")
+    length = length_text(row.reach_s)
+    tail = f"{row.max_el_deg:3.0f}°  {length:>4}" + (" in reach" if cells.width >= 46 else "")
+    room = cells.width - 15 - len(tail) - 2
+    name = row.name if len(row.name) <= room else row.name[: max(room - 1, 0)] + "…"
+    cells.put(15, y, name, "target-strong" if inside else "text")
+    cells.right(cells.width - 1, y, tail, "dim")

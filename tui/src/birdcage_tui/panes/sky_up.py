@@ -1,0 +1,48 @@
+"""Everything above the horizon now: a dot each, Sun and Moon, and names where they fit."""
+
+from __future__ import annotations
+
+from birdcage_tui.canvas import Cells
+from birdcage_tui.panes.polar import Polar
+from birdcage_tui.panes.sky_ground import QUIET, label
+from birdcage_tui.view import View
+
+OVER = (*QUIET, "target", "accent")
+"""Dots that a satellite's own may stand on."""
+CELLS_A_NAME = 45
+"""A name for so many cells of the picture, at most."""
+CROWD = 60
+"""With more satellites than this only favourites are named: the others would hide each other."""
+LONGEST = 16
+
+
+def draw_up(cells: Cells, polar: Polar, view: View) -> dict[tuple[int, int], str]:
+    """Draw what is up, and return what stands in which cell."""
+    sky = view.sky
+    named: dict[tuple[int, int], str] = {}
+    if sky is None:
+        return named
+    for glyph, name, place in (("☼", "Sun", sky.sun), ("☾", "Moon", sky.moon)):
+        if place is not None and place[1] > 0:
+            cell = polar.cell(*place)
+            if cells.free(*cell, 1, *OVER):
+                cells.put(*cell, glyph, "strong")
+            named[cell] = name
+    marks = []
+    for one in sky.up:
+        cell = polar.cell(one.az_deg, one.el_deg)
+        named[cell] = f"{one.name}, {named[cell]}" if cell in named else one.name
+        if cells.free(*cell, 1, *OVER):
+            cells.put(*cell, "•", "strong" if one.favourite else "text")
+        if not one.fixed:
+            marks.append((one, cell))
+    wanted = [pair for pair in marks if pair[0].favourite or len(marks) <= CROWD]
+    # Tens of degrees, then the name: a satellite that creeps past another does not take its name away.
+    wanted.sort(key=lambda pair: (not pair[0].favourite, -(pair[0].el_deg // 10), pair[0].name))
+    middle, left = polar.width // 2, cells.width * cells.height // CELLS_A_NAME
+    for one, (x, y) in wanted:
+        if left <= 0:
+            break
+        name = one.name if len(one.name) <= LONGEST else one.name[: LONGEST - 1] + "…"
+        left -= label(cells, (name,), x, y, x - middle, "text" if one.favourite else "dim")
+    return named

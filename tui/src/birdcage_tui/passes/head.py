@@ -1,0 +1,48 @@
+"""The page's first row: which moment is shown, what is filtered, and what the elements are."""
+
+from __future__ import annotations
+
+from birdcage_tui.canvas import Cells
+from birdcage_tui.pane import Pane
+from birdcage_tui.passes.desk import Desk
+from birdcage_tui.passes.words import clock_text, shift_text
+from birdcage_tui.view import View
+
+
+class PassHead(Pane):
+    """One row; all of it in a colour of its own while it is not now that is shown."""
+
+    def __init__(self, desk: Desk, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self._desk = desk
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Write the moment at the left, then the choice; what is at the right is left out where it does not fit."""
+        machine, choice, sky = self._desk.machine, self._desk.choice, self._desk.sky(view)
+        now_s, t_s = view.utc.timestamp(), self._desk.time(view)
+        if machine.is_now:
+            x = cells.put(1, 0, "now", "accent-strong")
+            x = cells.put(x + 1, 0, f"{clock_text(now_s)}Z", "text") + 2
+            x = self.button(cells, x, 0, "time-forward", view, "later") + 1
+        else:
+            cells.put(0, 0, " " * cells.width, "warn-row")
+            pace = "stands still" if machine.paused else f"{machine.speed}x"
+            x = cells.put(1, 0, f"▲ NOT NOW  {clock_text(t_s)}Z, {shift_text(t_s - now_s)}, {pace}", "warn-row") + 2
+            x = self.button(cells, x, 0, "time-now", view, "now") + 1
+        quiet = "dim" if machine.is_now else "warn-row"
+        parts = [f"sort: {choice.sort}"]
+        if choice.filter:
+            parts.append(f'/ "{choice.filter}"')
+        if choice.reachable_only:
+            parts.append("in reach only")
+        if choice.favourites_only:
+            parts.append("favourites only")
+        for index, words in enumerate(parts):
+            if x + len(words) >= cells.width:
+                break
+            cells.put(x, 0, words, quiet)
+            self.heat(x, 0, len(words), "pass-sort" if not index else "pass-filter")
+            x += len(words) + 2
+        words = f"▲ {sky.source}" if sky.note else sky.source
+        if words and x + len(words) < cells.width:
+            cells.right(cells.width - 1, 0, words, "warn" if sky.note and machine.is_now else quiet)

@@ -1,0 +1,169 @@
+"""The list of passes: what comes next, how long it is in reach, how high it goes."""
+
+from __future__ import annotations
+
+import textwrap
+from typing import cast
+
+from textual import events
+
+from birdcage_tui.canvas import Cells
+from birdcage_tui.host import Host
+from birdcage_tui.pane import Pane
+from birdcage_tui.passes.desk import Desk
+from birdcage_tui.passes.empty import GET_ELEMENTS, empty_words
+from birdcage_tui.passes.model import Row
+from birdcage_tui.passes.spark import draw_spark
+from birdcage_tui.passes.words import count_text, reach_sign, reach_text
+from birdcage_tui.view import View
+
+LEAST_NAME, MOST_NAME = 10, 24
+FIXED = 30
+"""Columns of everything but name, curve and reason, with the gaps."""
+CURVES = ((78, 12), (56, 8), (44, 5))
+"""From which width on the curve has how many columns."""
+WHY = 12
+
+
+class PassList(Pane, can_focus=True):
+    """Rows to choose from. Only rows whose text has changed are drawn again."""
+
+    HELP = (
+        "Each pass with what comes next: AOS and LOS count to the horizon, reach and out to what this dish can point "
+        "at. Then minutes in reach, the highest elevation, and its curve, bright where the dish can follow. "
+        "● it can be followed in one go, ◍ with losses, ○ not at all; and why."
+    )
+
+    def __init__(self, desk: Desk, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.border_title = "Passes"
+        self._desk = desk
+        self._top = 0
+        self._shown: list[Row] = []
+
+    @property
+    def page_rows(self) -> int:
+        """How many passes are seen at once."""
+        return max(self.size.height - 1, 1)
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Write the columns' names, then the rows around the chosen one."""
+        rows = self._desk.rows(view)
+        self._told(view, len(rows))
+        self._shown = []
+        if not rows:
+            y = 0
+            for ink, sentence in empty_words(view, self._desk):
+                for line in textwrap.wrap(sentence, max(cells.width - 2, 10)):
+                    cells.put(1, y, line, ink)
+                    y += 1
+                y += 1
+            return
+        name, curve, why = self._columns(cells.width)
+        self._head(cells, name, curve, why)
+        chosen = self._desk.index(view)
+        room = max(cells.height - 1 - self._note(cells, self._desk.sky(view).note), 1)
+        self._top = max(min(self._top, chosen, len(rows) - room), chosen - room + 1, 0)
+        t_s = self._desk.time(view)
+        for y, row in enumerate(rows[self._top : self._top + room], 1):
+            self._row(cells, y, row, t_s, self._top + y - 1 == chosen, (name, curve, why))
+            self._shown.append(row)
+
+    @staticmethod
+    def _note(cells: Cells, note: str) -> int:
+        """Write at the bottom what has to be said of the elements; return how many rows that takes."""
+        if not note:
+            return 0
+        words = f"▲ {note} {GET_ELEMENTS}"
+        lines = textwrap.wrap(words, max(cells.width - 2, 10), max_lines=6, placeholder=" …")
+        for y, line in enumerate(lines, cells.height - len(lines)):
+            cells.put(1, y, line, "warn")
+        return len(lines)
+
+    def _told(self, view: View, count: int) -> None:
+        """Say in the frame how many there are, and how far the search has come."""
+        sky = self._desk.sky(view)
+        if sky.searched is not None and sky.searched < 1.0:
+            words = f"{len(sky.rows)} so far, {sky.searched:.0%} searched"
+        else:
+            words = f"{count} of {len(sky.rows)}" if sky.rows else ""
+        if words != (self.border_subtitle or ""):
+            self.border_subtitle = words
+
+    @staticmethod
+    def _columns(width: int) -> tuple[int, int, int]:
+        """Return the widths of name, curve and reason."""
+        curve = next((columns for least, columns in CURVES if width >= least), 0)
+        spare = width - FIXED - curve
+        name = min(max(spare - WHY, LEAST_NAME), MOST_NAME) if spare >= LEAST_NAME + WHY + 2 else spare
+        return name, curve, max(spare - name - 1, 0)
+
+    @staticmethod
+    def _head(cells: Cells, name: int, curve: int, why: int) -> None:
+        cells.put(3, 0, "next event", "dim")
+        cells.put(16, 0, "satellite", "dim")
+        x = 16 + name
+        cells.put(x + 1, 0, "reach", "dim")
+        cells.right(x + 11, 0, "max", "dim")
+        if curve:
+            cells.put(x + 12, 0, "path"[:curve], "dim")
+        if why >= 8:
+            cells.put(x + 13 + curve, 0, "● yes ◍ losses ○ no"[: why + 2], "dim")
+
+    def _row(self, cells: Cells, y: int, row: Row, t_s: float, here: bool, widths: tuple[int, int, int]) -> None:
+        width, curve, why = widths
+        lit = here and self.has_focus
+        text, dim = ("accent-row", "accent-row") if lit else ("text", "dim")
+        if lit:
+            cells.put(0, y, " " * cells.width, text)
+        reachable = row.reach is None or bool(row.reach.intervals)
+        cells.put(0, y, "▶" if here else " ", text if lit else "accent-strong")
+        if row.favourite:
+            cells.put(1, y, "★", text if lit else "target")
+        event = row.next_event(t_s)
+        if event is not None:
+            soon = event[1] in ("out", "LOS") or event[0] - t_s < 600.0
+            ink = text if lit else "target" if event[1] == "out" else text if soon else dim
+            cells.put(3, y, f"{event[1]:<5}", dim)
+            cells.right(15, y, count_text(event[0] - t_s), ink)
+        name = row.name if len(row.name) <= width else row.name[: width - 1] + "…"
+        cells.put(16, y, name, text if reachable else dim)
+        x = 16 + width
+        cells.right(x + 6, y, reach_text(row), text if reachable else dim)
+        cells.right(x + 11, y, f"{row.max_el_deg:.0f}°", dim)
+        if curve:
+            draw_spark(cells, x + 12, y, curve, row, dim, text if lit else "target")
+        sign, ink, words = reach_sign(row.reach)
+        x = cells.put(x + 13 + curve, y, sign, text if lit else ink)
+        if why > 3 and words:
+            cells.put(x + 1, y, words if len(words) <= why else words[: why - 1] + "…", dim)
+
+    def on_focus(self) -> None:
+        """Show the cursor, once Textual has taken the focus in."""
+        self.call_later(self.redraw)
+
+    def on_blur(self) -> None:
+        """Show that keys go elsewhere."""
+        self.call_later(self.redraw)
+
+    def on_click(self, event: events.Click) -> None:
+        """Choose a row."""
+        offset = event.get_content_offset(self)
+        if offset is not None and 1 <= offset.y <= len(self._shown):
+            event.stop()
+            self._desk.choose(self._shown[offset.y - 1])
+            cast(Host, self.app).paint()
+
+    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
+        """Choose the one below."""
+        self._wheel(event, 1)
+
+    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
+        """Choose the one above."""
+        self._wheel(event, -1)
+
+    def _wheel(self, event: events.MouseEvent, by: int) -> None:
+        event.stop()
+        if self.view is not None:
+            self._desk.move(self.view, by)
+            cast(Host, self.app).paint()

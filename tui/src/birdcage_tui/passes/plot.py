@@ -1,0 +1,154 @@
+"""The chosen pass over the sky: its path, what of it is in reach, and the figures."""
+
+from __future__ import annotations
+
+from textual.geometry import Size
+
+from birdcage_tui.canvas import Braille, Cells
+from birdcage_tui.pane import Pane
+from birdcage_tui.panes.polar import Polar
+from birdcage_tui.panes.sky_ground import QUIET, Ground, rim
+from birdcage_tui.passes.desk import Desk
+from birdcage_tui.passes.model import Row
+from birdcage_tui.passes.words import EVENT_WORDS, clock_text, count_text, length_text, reach_sign
+from birdcage_tui.view import View
+
+WORDS = 27
+"""Columns that the figures need beside the disc."""
+LINES = 4
+"""Rows that they need under it."""
+STEPS = 160
+"""Pieces that a path is drawn in."""
+
+
+class PassSky(Pane):
+    """A map of the sky with one pass on it, N up and E right."""
+
+    def __init__(self, desk: Desk, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.border_title = "Path  N up, E right  ▨ cannot reach"
+        self._desk = desk
+        self._ground = Ground(with_arc=False)
+
+    def disc(self, size: Size) -> tuple[Polar, bool]:
+        """Return the disc, and whether the figures stand beside it."""
+        round_width = size.height * 2 + 3
+        beside = size.width - round_width >= WORDS
+        return (Polar(round_width, size.height), True) if beside else (Polar(size.width, size.height - LINES), False)
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Draw the ground, the path, what moves on it, and the figures."""
+        polar, beside = self.disc(Size(cells.width, cells.height))
+        if polar.width < 10 or polar.height < 5:
+            return
+        row = self._desk.chosen(view)
+        t_s = self._desk.time(view)
+        canvas = self._ground.draw(polar, view)
+        if row is not None and row.path is not None:
+            self._path(canvas, polar, row, t_s)
+        canvas.onto(cells, 0, 0)
+        rim(cells, polar, view)
+        if row is not None:
+            self._ends(cells, polar, row)
+        self._marks(cells, polar, view, row, t_s)
+        x, y = (polar.width + 2, 0) if beside else (1, polar.height)
+        if row is None:
+            cells.put(x, y, "No pass is chosen.", "dim")
+            return
+        for ink, words in self._figures(row, t_s, beside)[: cells.height - y]:
+            cells.put(x, y, words[: cells.width - x], ink)
+            y += 1
+
+    @staticmethod
+    def _path(canvas: Braille, polar: Polar, row: Row, t_s: float) -> None:
+        """Draw the way: bright in reach, quiet outside; gone is dotted."""
+        assert row.path is not None
+        span = row.los_s - row.aos_s
+        pieces: list[tuple[str, float, list[tuple[float, float]]]] = []
+        for step in range(STEPS + 1):
+            at_s = row.aos_s + span * step / STEPS
+            place = row.path.at(min(max(at_s, row.path.t_s[0]), row.path.t_s[-1]))
+            if place is None:
+                continue
+            loud = row.reach is not None and row.reach.holds(at_s)
+            look = ("target" if loud else "dim", 3.5 if at_s < t_s else 1.0 if loud else 2.4)
+            dot = polar.dot(place[0], max(place[1], 0.0))
+            if pieces and pieces[-1][:2] == look:
+                pieces[-1][2].append(dot)
+            else:
+                start = [pieces[-1][2][-1]] if pieces else []
+                pieces.append((*look, [*start, dot]))
+        for ink, spacing, dots in pieces:
+            canvas.dotted(dots, ink, spacing)
+
+    @staticmethod
+    def _ends(cells: Cells, polar: Polar, row: Row) -> None:
+        """Write when it rises and sets, at the rim, where that lies on nothing."""
+        middle = polar.width // 2
+        for az_deg, at_s, known in ((row.aos_az_deg, row.aos_s, not row.already_up),
+                                    (row.los_az_deg, row.los_s, not row.still_up)):  # fmt: skip
+            if not known:
+                continue
+            x, y = polar.cell(az_deg, 0.0)
+            words = clock_text(at_s, seconds=False)
+            beside = x + 2 if x >= middle else x - 1 - len(words)
+            inward = x - 1 - len(words) if x >= middle else x + 2
+            for start in (beside, inward):
+                if start >= 0 and start + len(words) <= polar.width and cells.free(start, y, len(words), *QUIET):
+                    cells.put(start, y, words, "text")
+                    break
+
+    @staticmethod
+    def _marks(cells: Cells, polar: Polar, view: View, row: Row | None, t_s: float) -> None:
+        position = view.state.position
+        if position is not None:
+            ink = "dim" if view.stale else "accent-strong"
+            cells.put(*polar.cell(position.az_deg, position.el_deg), view.pointer, ink)
+        if row is None or row.path is None:
+            return
+        place = row.path.at(t_s)
+        if place is not None:
+            cells.put(*polar.cell(*place), "✕", "target-strong")
+
+    @staticmethod
+    def _figures(row: Row, t_s: float, tall: bool) -> list[tuple[str, str]]:
+        """Return (ink, words): who, what comes next, when and where it rises and sets, what is in reach and why."""
+        number = f"  {row.norad_id}" if row.norad_id else ""
+        lines = [("strong", f"{'★ ' if row.favourite else ''}{row.name}{number}")]
+        event = row.next_event(t_s)
+        if event is not None:
+            lines.append(("target", f"{EVENT_WORDS[event[1]]} in {count_text(event[0] - t_s)}"))
+        place = None if row.path is None else row.path.at(t_s)
+        reach, why = row.reach, reach_sign(row.reach)[2]
+        if reach is None:
+            held = "reach not worked out yet"
+        elif not reach.intervals:
+            held = f"never in reach: {why}"
+        else:
+            held = f"{length_text(reach.total_s)} in reach, best {reach.best_el_deg or 0.0:.0f}°"
+        if not tall:
+            rise = "before" if row.already_up else clock_text(row.aos_s, seconds=False)
+            fall = "later" if row.still_up else clock_text(row.los_s, seconds=False)
+            lines.append(("text", held))
+            lines.append(("dim", f"{rise} {row.aos_az_deg:.0f}°  {row.max_el_deg:.0f}°  {fall} {row.los_az_deg:.0f}°"))
+            return lines
+        lines.append(("text", f"now AZ {place[0]:.1f}°  EL {place[1]:.1f}°" if place is not None else ""))
+        began = "up before" if row.already_up else f"{clock_text(row.aos_s)}  {row.aos_az_deg:5.1f}°"
+        ends = "later" if row.still_up else f"{clock_text(row.los_s)}  {row.los_az_deg:5.1f}°"
+        lines += [
+            ("dim", f"AOS  {began}"),
+            ("dim", f"TCA  {clock_text(row.tca_s)}  {row.tca_az_deg:5.1f}°"),
+            ("dim", f"LOS  {ends}"),
+            ("dim", f"highest {row.max_el_deg:.1f}°, {length_text(row.los_s - row.aos_s)} up"),
+            ("text", ""),
+            ("text", held),
+        ]
+        if reach is not None:
+            lines += [("text", f"  {clock_text(start)} to {clock_text(end)}") for start, end in reach.intervals[:3]]
+            lines += [
+                ("dim", f"  {lost.reason} {clock_text(lost.start_s)}, {length_text(lost.end_s - lost.start_s)}")
+                for lost in reach.lost[:4] if lost.end_s - lost.start_s >= 1.0
+            ]  # fmt: skip
+        if row.age is not None:
+            lines += [("text", ""), (row.age.ink, f"{row.age.glyph} elements {row.age.words}")]
+        return lines

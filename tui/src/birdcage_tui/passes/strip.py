@@ -1,0 +1,109 @@
+"""Elevation of the chosen pass over time, with floor, ceiling, and what of it is in reach."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from birdcage_tui.canvas import Braille, Cells
+from birdcage_tui.pane import Pane
+from birdcage_tui.passes.desk import Desk
+from birdcage_tui.passes.model import Row
+from birdcage_tui.passes.words import clock_text
+from birdcage_tui.view import View
+
+AXIS = 4
+"""Columns of the scale at the left."""
+
+
+class PassStrip(Pane):
+    """A curve from AOS to LOS; under it a bar where the dish can follow, and the times."""
+
+    def __init__(self, desk: Desk, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.border_title = "Elevation"
+        self._desk = desk
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Draw limits, curve and the line of the moment shown."""
+        row = self._desk.chosen(view)
+        if row is None or row.path is None:
+            cells.put(1, 0, "No pass is chosen." if row is None else "Its path is worked out …", "dim")
+            return
+        width, height = cells.width - AXIS - 1, cells.height - 2
+        if width < 12 or height < 2:
+            return
+        t_s, low, high = self._desk.time(view), view.state.el_min_deg, view.state.el_max_deg
+        top = self._top(row, high)
+        canvas = Braille(width, height)
+        dots = height * 4 - 1
+
+        def y_of(el_deg: float) -> float:
+            return dots * (1.0 - min(max(el_deg, 0.0), top) / top)
+
+        for limit in (low, high):
+            if limit is not None and limit < top:
+                canvas.line(0, y_of(limit), width * 2 - 1, y_of(limit), "line", every=2)
+        self._curve(canvas, row, t_s, y_of)
+        canvas.onto(cells, AXIS, 0)
+        self._scale(cells, height, top, (low, high))
+        self._bar(cells, row, width, height)
+        self._times(cells, row, width, height + 1)
+        if row.aos_s <= t_s <= row.los_s:
+            x = AXIS + min(int((t_s - row.aos_s) / (row.los_s - row.aos_s) * width), width - 1)
+            for y in range(height):
+                if cells.free(x, y, 1, "line", "dim", "faint"):
+                    cells.put(x, y, "│", "dim")
+            place = row.path.at(t_s)
+            if place is not None:
+                cells.put(x, int(y_of(place[1])) // 4, "✕", "target-strong")
+
+    @staticmethod
+    def _top(row: Row, high: float | None) -> float:
+        """Return the upper end of the scale: the pass fits, and the ceiling too where it is near."""
+        need = row.max_el_deg + 4.0
+        if high is not None and high > row.max_el_deg > high - 25.0:
+            need = max(need, high + 4.0)
+        return min(max(need, 24.0), 90.0)
+
+    @staticmethod
+    def _curve(canvas: Braille, row: Row, t_s: float, y_of: Callable[[float], float]) -> None:
+        assert row.path is not None
+        columns = canvas.width * 2
+        for column in range(columns):
+            at_s = row.aos_s + (column + 0.5) / columns * (row.los_s - row.aos_s)
+            place = row.path.at(at_s)
+            if place is None or (at_s < t_s and column % 3):
+                continue  # past is dotted
+            loud = row.reach is not None and row.reach.holds(at_s)
+            after = row.path.at(min(at_s + (row.los_s - row.aos_s) / columns, row.los_s))
+            y0, y1 = y_of(place[1]), y_of((after or place)[1])
+            canvas.line(column, y0, column, y1 if at_s >= t_s else y0, "target" if loud else "dim")
+
+    @staticmethod
+    def _scale(cells: Cells, height: int, top: float, limits: tuple[float | None, float | None]) -> None:
+        taken = set()
+        for el_deg in (*(limit for limit in limits if limit is not None), top, 0.0):
+            y = min(int((height * 4 - 1) * (1.0 - min(el_deg, top) / top)) // 4, height - 1)
+            if el_deg <= top and y not in taken:
+                taken.add(y)
+                cells.right(AXIS, y, f"{el_deg:.0f}°", "dim")
+
+    @staticmethod
+    def _bar(cells: Cells, row: Row, width: int, y: int) -> None:
+        """Draw in which cells the dish can follow; a cell counts by its middle."""
+        for column in range(width):
+            at_s = row.aos_s + (column + 0.5) / width * (row.los_s - row.aos_s)
+            held = row.reach is not None and row.reach.holds(at_s)
+            cells.put(AXIS + column, y, "━" if held else "╌", "target" if held else "line")
+
+    @staticmethod
+    def _times(cells: Cells, row: Row, width: int, y: int) -> None:
+        """Write AOS and LOS at the ends, then the edges of reach where they fit."""
+        cells.put(AXIS, y, clock_text(row.aos_s), "dim")
+        cells.right(AXIS + width, y, clock_text(row.los_s), "dim")
+        edges = () if row.reach is None else [edge for interval in row.reach.intervals for edge in interval]
+        for at_s in edges:
+            words = clock_text(at_s)
+            x = AXIS + int((at_s - row.aos_s) / (row.los_s - row.aos_s) * width) - len(words) // 2
+            if cells.free(x - 1, y, len(words) + 2):
+                cells.put(x, y, words, "target")

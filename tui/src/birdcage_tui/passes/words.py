@@ -1,0 +1,73 @@
+"""The page's words and numbers: short, and as wide as their columns."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime
+
+from birdcage_tui.passes.model import InReach, Row
+
+EDGES = ("floor", "horizon")
+"""What lies between the geometric horizon and reach at both ends of a pass."""
+EVENT_WORDS = {"AOS": "rises", "reach": "in reach", "out": "out of reach", "LOS": "sets"}
+"""What the words of `Row.events` count to, spelt out."""
+
+
+def count_text(span_s: float) -> str:
+    """Return a countdown in six columns or fewer: `03:20`, from an hour on `2 h 05`, from a day on `3 d 4h`."""
+    minutes, seconds = divmod(int(max(span_s, 0.0)), 60)
+    if minutes < 60:
+        return f"{minutes:02}:{seconds:02}"
+    hours, minutes = divmod(minutes, 60)
+    if hours < 24:
+        return f"{hours} h {minutes:02}"
+    return f"{hours // 24} d {hours % 24}h"
+
+
+def length_text(span_s: float) -> str:
+    """Return how long something lasts in five columns or fewer: `45s`, `8m05`, `38m`, `5h12`."""
+    seconds = round(span_s)
+    if seconds < 60:
+        return f"{seconds}s"
+    if seconds < 600:
+        return f"{seconds // 60}m{seconds % 60:02}"
+    minutes = round(span_s / 60.0)
+    return f"{minutes}m" if minutes < 60 else f"{minutes // 60}h{minutes % 60:02}"
+
+
+def clock_text(t_s: float, *, seconds: bool = True) -> str:
+    """Return a time of day in UTC."""
+    return f"{datetime.fromtimestamp(t_s, UTC):{'%H:%M:%S' if seconds else '%H:%M'}}"
+
+
+def reach_sign(reach: InReach | None) -> tuple[str, str, str]:
+    """Return glyph, ink and words of whether a pass can be followed: in one go, with losses, or not; and why not.
+
+    Every pass begins and ends below the floor or behind the horizon: that is no loss worth a word.
+    """
+    if reach is None:
+        return "·", "dim", ""
+    if not reach.intervals:
+        return "○", "dim", ", ".join(reach.reasons)
+    losses = [reason for reason in reach.reasons if reason not in EDGES]
+    if not losses and len(reach.intervals) > 1:
+        losses = list(reach.reasons)
+    return ("◍", "good", ", ".join(losses)) if losses else ("●", "good", "")
+
+
+def reach_text(row: Row) -> str:
+    """Return how long a pass is in reach; a dash while that is not known, and for nothing a nought."""
+    if row.reach is None:
+        return "--"
+    return length_text(row.reach.total_s) if row.reach.intervals else "none"
+
+
+def shift_text(shift_s: float) -> str:
+    """Return how far a view time is from now: `1 h 12 min ahead`, `40 s back`."""
+    seconds = abs(round(shift_s))
+    if seconds < 60:
+        span = f"{seconds} s"
+    elif seconds < 3600:
+        span = f"{seconds // 60} min {seconds % 60:02} s" if seconds < 600 else f"{seconds // 60} min"
+    else:
+        span = f"{seconds // 3600} h {seconds % 3600 // 60:02} min"
+    return f"{span} {'ahead' if shift_s >= 0 else 'back'}"

@@ -1,0 +1,146 @@
+"""From what the watch publishes to what panes draw. Passes that are the same as before stay the same objects."""
+
+from __future__ import annotations
+
+from datetime import timedelta
+from typing import TYPE_CHECKING
+
+from birdcage.sky.catalogue.entry import key_of
+from birdcage.sky.horizon import HorizonMask
+from birdcage.sky.observer import Observer
+from birdcage.sky.sun import sun
+from birdcage.sky.watch_model import SkyNow, UpNow
+
+from birdcage_tui.passes.model import Age, InReach, Lost, Path, Row, SkyPicture, Up, Way
+
+if TYPE_CHECKING:
+    from birdcage.sky.elements import ElementSet
+    from birdcage.sky.pass_row import PassRow
+    from birdcage.sky.reach import Reach
+    from birdcage.sky.reach_limits import Horizon
+
+SAMPLES = 72
+"""Of a path: closer than a dot of the largest picture, and half of them about the top, where azimuth sweeps."""
+AHEAD = timedelta(hours=24)
+MOST_OTHERS = 1000
+"""With so many passes of satellites that are no favourites the watch lists no later ones (`sky.watch_hunt`)."""
+GEO_KM, STILL_KM_S = 34_000.0, 0.02
+"""From so far, and as slow as that, a satellite stands still in the sky."""
+DEMO = "DEMO "
+
+
+class Converter:
+    """Keeps what it made, as long as the watch keeps what that was made of. One thread at a time."""
+
+    def __init__(self) -> None:
+        self.favourites: dict[int | str, bool] = {}
+        """What was marked here, and the watch does not know yet."""
+        self.mask: Horizon | None = None
+        self.groups: dict[str, tuple[str, ...]] = {}
+        """Groups and tags by key of the catalogue."""
+        self._rows: dict[int, tuple[PassRow, Row]] = {}
+        self._table: tuple[Row, ...] = ()
+
+    def picture(self, sky: SkyNow, moon: tuple[float, float, float] | None, *, demo: bool) -> SkyPicture:
+        """Return the picture of one look at the sky."""
+        observer, t_s = sky.observer, sky.utc.timestamp()
+        if observer is None:
+            return SkyPicture(t_s, satellites=sky.satellites, note=sky.note)
+        table = self._rows_of(sky, observer)
+        until = t_s + AHEAD.total_seconds()
+        others = [row for row in table if not row.favourite]
+        if len(others) >= MOST_OTHERS:
+            until = min(until, others[-1].aos_s)
+        where = sun(sky.utc, observer.latitude_deg, observer.longitude_deg)
+        return SkyPicture(
+            t_s,
+            tuple(self._up(one) for one in sky.up),
+            where,
+            None if moon is None else moon[1:],
+            table,
+            1.0 if sky.searching is None else sky.searching,
+            until,
+            sky.satellites,
+            "demo orbits" if demo else "elements that ship" if sky.note else "",
+            "" if demo else sky.note,
+            self.mask if isinstance(self.mask, HorizonMask) else None,
+        )
+
+    def _favourite(self, number: int, name: str, known: bool) -> bool:
+        return self.favourites.get(number or name, known)
+
+    def _up(self, one: UpNow) -> Up:
+        fixed = one.range_km > GEO_KM and abs(one.range_rate_km_s) < STILL_KM_S
+        known = self._favourite(one.norad_id, one.name, one.favourite)
+        return Up(one.name.removeprefix(DEMO), one.norad_id, one.az_deg, one.el_deg, known, fixed)
+
+    def _rows_of(self, sky: SkyNow, observer: Observer) -> tuple[Row, ...]:
+        kept: dict[int, tuple[PassRow, Row]] = {}
+        for found in sky.passes:
+            known = self._rows.get(id(found))
+            passing = found.passing
+            favourite = self._favourite(passing.norad_id, passing.name, found.favourite)
+            groups = self.groups.get(key_of(found.elements), ())
+            old = None if known is None or known[0] is not found else known[1]
+            if known is not None and old is not None and (old.favourite, old.groups) == (favourite, groups):
+                kept[id(found)] = known
+            else:
+                kept[id(found)] = (found, _row(found, observer, favourite, groups))
+        self._rows = kept
+        table = tuple(row for _, row in kept.values())
+        if len(table) != len(self._table) or any(a is not b for a, b in zip(table, self._table, strict=True)):
+            self._table = table  # else the old one: what was made of it is kept, too
+        return self._table
+
+
+def _row(found: PassRow, observer: Observer, favourite: bool, groups: tuple[str, ...]) -> Row:
+    passing = found.passing
+    aos_s, los_s = passing.aos.timestamp(), passing.los.timestamp()
+    elements, ahead_s = found.elements, found.time_offset_s
+    return Row(
+        passing.name.removeprefix(DEMO),
+        passing.norad_id,
+        aos_s,
+        passing.tca.timestamp(),
+        los_s,
+        passing.aos_azimuth_deg,
+        passing.tca_azimuth_deg,
+        passing.los_azimuth_deg,
+        passing.max_elevation_deg,
+        _reach(found.reach),
+        Way(lambda: _path(elements, observer, aos_s, passing.tca.timestamp(), los_s, ahead_s)),
+        favourite,
+        groups,
+        _age(found),
+        passing.already_up,
+        passing.still_up,
+        found,
+    )
+
+
+def _reach(reach: Reach) -> InReach:
+    return InReach(
+        tuple((one.start.timestamp(), one.end.timestamp()) for one in reach.intervals),
+        tuple(Lost(one.start.timestamp(), one.end.timestamp(), one.reason) for one in reach.lost),
+        reach.best_el_deg,
+    )
+
+
+def _age(found: PassRow) -> Age:
+    """Return how old the elements are at the pass."""
+    hours = found.epoch_age_s / 3600.0
+    if hours < 0:
+        return Age("newer than the pass", "·", "dim")
+    return Age(f"{hours:.0f} h old" if hours < 48 else f"{hours / 24:.0f} days old", "·", "dim")
+
+
+def _path(elements: ElementSet, observer: Observer, aos_s: float, tca_s: float, los_s: float, ahead_s: float) -> Path:
+    import numpy as np
+    from birdcage.sky.propagate import track
+
+    about = 0.06 * (los_s - aos_s)
+    close = np.linspace(max(tca_s - about, aos_s), min(tca_s + about, los_s), SAMPLES // 2)
+    times = np.unique(np.concatenate([np.linspace(aos_s, los_s, SAMPLES // 2), close]))
+    found = track(elements, observer, times, ahead_s)
+    good = np.isfinite(found.el_deg)
+    return Path(tuple(found.t_s[good].tolist()), tuple(found.az_deg[good].tolist()), tuple(found.el_deg[good].tolist()))

@@ -1,0 +1,100 @@
+"""What the app knows of the sky: owns what watches it on a thread of its own, and hears from it by messages.
+
+Nothing here imports numpy or sgp4, and no call waits: what is asked for is done on the watch's own thread.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Protocol
+
+from birdcage.station.state import StationState
+
+from birdcage_tui.settings import Place
+
+if TYPE_CHECKING:
+    from birdcage.base.clock import Clock
+    from birdcage.base.config import Settings
+    from birdcage.base.paths import Paths
+
+    from birdcage_tui.passes.model import Row, SkyPicture
+
+Show = Callable[["SkyPicture"], object]
+"""Takes a picture of the sky, on whichever thread made it."""
+Say = Callable[[str], object]
+"""Takes a sentence to be told, on any thread."""
+
+
+class SkySource(Protocol):
+    """What watches the sky. No call waits."""
+
+    def start(self) -> None:
+        """Begin, on a thread of its own."""
+
+    def keep(self, state: StationState, place: Place | None) -> None:
+        """Take what is known of the dish, whose limits reach follows from, and where it stands."""
+
+    def set_favourite(self, satellite: int | str, favourite: bool) -> None:
+        """Mark or unmark a satellite, by number or name."""
+
+    def export(self, rows: Sequence[Row]) -> None:
+        """Write passes to files, and tell where."""
+
+    def close(self) -> None:
+        """End soon; nothing is told any more."""
+
+
+MakeSky = Callable[[Show, Say], SkySource]
+
+
+def make_sky(settings: Settings, paths: Paths, clock: Clock, *, demo: bool, threads: bool = True) -> MakeSky:
+    """Return what makes the sky by the settings, once the app wants it: nothing of it is loaded before.
+
+    `threads=False`: a test calls its `step`.
+    """
+
+    def make(show: Show, say: Say) -> SkySource:
+        from birdcage_tui.sky_source import open_sky
+
+        return open_sky(settings, paths, clock, show, say, demo=demo, threads=threads)
+
+    return make
+
+
+class SkyFeed:
+    """The app's end. `now` is what was heard last."""
+
+    def __init__(self, make: MakeSky | None, show: Show, say: Say) -> None:
+        self._make, self._show, self._say = make, show, say
+        self.source: SkySource | None = None
+        self._closed = False
+        self.now: SkyPicture | None = None
+
+    def begin(self, state: StationState, place: Place | None) -> None:
+        """Begin to watch; after the first frame."""
+        if self._make is None or self._closed:
+            return
+        self.source = self._make(self._show, self._say)
+        self.source.keep(state, place)
+        self.source.start()
+
+    def keep(self, state: StationState, place: Place | None) -> None:
+        """Take what has become of the dish and its place."""
+        if self.source is not None:
+            self.source.keep(state, place)
+
+    def set_favourite(self, satellite: int | str, favourite: bool) -> None:
+        """Mark or unmark a satellite."""
+        if self.source is not None:
+            self.source.set_favourite(satellite, favourite)
+
+    def export(self, rows: Sequence[Row]) -> None:
+        """Write passes to files; where is told later."""
+        if self.source is not None:
+            self.source.export(rows)
+
+    def close(self) -> None:
+        """End."""
+        self._closed = True
+        if self.source is not None:
+            self.source.close()

@@ -1,0 +1,235 @@
+"""Watches the sky for the app: `SkyWatch` behind values that panes draw, and a thread for files and the Moon.
+
+The catalogue is opened by whoever asks on the thread that asks; the app's own thread never waits for any of it.
+"""
+
+from __future__ import annotations
+
+import queue
+import threading
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path as File
+from typing import TYPE_CHECKING
+
+from birdcage.base.clock import Clock
+from birdcage.base.errors import BirdcageError
+from birdcage.base.paths import Paths
+from birdcage.sky.observer import Observer
+from birdcage.sky.reach_limits import ReachLimits
+from birdcage.sky.watch import SkyWatch
+from birdcage.sky.watch_model import SkyNow
+from birdcage.station.reach_limits import reach_limits_of
+
+from birdcage_tui.passes.model import Row
+from birdcage_tui.settings import Place
+from birdcage_tui.sky_convert import Converter
+
+if TYPE_CHECKING:
+    from birdcage.base.config import Settings
+    from birdcage.station.state import StationState
+
+    from birdcage_tui.sky_feed import Say, Show
+
+MOON_S = 20.0
+"""Seconds of the clock between two looks at the Moon: it goes a tenth of a degree in that."""
+MOON_FIRST_S = 3.0
+"""Real seconds after the start before the library that knows it is loaded: the passes come first."""
+CLOSE_S = 0.03
+"""How long closing may wait for the watch."""
+DEMO_FAVOURITES = ("LEO 1 ", "LEO 2 ", "LEO 5 ", "LEO 6 ", "LEO 10 ", "LEO 12 ")
+
+
+@dataclass(frozen=True, slots=True)
+class SkySetup:
+    """What a sky is made from."""
+
+    catalogue: File
+    exports: File
+    """The folder that files of passes go to."""
+    clock: Clock
+    observer: Observer | None
+    limits: Callable[[StationState], ReachLimits]
+    demo: bool = False
+
+
+class WatchedSky:
+    """The `SkySource` of a running app. With `threads=False` a test calls `step` instead."""
+
+    def __init__(self, setup: SkySetup, show: Show, say: Say, *, threads: bool = True) -> None:
+        self._setup, self._show, self._say = setup, show, say
+        self._threads = threads
+        self._observer = setup.observer
+        self._limits: ReachLimits | None = None
+        self._watch = SkyWatch(setup.catalogue, self._seen, setup.clock, observer=setup.observer)
+        self._jobs: queue.SimpleQueue[Callable[[], None] | None] = queue.SimpleQueue()
+        self._converter = Converter()
+        self._sky: SkyNow | None = None
+        self._moon: tuple[float, float, float] | None = None
+        """When it was looked at, azimuth, elevation."""
+        self._closed = threading.Event()
+        self._lock = threading.Lock()
+        """Over the converter: every thread but the app's shows the sky again after a change."""
+
+    # For the app's thread.
+
+    def start(self) -> None:
+        """Begin."""
+        if self._setup.demo:
+            self._jobs.put(self._fill_catalogue)
+        if self._threads:
+            self._jobs.put(self._watch.start)
+            threading.Thread(target=self._work, name="sky-desk", daemon=True).start()
+            threading.Thread(target=self._follow_moon, name="moon", daemon=True).start()
+
+    def keep(self, state: StationState, place: Place | None) -> None:
+        """Take what is known of the dish and where it stands."""
+        limits = self._setup.limits(state)
+        if limits != self._limits:
+            self._limits = limits
+            self._converter.mask = limits.horizon
+            self._watch.set_limits(limits)
+        if place is not None:
+            here, there = self._observer, (place.latitude_deg, place.longitude_deg)
+            if here is None or (here.latitude_deg, here.longitude_deg) != there:
+                self._observer = Observer(place.latitude_deg, place.longitude_deg, name=place.name)
+                self._watch.set_observer(self._observer)
+
+    def set_favourite(self, satellite: int | str, favourite: bool) -> None:
+        """Mark or unmark a satellite: seen at once, and kept in the catalogue."""
+        self._converter.favourites[satellite] = favourite
+        self._jobs.put(self._show_again)
+        self._jobs.put(lambda: self._keep_favourite(satellite, favourite))
+
+    def export(self, rows: Sequence[Row]) -> None:
+        """Write passes to files, and tell where."""
+        self._jobs.put(lambda: self._write(tuple(rows)))
+
+    def close(self) -> None:
+        """End."""
+        self._closed.set()
+        self._jobs.put(None)
+        self._watch.close(CLOSE_S)
+
+    def step(self) -> None:
+        """Do all that is to do now, on the calling thread."""
+        while not self._jobs.empty():
+            job = self._jobs.get()
+            if job is not None:
+                job()
+        now = self._setup.clock.monotonic()
+        for _ in range(10_000):
+            if self._watch.step() > now:
+                break
+
+    # For the other threads.
+
+    def _work(self) -> None:
+        while (job := self._jobs.get()) is not None:
+            job()
+
+    def _seen(self, sky: SkyNow) -> None:
+        """Show a look at the sky; on the watch's thread."""
+        before, self._sky = self._sky, sky
+        if before is None or before.satellites != sky.satellites:
+            self._jobs.put(self._read_groups)
+        self._show_again()
+
+    def _show_again(self) -> None:
+        sky = self._sky
+        if sky is not None and not self._closed.is_set():
+            with self._lock:
+                self._show(self._converter.picture(sky, self._moon, demo=self._setup.demo))
+
+    def _follow_moon(self) -> None:
+        if self._closed.wait(MOON_FIRST_S):
+            return
+        while not self._closed.is_set():
+            self.look_at_moon()
+            if self._closed.wait(MOON_S / self._setup.clock.rate):
+                return
+
+    def look_at_moon(self) -> None:
+        """Look where the Moon stands; outside the years of the ephemeris it is not drawn."""
+        from birdcage.sky.ephemeris.bodies import BODIES
+
+        observer, now = self._observer, self._setup.clock.utc()
+        if observer is None:
+            return
+        try:
+            look = BODIES["moon"].look(observer, now)
+        except BirdcageError:
+            self._moon = None
+            return
+        self._moon = (now.timestamp(), look.az_deg, look.el_deg)
+
+    def _fill_catalogue(self) -> None:
+        """Lay the demo's orbits over its place, in its own catalogue, which is thrown away afterwards."""
+        from birdcage.sky.catalogue import Catalogue
+        from birdcage.sky.demo_orbits import demo_orbits
+
+        if self._observer is None:
+            return
+        elements = demo_orbits(self._setup.clock.utc(), self._observer)
+        with Catalogue(self._setup.catalogue) as catalogue:
+            catalogue.add(elements, group="demo")
+            for one in elements:
+                if any(mark in f"{one.name} " for mark in DEMO_FAVOURITES):
+                    catalogue.set_favourite(one.norad_id)
+
+    def _read_groups(self) -> None:
+        """Read which groups and tags satellites have, to filter by."""
+        from birdcage.sky.catalogue import Catalogue
+
+        if not self._setup.catalogue.exists():
+            return
+        try:
+            with Catalogue(self._setup.catalogue) as catalogue:
+                entries = catalogue.entries()
+        except BirdcageError:
+            return  # the watch says so, with what to do
+        self._converter.groups = {one.key: (*one.groups, *one.tags) for one in entries if one.groups or one.tags}
+        self._show_again()
+
+    def _keep_favourite(self, satellite: int | str, favourite: bool) -> None:
+        from birdcage.sky.catalogue import Catalogue
+
+        try:
+            with Catalogue(self._setup.catalogue) as catalogue:
+                catalogue.set_favourite(satellite, favourite)
+        except BirdcageError as problem:
+            self._converter.favourites.pop(satellite, None)
+            self._show_again()
+            self._say(f"That favourite could not be kept: {problem}")
+            return
+        self._watch.refresh()
+
+    def _write(self, rows: tuple[Row, ...]) -> None:
+        from birdcage_tui.passes.export import write_passes
+
+        found = [row.origin for row in rows if row.origin is not None]
+        sky = self._sky
+        if sky is None or sky.observer is None or not found:
+            self._say("No pass is listed, so no file was written.")
+            return
+        note = "DEMO: these orbits are made up." if self._setup.demo else sky.note
+        try:
+            words = write_passes(found, sky.observer, self._setup.clock.utc(), self._setup.exports, note)
+        except OSError as problem:
+            words = f"No file was written in {self._setup.exports}: {problem.strerror or problem}."
+        self._say(words)
+
+
+def open_sky(
+    settings: Settings, paths: Paths, clock: Clock, show: Show, say: Say, *, demo: bool, threads: bool
+) -> WatchedSky:
+    """Return the sky by the settings; files of passes go beside the catalogue."""
+    place = settings.place
+    observer = None
+    if place.latitude_deg is not None and place.longitude_deg is not None:
+        observer = Observer(place.latitude_deg, place.longitude_deg, place.height_m, place.name or "")
+    setup = SkySetup(
+        paths.catalogue, paths.catalogue.parent / "passes", clock, observer,
+        lambda state: reach_limits_of(state, settings), demo,
+    )  # fmt: skip
+    return WatchedSky(setup, show, say, threads=threads)
