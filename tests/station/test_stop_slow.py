@@ -47,5 +47,5 @@ def test_a_speed_that_is_known_is_allowed_for(speed_deg_s):
 def test_a_speed_that_is_not_known_may_be_the_least_that_can_be_set(speed_deg_s):
     _bench, moved, took_s = stopped(speed_deg_s, survey=False)
     assert True not in moved
-    assert moved or speed_deg_s <= 0.5, "it is far from its aim, and goes on"
+    assert moved or speed_deg_s <= 1.0, "it is far from its aim, and goes on"
     assert took_s < 1.0 or speed_deg_s < 5.0, "it was seen to be faster"

@@ -61,8 +61,8 @@ DIALECT = ConsoleDialect(
         "step": "STEP>",
     },
     stranger=(
-        "The dish shows the prompt `{prompt}`, which no Carryout G2 is known to show. Give --firmware hal205 if it is "
-        "a Trav'ler. Nothing was moved."
+        "This dish does not answer like a Carryout G2 (prompt `{prompt}`). Give --firmware hal205 if it is a Trav'ler. "
+        "Nothing was moved."
     ),
     # The texts themselves are not in any source: section 14, unknowns 1 and 3. Words, then, not sentences.
     refusals=(

@@ -26,6 +26,8 @@ from birdcage.protocol.types import Position, RssiReading, Survey
 _DEGREES = r"([-+]?\d+(?:\.\d+)?)(?=\s+[A-Za-z]|\s*$)"
 """A number with a word behind it, or nothing: what noise has cut in two is none."""
 _ANGLE = re.compile(rf"Angle\[(\d)\]\s*=\s*{_DEGREES}")
+_OTHER_ANGLES = re.compile(r"\bAZ\s*=.*\bEL\s*=")
+"""How the HAL family prints where it is (section 3); no damage makes it of a G2's answer."""
 _PLAUSIBLE = (-720.0, 720.0), (-90.0, 180.0)
 """Azimuth and elevation, wider than any dish turns: what lies outside is a misread number, not an angle."""
 _MOVE_TAKEN = re.compile(rf"Angle\s*=\s*{_DEGREES}")
@@ -68,7 +70,11 @@ class CarryoutG2Protocol(Rooms):
                     raise
                 before = silence.reason
                 tell(f"{elapsed:3.0f} s: no prompt yet ({silence.reason}). The dish may still be booting.")
-        disabled = self.read_nvs(DISABLE_TRACKER).current == "TRUE"
+        try:
+            disabled = self.read_nvs(DISABLE_TRACKER).current == "TRUE"
+        except CommandRefused:
+            self.enter_motor_menu()  # says so if it is another firmware's console
+            raise
         tell(
             "The TV search is off (NVS 20 is TRUE)."
             if disabled
@@ -77,8 +83,21 @@ class CarryoutG2Protocol(Rooms):
         self.enter_motor_menu()
 
     def enter_motor_menu(self) -> None:
-        """Enter `mot`."""
-        self.console.enter("mot")
+        """Enter `mot`. NoReply (`wrong_firmware`) when the dish refuses it twice: every G2 has this menu."""
+        try:
+            self.console.enter("mot")
+        except CommandRefused as once:
+            if once.reason != "unknown_command":
+                raise
+            try:
+                self.console.enter("mot")  # the line may have been damaged on its way
+            except CommandRefused as twice:
+                if twice.reason != "unknown_command":
+                    raise
+                raise self._another_firmware() from twice
+
+    def _another_firmware(self) -> NoReply:
+        return NoReply(self.dialect.stranger.format(prompt=self.console.prompt), reason="wrong_firmware")
 
     def get_position(self) -> Position:
         """Read both axes with one `a` (section 7.4). PositionUnknown: not homed, or released since."""
@@ -87,10 +106,13 @@ class CarryoutG2Protocol(Rooms):
         return position
 
     def _read_position(self) -> Position:
+        self.enter_motor_menu()
         reply = self.console.run("mot", "a")
         angles = {int(m[1]): float(m[2]) for m in _ANGLE.finditer(" ".join(reply.lines))}
         if set(angles) != {0, 1}:
             self.gate.forget("unread")
+            if _OTHER_ANGLES.search(" ".join(reply.lines)):
+                raise self._another_firmware()
             raise NoReply(f"The dish answered `a` with {' / '.join(reply.lines)!r}, not two angles.", reason="garbage")
         if INT_MAX in angles.values():
             self.gate.forget("unhomed")
