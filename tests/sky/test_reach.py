@@ -86,7 +86,14 @@ def test_a_pass_below_the_floor_is_not_reached_at_all():
 @pytest.mark.parametrize("step_s", [1.0, 5.0, 10.0])
 def test_edges_do_not_depend_on_the_samples(step_s):
     found = reach(flyover(60.0, step_s=step_s), ReachLimits(el_floor_deg=20.0))
-    assert seconds(found.intervals[0].start) == pytest.approx(-when_at(20.0), abs=0.1)
+    assert seconds(found.intervals[0].start) == pytest.approx(-when_at(20.0), abs=0.02)
+    assert seconds(found.intervals[0].end) == pytest.approx(when_at(20.0), abs=0.02)
+
+
+def test_of_two_limits_between_two_samples_both_must_be_kept():
+    found = reach(flyover(60.0, step_s=10.0), ReachLimits(el_floor_deg=20.0, horizon=HorizonMask([(0.0, 20.5)])))
+    assert seconds(found.intervals[0].start) == pytest.approx(-when_at(20.5), abs=0.02)
+    assert seconds(found.intervals[0].end) == pytest.approx(when_at(20.5), abs=0.02)
 
 
 def test_the_horizon_and_what_stands_there_are_named():
@@ -165,7 +172,9 @@ def test_the_cable_is_the_dishes_own_and_the_sky_true():
     sky = flyover(60.0, towards_deg=10.0)  # true 190 down to 10
     cable = {"cable_min_deg": 0.0, "cable_max_deg": 200.0, "turn_known": True, "az_rate_deg_s": 30.0}
     assert reach(sky, ReachLimits(**cable)).lost == ()
-    assert reach(sky, ReachLimits(**cable, az_offset_deg=100.0)).reasons == ("cable",)
+    turned = reach(sky, ReachLimits(**cable, az_offset_deg=100.0))  # the dish's own 90 down to -90
+    assert shown(turned.intervals) == [(-300.0, 0.0, None)]
+    assert turned.reasons == ("cable",)
 
 
 def test_a_slow_dish_loses_the_keyhole_and_a_fast_one_does_not():
