@@ -175,6 +175,8 @@ def test_the_cable_is_the_dishes_own_and_the_sky_true():
     turned = reach(sky, ReachLimits(**cable, az_offset_deg=100.0))  # the dish's own 90 down to -90
     assert shown(turned.intervals) == [(-300.0, 0.0, None)]
     assert turned.reasons == ("cable",)
+    whole = ReachLimits(0.0, cable_min_deg=0.0, cable_max_deg=360.0, turn_known=True, az_offset_deg=250.0)
+    assert [one.turn for one in reach(sky, whole).intervals] == [1]  # 300 down to 120
 
 
 def test_a_slow_dish_loses_the_keyhole_and_a_fast_one_does_not():
