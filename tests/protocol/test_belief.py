@@ -58,9 +58,25 @@ def test_a_dish_that_really_jumped_is_believed_at_the_second_reading(rested):
     assert belief.read(wire.once, wire) == Position(140.01, 36.29)
 
 
+@pytest.mark.parametrize("wrong", [
+    (27.51, 36.29), (127.51, 6.29), (127.51, 3.29), (127.51, 36.9), (127.51, 86.29), (127.51, 66.29), (127.51, 336.29),
+])  # fmt: skip
+def test_the_same_digit_damaged_twice_is_not_believed(rested, wrong):
+    wire, belief = rested
+    wire.angles = [wrong, wrong, (127.51, 36.29), (127.51, 36.29)]
+    assert belief.read(wire.once, wire) == Position(127.51, 36.29)
+
+
+def test_a_dish_that_went_where_a_damaged_digit_would_have_it_is_believed_at_the_third_reading(rested):
+    wire, belief = rested
+    wire.angles = [(127.51, 6.29)] * 3
+    assert belief.read(wire.once, wire) == Position(127.51, 6.29)
+    assert wire.asked == 5
+
+
 def test_two_readings_that_differ_are_no_proof_of_motion(rested):
     wire, belief = rested
-    wire.angles = [(128.51, 36.29), (127.51, 36.29), (128.51, 36.29), (128.51, 36.29)]
+    wire.angles = [(128.51, 36.29), (127.51, 36.29), (128.51, 36.29), (128.51, 36.29), (128.51, 36.29)]
     assert belief.read(wire.once, wire) == Position(128.51, 36.29)
 
 

@@ -17,11 +17,14 @@ ROUND_DEG = 0.02
 """How far a reading may lie outside what is expected of it: angles are printed in hundredths, and axes go in steps."""
 JITTER_S = 0.03
 """How much sooner or later than the one before a dish may take its reading."""
-MOST_READS = 5
+MOST_READS = 6
 STRICT_READS = 3
 """How many readings must fit together as the motion is expected, or evenly; then that the axes can do it is enough."""
 DIGIT_DEG = 1.0
 """Where a changed digit of a dish that stands still would be taken for an arrival: from whole degrees on."""
+
+LEAST_DAMAGE_DEG = 0.5
+"""A pair that is off by less than this is taken: so near a dish goes by itself, a step of its target at a time."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,12 +62,15 @@ class _Seen:
 class Belief:
     """Takes a reading that goes on where the last ones ended; asks again for any other, until two agree.
 
-    A dish at rest, or under way as expected, is so asked once; one that does anything else, twice.
+    A dish at rest, or under way as expected, is so asked once; one that does anything else, twice. Two readings that
+    one damaged digit would make of the last that was believed may both be damaged: then a third must agree.
     """
 
     def __init__(self, model: DishModel) -> None:
         self._model = model
         self._last: _Seen | None = None
+        self._taken: _Seen | None = None
+        """The last reading that was believed, also when readings did not fit together since."""
         self._astray: object = None
         """The motion that the dish was seen not to follow."""
         self.foresee: Foresight = lambda _position, _at, _now: None
@@ -81,11 +87,18 @@ class Belief:
         elif self._goes_on(seen):
             return self._take(seen)
         earlier: _Seen | None = None
+        doubted, strict = False, STRICT_READS
         for count in range(2, MOST_READS + 1):
             before, seen = seen, _Seen(once(), now())
-            even = count > STRICT_READS or (earlier is not None and _evenly(earlier, before, seen))
-            if self._agree(before, seen) or (even and self._can_do(before, seen, clock.rate)):
+            even = count > strict or (earlier is not None and _evenly(earlier, before, seen))
+            if self._agree(before, seen):
+                if doubted or self._taken is None or not _may_be_damaged(self._taken, seen):
+                    return self._take_agreed(before, seen)
+                doubted, strict = True, MOST_READS - 1
+            elif even and self._can_do(before, seen, clock.rate):
                 return self._take_agreed(before, seen)
+            else:
+                doubted = False
             earlier = before
         self._last = None
         raise NoReply("The dish tells angles that do not fit together: bytes change on their way.", reason="garbage")
@@ -141,7 +154,7 @@ class Belief:
             rates = (0.0,) * len(angles)
             if last is not None and len(ways) == len(angles):
                 rates = tuple(way / (seen.at - last.at) for way in ways)
-        self._last = _Seen(seen.position, seen.at, rates)
+        self._last = self._taken = _Seen(seen.position, seen.at, rates)
         return seen.position
 
 
@@ -191,3 +204,29 @@ def _differs_by_a_digit(one: Position, other: Position) -> bool:
         if abs(first - second) >= DIGIT_DEG and changed.count(True) == 1:
             return True
     return False
+
+
+def _may_be_damaged(last: _Seen, seen: _Seen) -> bool:
+    """Return whether one digit lost, doubled or changed makes this reading of where the axes may be since the last."""
+    past_s = seen.at - last.at
+    rates = last.rates or (0.0,) * len(_angles(last.position))
+    for here, there, rate in zip(_angles(last.position), _angles(seen.position), rates, strict=False):
+        loose_deg = NEAR_DEG + abs(rate) * past_s
+        if abs(there - here) < LEAST_DAMAGE_DEG + loose_deg:
+            continue
+        if any(abs(there - damaged) <= loose_deg for damaged in _damaged(here)):
+            return True
+    return False
+
+
+def _damaged(angle_deg: float) -> set[float]:
+    """Return what one digit lost, doubled or changed makes of a printed angle."""
+    text = f"{angle_deg:.2f}"
+    made = set()
+    for at, sign in enumerate(text):
+        if sign.isdigit():
+            others = ("", sign * 2, *"0123456789")
+            made |= {f"{text[:at]}{other}{text[at + 1 :]}" for other in others}
+        elif sign == "-":
+            made.add(text[:at] + text[at + 1 :])
+    return {float(each) for each in made if any(sign.isdigit() for sign in each)}
