@@ -13,6 +13,8 @@ SUBMENU = "submenu"
 _ENTER = re.compile(r"\s*enter\s*<(\w+)>", re.IGNORECASE)
 _EXPLAINED = re.compile(r"\s-|[:<\[(]")
 _WORD = re.compile(r"[a-z0-9_]+")
+_LONG = 3
+"""From so many letters on a command is still known when one is lost."""
 _MOST_SHARED = 0.5
 """A help that shares more of its words, or of the root's, with the root's may be the root's with bytes lost."""
 
@@ -27,6 +29,16 @@ def commands(lines: Iterable[str]) -> frozenset[str]:
         else:
             found.update(words[:1] if _EXPLAINED.search(line) else words)
     return frozenset(found)
+
+
+def is_of_help(line: str, dialect: ConsoleDialect) -> bool:
+    """Return whether a line lists nothing but known commands, a byte of each lost, doubled or spoilt at most."""
+    known = {dialect.leave, "help", *dialect.prompts, *dialect.root_marks, *dialect.root_hints}
+    known.update(*dialect.submenu_marks.values())
+    listed = commands([line])
+    return bool(listed) and all(
+        word in known or any(_alike(command, word) for command in known if len(command) >= _LONG) for word in listed
+    )
 
 
 class Places:

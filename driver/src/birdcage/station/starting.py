@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.console.places import is_of_help
 from birdcage.protocol.model import SearchSwitch
 from birdcage.station.board import Board
 from birdcage.station.mover import Mover
@@ -28,11 +29,15 @@ class Starting:
         """Take in a line that nobody asked for; a log that streams while nothing answers is shown."""
         if self._antenna.protocol.model.homing_s is not None or self._board.state.link.state is Link.UP:
             return
-        if UNREADABLE in line or (met and _ANSWER.search(line)):
+        if UNREADABLE in line or (met and self._is_answer(line)):
             return
         self._heard += 1
         if self._heard >= (LOG_LINES if met else 1):
             self._mover.activity(Activity.INITIALIZING, line.strip())
+
+    def _is_answer(self, line: str) -> bool:
+        """Return whether it is of an answer that comes late or in pieces: a value, an echo, a prompt, a list of help."""
+        return _ANSWER.search(line) is not None or is_of_help(line, self._antenna.protocol.dialect)
 
     def ended(self) -> None:
         """A boot mark came: where the search can't be switched off for good, it begins now."""
