@@ -78,14 +78,14 @@ def test_times_go_through_posix_seconds_and_back() -> None:
     assert float(part) * 86400.0 == pytest.approx(15 * 3600 + 4 * 60 + 5.678901, abs=1e-6)
 
 
-def test_ut1_agrees_with_the_iers_within_six_milliseconds() -> None:
+def test_ut1_agrees_with_the_iers_within_seven_milliseconds() -> None:
     lines = Path(astropy_iers_data.IERS_B_FILE).read_text(encoding="ascii").splitlines()
     rows = [line.split() for line in lines if not line.startswith("#")]
     checked = 0
     for year, month, day, hour, _, _, _, value, *_ in rows[::3]:
         if int(year) >= 1973:
             when = datetime(int(year), int(month), int(day), int(hour), tzinfo=UTC)
-            assert abs(dut1_s(when) - float(value)) < 0.006, when
+            assert abs(dut1_s(when) - float(value)) < 0.007, when
             checked += 1
     assert checked > 6000
 

@@ -85,7 +85,8 @@ def brute(
     t = np.append(np.arange(begin, end, grid_s), end)
     el = elevation(t)
     inner = np.flatnonzero((el[1:-1] > el[:-2]) & (el[1:-1] >= el[2:]) & (el[1:-1] > mask_deg - 5.0)) + 1
-    low, high = t[inner - 1], t[inner + 1]
+    # The first and the last stretch may hold a maximum that no point of the grid tells of.
+    low, high = np.append(t[inner - 1], (t[0], t[-2])), np.append(t[inner + 1], (t[1], t[-1]))
     for _ in range(32):
         third = (high - low) * 0.382
         rises = elevation(low + third) < elevation(high - third)

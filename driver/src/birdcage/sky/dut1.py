@@ -1,7 +1,7 @@
 """UT1 - UTC: how far the turning Earth is from the clock, out of a small table that ships with birdcage.
 
 The table holds the IERS values for the first of each month, the last year of them predicted (`scripts/cut_dut1.py`).
-Between two firsts it is interpolated, to 6 ms (against IERS C04, 1973 to 2026): an arcsecond and a half for a
+Between two firsts it is interpolated, to 7 ms (against IERS C04, 1973 to 2026): under two arcseconds for a
 satellite overhead at 400 km, a tenth of an arcsecond for a star.
 """
 
