@@ -6,7 +6,8 @@ from collections.abc import Mapping
 
 from birdcage.setup.step import Choice, Mark
 from birdcage.setup.steps.base import Plan, Step
-from birdcage.sky.geostationary import Slot, slots_in_sight
+from birdcage.sky.geostationary import slots_in_sight
+from birdcage.sky.slots import Slot
 from birdcage.station.requests import Goto
 
 
