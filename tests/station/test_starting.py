@@ -18,7 +18,8 @@ def silent() -> QueuedBench:
 
 
 @pytest.mark.parametrize("lines", [
-    ("nvs", "reboot", "stow", "motor"), ("nv", "rebooot", "stow", "mtor"), ("Enter <motor> - motors", "stow - folds it", "nvs"),
+    ("nvs", "reboot", "stow", "motor"), ("nv", "rebooot", "stow", "mtor"),
+    ("Enter <motor> - motors", "stow - folds it", "nvs"),
 ])  # fmt: skip
 def test_a_list_of_commands_that_comes_late_is_no_boot_log(lines):
     bench = silent()

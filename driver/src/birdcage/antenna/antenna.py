@@ -42,6 +42,8 @@ class BirdcageAntenna:
         """The motion under way as modelled; None at rest."""
         self.taken = 0
         """How many motions the dish has taken, at least in one axis."""
+        self.is_kept = False
+        """Whether nothing of the motion as modelled was let out yet: a STOP that is latched now keeps all of it."""
         self._begun_by: dict[int, float] = {}
         """When each axis had taken its last command."""
         self._modelling = threading.RLock()
@@ -193,7 +195,7 @@ class BirdcageAntenna:
         taken = self.taken
         with self._modelling:
             # Before the first byte: a STOP that comes after that byte must know what to stop.
-            before, self.motion = self.motion, planned
+            before, self.motion, self.is_kept = self.motion, planned, True
         try:
             yield
         except (Stopped, CommandRefused, MotionRefused) as error:
@@ -201,6 +203,8 @@ class BirdcageAntenna:
                 if self.taken == taken and self.motion is planned and error.reason != "closing":
                     self.motion = before  # nothing of it moves: the dish does what it did
             raise
+        finally:
+            self.is_kept = False
 
     def first_motor(self) -> int:
         """Return which axis goes first this time: they alternate, so that none starves where they move in turn."""

@@ -36,7 +36,7 @@ class Starting:
             self._mover.activity(Activity.INITIALIZING, line.strip())
 
     def _is_answer(self, line: str) -> bool:
-        """Return whether it is of an answer that comes late or in pieces: a value, an echo, a prompt, a list of help."""
+        """Return whether it is of an answer, late or in pieces: a value, an echo, a prompt, a list of commands."""
         return _ANSWER.search(line) is not None or is_of_help(line, self._antenna.protocol.dialect)
 
     def ended(self) -> None:

@@ -131,6 +131,8 @@ class Queued(StopWay):
         motion, enter = antenna.motion, antenna.protocol.abort_lines()
         if motion is not None and motion.silent:
             return Grip("abort", "A byte that ends the slew was sent.", enter)
+        if motion is not None and antenna.is_kept:
+            return Grip("nothing moved", "The move had not gone out, and is kept. Looking where the dish is.")
         if motion is not None:
             left_s = max(0.0, motion.eta(self._board.clock.rate) - self._board.clock.monotonic())
             return Grip(
