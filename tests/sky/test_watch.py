@@ -232,6 +232,15 @@ def test_a_damaged_catalogue_is_told_and_what_ships_is_shown(tmp_path):
     assert "ship with birdcage" in bench.now.note
 
 
+def test_a_catalogue_that_is_damaged_meanwhile_leaves_what_was_read(bench):
+    before = names(bench.now.passes)
+    bench.path.write_bytes(b"not a database" * 100)
+    bench.wait(6.0)
+    bench.wait(1.0)
+    assert "what was read before" in bench.now.note
+    assert names(bench.now.passes)[-20:] == before[-20:]
+
+
 def test_its_thread_publishes_and_ends_when_told(path):
     seen = threading.Event()
     passes = []

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 import threading
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime, timedelta
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -183,8 +183,10 @@ class SkyWatch:
         try:
             self._watched = read_catalogue(self._path)
         except StoreError as error:
-            shipped = frozen_set()
-            self._watched = Watched(shipped.elements, f"{error} Shown are the sets that ship with birdcage.")
+            if self._watched is not None:
+                self._watched = replace(self._watched, note=f"{error} Shown is what was read before.")
+            else:
+                self._watched = replace(frozen_set(), note=f"{error} Shown are the sets that ship with birdcage.")
         self._seen = self._fingerprint()
         self._fleet = Fleet(self._watched.elements)
 

@@ -48,7 +48,8 @@ def command(
     """List what comes over: rise, highest point, set, and when this dish can follow it.
 
     AOS and LOS are of the satellite; *reach* is what of the pass the dish can point at: its floor and ceiling, the
-    horizon and no-go sectors of birdcage.toml, the cable, and its speed near the zenith.
+    horizon and no-go sectors of birdcage.toml, the cable, and its speed near the zenith. `<` was up
+    before, `>` stays up.
     """
     from datetime import UTC
 
