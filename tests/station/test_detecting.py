@@ -40,6 +40,14 @@ def test_the_dish_that_is_there_is_found_by_one_enter_a_rate(firmware) -> None:
     assert told[0] == "Listening for the dish on /dev/ttyUSB0 at 115200 baud …"
 
 
+@pytest.mark.parametrize("up_s", [3.0, 4.5, 6.0, 9.0, 14.0, 21.0])
+def test_a_travler_that_starts_is_found_by_its_log(up_s) -> None:
+    desk = Desk("hal205?seed=1&boot=1&boot_home_s=60")
+    desk.clock.advance(up_s)
+    found = detect_firmware("/dev/ttyUSB0", desk.clock, open_port=desk.open)
+    assert found.firmware == "hal205"
+
+
 def test_a_mute_dish_is_unknown() -> None:
     desk = Desk("g2?seed=1")
     desk.device.wire.to_host.silent = True
@@ -63,7 +71,7 @@ def test_a_rate_that_was_named_is_the_only_one_tried() -> None:
 @pytest.mark.parametrize(("baud", "saw", "sample", "firmware"), [
     (115200, Saw.PROMPT, "TRK>", "g2"), (115200, Saw.PROMPT, "MOT>", "g2"), (57600, Saw.PROMPT, "TRK>", "hal205"),
     (57600, Saw.PROMPT, ">", "hal205"), (115200, Saw.PROMPT, "odd>", "hal205"), (57600, Saw.TEXT, "NoGPS", "hal205"),
-    (115200, Saw.TEXT, "Boot Complete", None), (57600, Saw.GARBAGE, "..x", None), (57600, Saw.ECHO, "", None),
+    (115200, Saw.TEXT, "Boot Complete", "g2"), (115200, Saw.TEXT, "Welcome", None), (57600, Saw.GARBAGE, "..x", None), (57600, Saw.ECHO, "", None),
     (115200, Saw.SILENCE, "", None),
 ])  # fmt: skip
 def test_what_is_seen_speaks_for_a_firmware_or_for_none(baud, saw, sample, firmware) -> None:

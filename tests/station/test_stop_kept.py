@@ -8,7 +8,7 @@ from birdcage.station.requests import Goto
 from .queued_bench import connected
 
 
-def stopped_at(before_first_byte: bool):  # noqa: FBT001
+def stopped_at(before_first_byte: bool):
     bench = connected()
     bench.step(20.0)
     position = bench.state.position

@@ -30,6 +30,9 @@ _SHAPE = re.compile(r"(?:^[A-Za-z0-9_]{2,15}|[\r\n][A-Za-z0-9_]{0,15})> ?$")
 _WORD = re.compile(rb"[\x20-\x7e]{3}")
 """What text has and a byte or two of misread line has not."""
 
+_LINE = re.compile(rb"[^\r\n]{3}[\r\n]")
+"""The end of a line that holds more than a byte or two of noise."""
+
 
 class Saw(Enum):
     """What came back after a bare Enter."""
@@ -102,6 +105,16 @@ def probe(
             data = link.read()
             heard, count = (heard + data)[:KEPT], count + len(data)
     return BaudFinding(baud, judge(heard, tokens), _sample(heard), count, round(clock.monotonic() - began, 3))
+
+
+def overhear(link: Port, clock: Clock, baud: int, *, tokens: Iterable[str] = (), listen_s: float) -> BaudFinding:
+    """Send nothing, and say what comes within `listen_s`; returns at the first whole line. LinkError without a port."""
+    began = clock.monotonic()
+    heard = b""
+    while clock.monotonic() < began + listen_s and not _LINE.search(heard):
+        if clock.wait(link, began + listen_s, None) is Outcome.READY:
+            heard = (heard + link.read())[:KEPT]
+    return BaudFinding(baud, judge(heard, tokens), _sample(heard), len(heard), round(clock.monotonic() - began, 3))
 
 
 def _sample(heard: bytes) -> str:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from birdcage.base.clock import Clock
 from birdcage.base.errors import LinkError
-from birdcage.console.probe import BaudFinding, Saw, probe
+from birdcage.console.probe import BaudFinding, Saw, overhear, probe
 from birdcage.link.link import Link
 from birdcage.link.opening import has_speed, open_link
 from birdcage.protocol.registry import FIRMWARE_REGISTRY
@@ -20,6 +20,9 @@ from birdcage.station.settings import OpenLink
 
 OTHERS = "hal205"
 """What a console is taken for whose prompt no dialect declares."""
+
+LOG_S = 5.5
+"""How long a dish is listened to that answers at no rate: one that homes at power-up tells of it every few seconds."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,8 +42,9 @@ def detect_firmware(
 ) -> Detection:  # fmt: skip
     """Listen at `baud`, or at the rates of the firmwares that are spoken here, and say which one answers.
 
-    Sends one bare Enter at each rate and takes 0.7 s for it, a little more where a port opens slowly. Nothing moves; a
-    combined move of a Trav'ler that is under way ends by it. A port that does not open is no error: the session that
+    Sends one bare Enter at each rate and takes 0.7 s for it, a little more where a port opens slowly. A dish that
+    answers at none may be starting: it is listened to for `LOG_S` more, at the rate at which any log tells which one it
+    is. Nothing moves; a combined move of a Trav'ler that is under way ends by it. A port that does not open is no error: the session that
     begins next says what is wrong with it. `tell` hears which rate is listened at.
     """
     opening = open_port or _opening(clock)
@@ -57,6 +61,21 @@ def detect_firmware(
         except LinkError as error:
             return Detection(None, str(error), tuple(findings))
         firmware = firmware_of(findings[-1], rate_counts=has_speed(port))
+        if firmware is not None:
+            return Detection(firmware, f"{port} shows `{findings[-1].sample}`: {firmware}.", tuple(findings))
+    others = FIRMWARE_REGISTRY[OTHERS].model.baud
+    mute = any(each.baud == others and each.saw in (Saw.SILENCE, Saw.ECHO) for each in findings)
+    if has_speed(port) and mute:
+        tell(f"Nothing answers. Listening at {others} baud for the log of a dish that starts …")
+        try:
+            link = opening(port, others)
+            try:
+                findings.append(overhear(link, clock, others, tokens=_tokens(), listen_s=LOG_S))
+            finally:
+                link.close()
+        except LinkError as error:
+            return Detection(None, str(error), tuple(findings))
+        firmware = firmware_of(findings[-1])
         if firmware is not None:
             return Detection(firmware, f"{port} shows `{findings[-1].sample}`: {firmware}.", tuple(findings))
     return Detection(None, f"{port} does not tell which firmware it is.", tuple(findings))
@@ -77,6 +96,8 @@ def firmware_of(finding: BaudFinding, *, rate_counts: bool = True) -> str | None
         if rate_counts and finding.baud != each.model.baud:
             continue
         if name != OTHERS and any(token in finding.sample for token in each.dialect.prompts.values()):
+            return name
+        if finding.saw is Saw.TEXT and any(mark in finding.sample for mark in each.boot_marks):
             return name
     others = FIRMWARE_REGISTRY.get(OTHERS)
     if others is None:
