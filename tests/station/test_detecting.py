@@ -71,7 +71,8 @@ def test_a_rate_that_was_named_is_the_only_one_tried() -> None:
 @pytest.mark.parametrize(("baud", "saw", "sample", "firmware"), [
     (115200, Saw.PROMPT, "TRK>", "g2"), (115200, Saw.PROMPT, "MOT>", "g2"), (57600, Saw.PROMPT, "TRK>", "hal205"),
     (57600, Saw.PROMPT, ">", "hal205"), (115200, Saw.PROMPT, "odd>", "hal205"), (57600, Saw.TEXT, "NoGPS", "hal205"),
-    (115200, Saw.TEXT, "Boot Complete", "g2"), (115200, Saw.TEXT, "Welcome", None), (57600, Saw.GARBAGE, "..x", None), (57600, Saw.ECHO, "", None),
+    (115200, Saw.TEXT, "Boot Complete", "g2"), (115200, Saw.TEXT, "Welcome", None),
+    (57600, Saw.GARBAGE, "..x", None), (57600, Saw.ECHO, "", None),
     (115200, Saw.SILENCE, "", None),
 ])  # fmt: skip
 def test_what_is_seen_speaks_for_a_firmware_or_for_none(baud, saw, sample, firmware) -> None:

@@ -43,9 +43,9 @@ def detect_firmware(
     """Listen at `baud`, or at the rates of the firmwares that are spoken here, and say which one answers.
 
     Sends one bare Enter at each rate and takes 0.7 s for it, a little more where a port opens slowly. A dish that
-    answers at none may be starting: it is listened to for `LOG_S` more, at the rate at which any log tells which one it
-    is. Nothing moves; a combined move of a Trav'ler that is under way ends by it. A port that does not open is no error: the session that
-    begins next says what is wrong with it. `tell` hears which rate is listened at.
+    answers at none may be starting: it is listened to for `LOG_S` more, at the rate at which any log tells which one
+    it is. Nothing moves; a combined move of a Trav'ler that is under way ends by it. A port that does not open is no
+    error: the session that begins next says what is wrong with it. `tell` hears which rate is listened at.
     """
     opening = open_port or _opening(clock)
     rates = (baud,) if baud is not None else _rates() if has_speed(port) else _rates()[:1]
