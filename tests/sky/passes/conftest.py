@@ -145,8 +145,8 @@ def agree() -> Callable[..., int]:
             told = f"{one.name} over {observer} above {mask_deg}: {expected}"
             assert len(found) == len(expected), told
             for row, seen in zip(found, expected, strict=True):
-                assert abs(table.aos_s[row] - seen.aos_s) < 0.005, told
-                assert abs(table.los_s[row] - seen.los_s) < 0.005, told
+                assert abs(table.aos_s[row] - seen.aos_s) < 0.002, told
+                assert abs(table.los_s[row] - seen.los_s) < 0.002, told
                 assert abs(table.max_elevation_deg[row] - seen.max_elevation_deg) < 0.001, told
                 assert table.aos_s[row] <= table.tca_s[row] <= table.los_s[row], told
                 assert table.already_up[row] == (seen.aos_s == begin), told

@@ -7,10 +7,12 @@ from __future__ import annotations
 
 from datetime import UTC, datetime, timedelta
 
+import numpy as np
 import pytest
+from birdcage.sky.frames import posix_s, utc
 from birdcage.sky.observer import Observer
 from birdcage.sky.passes.search import search
-from birdcage.sky.propagate import Fleet
+from birdcage.sky.propagate import Fleet, track
 
 BOSTON = Observer(42.3581, -71.0636)
 FORTNIGHT = datetime(2020, 1, 1, tzinfo=UTC), 14 * 24.0
@@ -127,3 +129,18 @@ def test_grazing_passes_of_seconds_are_found(agree, orbits, start) -> None:
             assert agree([one], place, begin, 0.2, found.max_elevation_deg + 0.001) == 0
             grazed += below
     assert grazed > 5
+
+
+def test_a_dip_below_the_mask_parts_two_passes(agree, orbits, start) -> None:
+    """Distant orbits may have several highest points; the mask is set just above the lowest point between them."""
+    place = Observer(47.0, 8.0)
+    t_s = posix_s(start) + np.arange(0.0, 86400.0, 30.0)
+    parted = 0
+    for one in orbits(40, 8):
+        el = track(one, place, t_s).el_deg
+        for low in np.flatnonzero((el[1:-1] < el[:-2]) & (el[1:-1] <= el[2:]) & (el[1:-1] > 3.0)) + 1:
+            begin = utc(t_s[low]) - timedelta(hours=4.1)
+            whole = agree([one], place, begin, 8.0, el[low] - 1e-3)
+            assert agree([one], place, begin, 8.0, el[low] + 1e-4) == whole + 1
+            parted += 1
+    assert parted > 3

@@ -68,6 +68,18 @@ def test_passes_before_a_decay_are_kept(tle) -> None:
     assert not table.still_up.any()
 
 
+def test_no_pass_is_made_across_a_gap_of_sgp4(orbits, start) -> None:
+    """A perigee below the ground gives errors around each perigee, and positions again between them."""
+    dive = replace(orbits(1, 1)[0], mean_motion_rev_day=4.0, eccentricity=0.63, inclination_deg=50.0, epoch=start)
+    counts = []
+    for anomaly_deg in range(0, 360, 30):
+        table = search(Fleet([replace(dive, mean_anomaly_deg=float(anomaly_deg))]), HERE, start, 24.0)
+        (failure,) = table.failed
+        assert all(table.los_s < failure.t_s)
+        counts.append(len(table))
+    assert max(counts) > 0
+
+
 def test_parts_make_the_whole(orbits, start) -> None:
     fleet = Fleet(orbits(150, 5))
     offsets = {3: 30.0, 100: -20.0}
