@@ -18,7 +18,9 @@ FACES = ("textual", "rich", "click", "mcp")
 ARRAYS = ("numpy", "sgp4")
 WITH_ARRAYS = (
     "birdcage.sky.frames",
+    "birdcage.sky.ground_track",
     "birdcage.sky.illumination",
+    "birdcage.sky.look_down",
     "birdcage.sky.passes.",
     "birdcage.sky.propagate",
     "birdcage.sky.reach",
