@@ -5,6 +5,7 @@ from __future__ import annotations
 from datetime import timedelta
 from typing import TYPE_CHECKING
 
+from birdcage.base.geometry import separation
 from birdcage.sky.catalogue.entry import key_of
 from birdcage.sky.horizon import HorizonMask
 from birdcage.sky.observer import Observer
@@ -27,6 +28,8 @@ MOST_OTHERS = 1000
 GEO_KM, STILL_KM_S = 34_000.0, 0.02
 """From so far, and as slow as that, a satellite stands still in the sky."""
 DEMO = "DEMO "
+TRAIL_DEG, TRAIL = 0.4, 24
+"""How far apart the points of a trail are, at least, and how many are kept."""
 
 
 class Converter:
@@ -40,21 +43,24 @@ class Converter:
         """Groups and tags by key of the catalogue."""
         self._rows: dict[int, tuple[PassRow, Row]] = {}
         self._table: tuple[Row, ...] = ()
+        self._trails: dict[tuple[int, str], tuple[tuple[float, float], ...]] = {}
 
     def picture(self, sky: SkyNow, moon: tuple[float, float, float] | None, *, demo: bool) -> SkyPicture:
         """Return the picture of one look at the sky."""
         observer, t_s = sky.observer, sky.utc.timestamp()
         if observer is None:
-            return SkyPicture(t_s, satellites=sky.satellites, note=sky.note)
+            return SkyPicture(t_s, satellites=sky.satellites, problem=sky.note)
         table = self._rows_of(sky, observer)
         until = t_s + AHEAD.total_seconds()
         others = [row for row in table if not row.favourite]
         if len(others) >= MOST_OTHERS:
             until = min(until, others[-1].aos_s)
+        ups = tuple(self._up(one) for one in sky.up)
+        self._trails = {(one.norad_id, one.name): one.trail for one in ups}
         where = sun(sky.utc, observer.latitude_deg, observer.longitude_deg)
         return SkyPicture(
             t_s,
-            tuple(self._up(one) for one in sky.up),
+            ups,
             where,
             None if moon is None else moon[1:],
             table,
@@ -72,7 +78,11 @@ class Converter:
     def _up(self, one: UpNow) -> Up:
         fixed = one.range_km > GEO_KM and abs(one.range_rate_km_s) < STILL_KM_S
         known = self._favourite(one.norad_id, one.name, one.favourite)
-        return Up(one.name.removeprefix(DEMO), one.norad_id, one.az_deg, one.el_deg, known, fixed)
+        name = one.name.removeprefix(DEMO)
+        trail = self._trails.get((one.norad_id, name), ())
+        if not trail or separation(*trail[-1], one.az_deg, one.el_deg) >= TRAIL_DEG:
+            trail = (*trail[-TRAIL + 1 :], (one.az_deg, one.el_deg))
+        return Up(name, one.norad_id, one.az_deg, one.el_deg, known, fixed, trail)
 
     def _rows_of(self, sky: SkyNow, observer: Observer) -> tuple[Row, ...]:
         kept: dict[int, tuple[PassRow, Row]] = {}
@@ -128,10 +138,9 @@ def _reach(reach: Reach) -> InReach:
 
 def _age(found: PassRow) -> Age:
     """Return how old the elements are at the pass."""
-    hours = found.epoch_age_s / 3600.0
-    if hours < 0:
-        return Age("newer than the pass", "·", "dim")
-    return Age(f"{hours:.0f} h old" if hours < 48 else f"{hours / 24:.0f} days old", "·", "dim")
+    hours = max(found.epoch_age_s, 0.0) / 3600.0
+    words = f"{hours * 60:.0f} min" if hours < 2 else f"{hours:.0f} h" if hours < 48 else f"{hours / 24:.0f} days"
+    return Age(f"{words} old", "·", "dim")
 
 
 def _path(elements: ElementSet, observer: Observer, aos_s: float, tca_s: float, los_s: float, ahead_s: float) -> Path:

@@ -10,7 +10,7 @@ from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.polar import Polar
 from birdcage_tui.panes.sky_ground import QUIET, Ground, label, rim
-from birdcage_tui.panes.sky_up import draw_up
+from birdcage_tui.panes.sky_up import draw_trails, draw_up
 from birdcage_tui.view import View
 
 ON_SLOT_DEG = 0.75
@@ -37,6 +37,7 @@ class SkyPane(Pane):
         if polar.width < 10 or polar.height < 5:
             return
         canvas = self._ground.draw(polar, view)
+        draw_trails(canvas, polar, view)
         self._path(canvas, polar, view)
         canvas.onto(cells, 0, 0)
         rim(cells, polar, view)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import heapq
+
 from birdcage_tui.canvas import Cells
 from birdcage_tui.passes.model import Row
 from birdcage_tui.passes.words import count_text, length_text
@@ -17,17 +19,17 @@ def troubled(view: View) -> bool:
 
 
 def next_rows(view: View) -> list[Row]:
-    """Return the first few passes that come into reach, or are in it; none by elements that are too old for a dish."""
+    """Return the passes whose reach begins or ends next; none by elements that are too old for a dish."""
     if view.sky is None or view.sky.note:
         return []
     now_s = view.utc.timestamp()
-    found: list[Row] = []
+    found = []
     for row in view.sky.rows:
         if row.reach is not None and row.reach.intervals and row.reach.intervals[-1][1] > now_s:
-            found.append(row)
-            if len(found) == MOST:
-                break
-    return found
+            event = row.next_event(now_s)
+            if event is not None:
+                found.append((event[0], row))
+    return [row for _, row in heapq.nsmallest(MOST, found, key=lambda pair: pair[0])]
 
 
 def draw_next(cells: Cells, y: int, row: Row, now_s: float) -> None:

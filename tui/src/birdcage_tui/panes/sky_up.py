@@ -2,18 +2,27 @@
 
 from __future__ import annotations
 
-from birdcage_tui.canvas import Cells
+from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.panes.polar import Polar
 from birdcage_tui.panes.sky_ground import QUIET, label
 from birdcage_tui.view import View
 
-OVER = (*QUIET, "target", "accent")
+OVER = (*QUIET, "target", "accent", "text")
 """Dots that a satellite's own may stand on."""
 CELLS_A_NAME = 45
 """A name for so many cells of the picture, at most."""
 CROWD = 60
 """With more satellites than this only favourites are named: the others would hide each other."""
 LONGEST = 16
+
+
+def draw_trails(canvas: Braille, polar: Polar, view: View) -> None:
+    """Dot where the satellites have been; nothing in a crowd."""
+    moving = [] if view.sky is None else [one for one in view.sky.up if not one.fixed]
+    if len(moving) <= CROWD:
+        for one in moving:
+            for az_deg, el_deg in one.trail:
+                canvas.dot(*polar.dot(az_deg, el_deg), "text" if one.favourite else "dim")
 
 
 def draw_up(cells: Cells, polar: Polar, view: View) -> dict[tuple[int, int], str]:
@@ -44,5 +53,7 @@ def draw_up(cells: Cells, polar: Polar, view: View) -> dict[tuple[int, int], str
         if left <= 0:
             break
         name = one.name if len(one.name) <= LONGEST else one.name[: LONGEST - 1] + "…"
-        left -= label(cells, (name,), x, y, x - middle, "text" if one.favourite else "dim")
+        # The elevation of your own: it is seen to move, where a cell of the map is degrees wide.
+        names = (f"{name} {one.el_deg:.1f}°", name) if one.favourite else (name,)
+        left -= label(cells, names, x, y, x - middle, "text" if one.favourite else "dim")
     return named

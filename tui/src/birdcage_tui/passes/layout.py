@@ -26,7 +26,7 @@ def layout(width: int, height: int, shown: str) -> Layout:
     height -= 1  # the first row
     if width < ROOMY[0] or height + 1 < ROOMY[1]:
         if shown == "path":
-            plot = max(min(width - 49, 44), 28)
+            plot = max(min(width - 50, 44), 28)
             return Layout(False, width - plot, height, height, 0, 0)
         lower = max(height * 2 // 5, 8)
         strip, timeline = (lower, 0) if shown == "elevation" else (0, lower)

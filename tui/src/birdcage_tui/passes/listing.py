@@ -23,6 +23,7 @@ FIXED = 30
 CURVES = ((78, 12), (56, 8), (44, 5))
 """From which width on the curve has how many columns."""
 WHY = 12
+LEGEND = "● yes ◍ losses ○ no"
 
 
 class PassList(Pane, can_focus=True):
@@ -107,8 +108,8 @@ class PassList(Pane, can_focus=True):
         cells.right(x + 11, 0, "max", "dim")
         if curve:
             cells.put(x + 12, 0, "path"[:curve], "dim")
-        if why >= 8:
-            cells.put(x + 13 + curve, 0, "● yes ◍ losses ○ no"[: why + 2], "dim")
+        if why + 2 >= len(LEGEND):
+            cells.put(x + 13 + curve, 0, LEGEND, "dim")
 
     def _row(self, cells: Cells, y: int, row: Row, t_s: float, here: bool, widths: tuple[int, int, int]) -> None:
         width, curve, why = widths

@@ -177,6 +177,8 @@ class Up:
     favourite: bool = False
     fixed: bool = False
     """It stands where it is: geostationary, and named on the arc already."""
+    trail: tuple[tuple[float, float], ...] = ()
+    """Where it was since it is watched: azimuth and elevation, some tenths of a degree apart, the newest last."""
 
 
 @dataclass(frozen=True, slots=True)

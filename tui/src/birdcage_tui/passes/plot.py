@@ -13,7 +13,7 @@ from birdcage_tui.passes.model import Row
 from birdcage_tui.passes.words import EVENT_WORDS, clock_text, count_text, length_text, reach_sign
 from birdcage_tui.view import View
 
-WORDS = 27
+WORDS = 25
 """Columns that the figures need beside the disc."""
 LINES = 4
 """Rows that they need under it."""
@@ -51,11 +51,11 @@ class PassSky(Pane):
         if row is not None:
             self._ends(cells, polar, row)
         self._marks(cells, polar, view, row, t_s)
-        x, y = (polar.width + 2, 0) if beside else (1, polar.height)
+        x, y = (polar.width + 1, 0) if beside else (1, polar.height)
         if row is None:
             cells.put(x, y, "No pass is chosen.", "dim")
             return
-        for ink, words in self._figures(row, t_s, beside)[: cells.height - y]:
+        for ink, words in self._figures(row, t_s, beside, cells.width - x)[: cells.height - y]:
             cells.put(x, y, words[: cells.width - x], ink)
             y += 1
 
@@ -71,7 +71,7 @@ class PassSky(Pane):
             if place is None:
                 continue
             loud = row.reach is not None and row.reach.holds(at_s)
-            look = ("target" if loud else "dim", 3.5 if at_s < t_s else 1.0 if loud else 2.4)
+            look = ("target" if loud else "text", 3.5 if at_s < t_s else 1.0 if loud else 2.4)
             dot = polar.dot(place[0], max(place[1], 0.0))
             if pieces and pieces[-1][:2] == look:
                 pieces[-1][2].append(dot)
@@ -111,10 +111,11 @@ class PassSky(Pane):
             cells.put(*polar.cell(*place), "✕", "target-strong")
 
     @staticmethod
-    def _figures(row: Row, t_s: float, tall: bool) -> list[tuple[str, str]]:
+    def _figures(row: Row, t_s: float, tall: bool, width: int) -> list[tuple[str, str]]:
         """Return (ink, words): who, what comes next, when and where it rises and sets, what is in reach and why."""
+        name = f"{'★ ' if row.favourite else ''}{row.name}"
         number = f"  {row.norad_id}" if row.norad_id else ""
-        lines = [("strong", f"{'★ ' if row.favourite else ''}{row.name}{number}")]
+        lines = [("strong", f"{name}{number}" if len(name + number) <= width else name)]
         event = row.next_event(t_s)
         if event is not None:
             lines.append(("target", f"{EVENT_WORDS[event[1]]} in {count_text(event[0] - t_s)}"))

@@ -58,6 +58,9 @@ class Timeline(Pane):
         self._scale(cells, width)
         self._line(cells, now_s, "line", "┆", width)
         self._line(cells, t_s, "accent-strong" if self._desk.machine.is_now else "warn-strong", "│", width)
+        for y, (_, passes, _) in enumerate(rows, 1):
+            for row in passes:
+                self._height(cells, y, row, width)
 
     def _from(self, now_s: float, t_s: float, width: int) -> float:
         """Return the left end: a little before now, in steps of ten columns; it follows a moment that lies beyond."""
@@ -119,9 +122,12 @@ class Timeline(Pane):
         for start, end in () if row.reach is None else row.reach.intervals:
             for column in range(max(self._column(start), 0), min(self._column(end) + 1, width)):
                 cells.put(NAME + column, y, "━", "target-strong")
-        words = f"{row.max_el_deg:.0f}°"
-        if cells.free(NAME + last + 1, y, len(words) + 1) and NAME + last >= NAME:
-            cells.put(NAME + last + 1, y, words, "dim")
+
+    def _height(self, cells: Cells, y: int, row: Row, width: int) -> None:
+        """Write how high it goes behind its bar, where that lies on nothing."""
+        words, after = f"{row.max_el_deg:.0f}°", max(self._column(row.los_s), self._column(row.aos_s)) + 1
+        if 0 < after <= width - len(words) and cells.free(NAME + after, y, len(words)):
+            cells.put(NAME + after, y, words, "dim")
 
     def _line(self, cells: Cells, at_s: float, ink: str, sign: str, width: int) -> None:
         column = self._column(at_s)

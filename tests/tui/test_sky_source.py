@@ -1,0 +1,214 @@
+"""The real watch behind the app: the demo's orbits, on a virtual clock and without a thread."""
+
+import asyncio
+import csv
+import json
+import re
+import threading
+import time
+from dataclasses import replace
+from datetime import datetime
+
+import pytest
+import stand_in
+from birdcage.base.clock import RealClock, VirtualClock
+from birdcage.base.config import PlaceSettings, Settings
+from birdcage.base.paths import Paths
+from birdcage.sky.catalogue import Catalogue
+from birdcage_tui.run import DEMO_PLACE
+from birdcage_tui.settings import Place
+from birdcage_tui.sky_feed import make_sky
+from icalendar import Calendar
+
+HERE = Settings(
+    place=PlaceSettings(
+        name=DEMO_PLACE.name, latitude_deg=DEMO_PLACE.latitude_deg, longitude_deg=DEMO_PLACE.longitude_deg
+    )
+)
+
+
+class Stage:
+    """A source, its clock, what it showed and what it said."""
+
+    def __init__(self, tmp_path, *, settings=HERE, demo=True):
+        self.paths = Paths.in_folder(tmp_path)
+        self.clock = VirtualClock()
+        self.shown, self.said = [], []
+        make = make_sky(settings, self.paths, self.clock, demo=demo, threads=False)
+        self.source = make(self.shown.append, self.said.append)
+        self.source.keep(stand_in.at_rest(self.clock), DEMO_PLACE if settings is HERE else None)
+        self.source.start()
+
+    def step(self, seconds=0.0):
+        self.clock.advance(seconds)
+        self.source.step()
+        return self.shown[-1]
+
+
+@pytest.fixture
+def stage(tmp_path):
+    return Stage(tmp_path)
+
+
+def test_the_demo_has_a_sky_that_moves(stage):
+    first = stage.step()
+    later = stage.step(3.0)
+    assert len(first.up) >= 10
+    before = {one.norad_id: (one.az_deg, one.el_deg) for one in first.up if not one.fixed}
+    moved = [one for one in later.up if one.norad_id in before and (one.az_deg, one.el_deg) != before[one.norad_id]]
+    assert len(moved) >= 8
+    assert any(one.fixed for one in first.up), "the geostationary ones stand still"
+    assert first.sun is not None
+    assert later.t_s == first.t_s + 3.0
+    assert later.source == "demo orbits"
+    assert later.note == ""
+
+
+def test_passes_come_with_reach_path_and_age(stage):
+    sky = stage.step()
+    assert sky.searched == 1.0
+    assert len(sky.rows) > 50
+    assert [row.aos_s for row in sky.rows] == sorted(row.aos_s for row in sky.rows)
+    soon = next(row for row in sky.rows if row.reach_s > 60 and row.aos_s > sky.t_s)
+    path = soon.path
+    assert path.t_s[0] == pytest.approx(soon.aos_s, abs=1e-3)
+    assert path.el_deg[0] == pytest.approx(0.0, abs=0.05)
+    assert max(path.el_deg) == pytest.approx(soon.max_el_deg, abs=0.05)
+    start, _ = soon.reach.intervals[0]
+    assert soon.path.at(start)[1] == pytest.approx(18.0, abs=0.3), "the dish's floor"
+    assert soon.age.words.endswith("old")
+    assert not any(row.name.startswith("DEMO") for row in sky.rows), "the status line says so already"
+
+
+def test_passes_that_are_the_same_stay_the_same_objects(stage):
+    stage.step()
+    first, later = stage.step(1.0), stage.step(2.0)  # by then the groups are read
+    same = {id(row) for row in first.rows}
+    assert sum(id(row) in same for row in later.rows) >= len(later.rows) - 2
+
+
+def test_other_limits_of_the_dish_give_another_reach(stage):
+    before = stage.step()
+    state = replace(stand_in.at_rest(stage.clock), el_min_deg=50.0)
+    stage.source.keep(state, DEMO_PLACE)
+    after = stage.step(2.0)
+    assert sum(row.reach_s for row in after.rows) < sum(row.reach_s for row in before.rows) / 2
+
+
+def test_another_place_gives_other_passes(stage):
+    before = stage.step()
+    stage.source.keep(stand_in.at_rest(stage.clock), Place(-33.9, 18.4, "Cape Town"))
+    after = stage.step(2.0)
+    assert {row.tca_s for row in after.rows}.isdisjoint({row.tca_s for row in before.rows})
+
+
+def test_a_favourite_is_shown_at_once_and_kept(stage):
+    sky = stage.step()
+    row = next(row for row in sky.rows if not row.favourite)
+    count = len(stage.shown)
+    stage.source.set_favourite(row.norad_id, True)
+    stage.source.step()
+    first = stage.shown[count]
+    assert all(one.favourite for one in first.rows if one.norad_id == row.norad_id), "before the catalogue is read"
+    with Catalogue(stage.paths.catalogue) as catalogue:
+        assert catalogue.entry(row.norad_id).favourite
+    again = stage.step(30.0)
+    assert all(one.favourite for one in again.rows if one.norad_id == row.norad_id)
+
+
+def test_passes_are_written_as_three_files(stage):
+    sky = stage.step()
+    rows = [row for row in sky.rows if row.reach_s > 0][:5]
+    stage.source.export(rows)
+    stage.source.step()
+    (words,) = stage.said
+    folder = stage.paths.catalogue.parent / "passes"
+    stem = folder / "passes-20260320-120000"
+    assert words == f"5 passes as .ics, .csv and .json: {stem}"
+    values = json.loads(stem.with_suffix(".json").read_text())
+    assert [each["norad_id"] for each in values] == [row.norad_id for row in rows]
+    assert datetime.fromisoformat(values[0]["aos"]).timestamp() == pytest.approx(rows[0].aos_s, abs=0.01)
+    with stem.with_suffix(".csv").open(newline="") as file:
+        assert len(list(csv.DictReader(file))) == 5
+    calendar = Calendar.from_ical(stem.with_suffix(".ics").read_bytes())
+    events = calendar.walk("VEVENT")
+    assert len(events) == 5
+    assert all("DEMO" in str(event["description"]) for event in events)
+
+
+def test_a_folder_that_cannot_be_written_is_told(stage):
+    sky = stage.step()
+    (stage.paths.catalogue.parent / "passes").write_text("in the way")
+    stage.source.export(sky.rows[:2])
+    stage.source.step()
+    assert "No file was written in" in stage.said[0]
+
+
+def test_without_a_catalogue_the_elements_that_ship_are_marked(tmp_path):
+    sky = Stage(tmp_path, demo=False).step()
+    assert sky.source == "elements that ship"
+    assert re.search(r"the newest of \d{4}-\d\d-\d\d: no dish finds", sky.note)
+
+
+def test_without_a_place_there_are_no_passes(tmp_path):
+    sky = Stage(tmp_path, settings=Settings(), demo=False).step()
+    assert sky.rows == ()
+    assert sky.up == ()
+
+
+def test_the_moon_is_looked_at(stage):
+    stage.step()
+    stage.source.look_at_moon()
+    assert stage.step(1.0).moon is not None
+
+
+def test_the_app_shows_it_and_a_person_reads_a_list_of_passes(tmp_path):
+    async def body():
+        paths = Paths.in_folder(tmp_path)
+        app = stand_in.app_in("idle")
+        app.settings = replace(app.settings, place=DEMO_PLACE)
+        app.sky._make = make_sky(HERE, paths, app.session.clock, demo=True, threads=False)
+        async with app.run_test(size=(120, 36)) as pilot:
+            await pilot.pause()
+
+            async def step(seconds):
+                app.session.clock.advance(seconds)
+                app.sky.source.step()
+                await pilot.pause()
+                app.paint()
+                await pilot.pause()
+                return stand_in.text_of(app)
+
+            sky = await step(1.0)
+            later = await step(4.0)
+            await pilot.press("f7")
+            await pilot.pause()
+            await pilot.pause()
+            page = await step(1.0)
+            await pilot.press("right_square_bracket")
+            shifted = await step(0.0)
+            return sky, later, page, shifted
+
+    sky, later, page, shifted = asyncio.run(body())
+    assert "LEO 1 polar" in sky
+
+    def left(text):
+        return [line[:66] for line in text.splitlines()[2:-1]]
+
+    assert left(sky) != left(later), "within five seconds satellites are seen to move"
+    assert re.search(r"(reach|AOS) +\d\d:\d\d LEO \d+ \w+ .* \d+m\d\d +\d+° ", page)
+    assert "demo orbits" in page
+    assert "NOT NOW" in shifted
+
+
+def test_on_threads_it_starts_in_the_background_and_ends_at_once(tmp_path):
+    shown = threading.Event()
+    source = make_sky(HERE, Paths.in_folder(tmp_path), RealClock(), demo=True)(lambda _: shown.set(), print)
+    source.keep(stand_in.at_rest(VirtualClock()), DEMO_PLACE)
+    start = time.perf_counter()
+    source.start()
+    assert time.perf_counter() - start < 0.05, "nothing is loaded on the calling thread"
+    assert shown.wait(20.0)
+    start = time.perf_counter()
+    source.close()
+    assert time.perf_counter() - start < 0.1

@@ -1,0 +1,147 @@
+"""The world from above: where satellites are, the way of the chosen one, from where it is seen, day and night."""
+
+from __future__ import annotations
+
+from birdcage.sky.footprint import radius_km
+from birdcage.sky.world import Ground, WorldView
+from textual import events
+
+from birdcage_tui.canvas import Braille, Cells
+from birdcage_tui.pane import Pane
+from birdcage_tui.panes.sky_ground import QUIET
+from birdcage_tui.passes.world_map_chart import Chart, Layers
+from birdcage_tui.view import View
+
+OVER = (*QUIET, "target", "text", "accent")
+"""Dots that a mark may stand on."""
+SMALLEST = (20, 6)
+LONGEST = 16
+"""Letters of a name."""
+CELLS_A_NAME = 90
+"""A name for so many cells of the map, at most."""
+EMPTY = ("The world, with the ground track of the chosen pass.", "No place is set, or nothing is known yet.")
+
+
+class WorldMapPane(Pane):
+    """Shows one `WorldView` after another; what it is given is drawn with the next frame at the latest."""
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.border_title = "World  ━ ahead  ┄ behind  ○ sees it  ⠢ night"
+        self.world: WorldView | None = None
+        self._layers = Layers()
+
+    def look_down(self, world: WorldView | None) -> None:
+        """Show the world as it is at another moment; None for nothing that is known."""
+        if world is not self.world:
+            self.world = world
+            if self.view is not None:
+                self.show(self.view)
+
+    def chart(self, width: int, height: int) -> tuple[Chart, int, int]:
+        """Return the map, and the cell of its top left corner: in the middle of what is not the row of figures."""
+        chart = Chart.within(width, height - 1)
+        return chart, (width - chart.width) // 2, (height - 1 - chart.height) // 2
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Draw what is quiet (kept between frames), then what moves, then the figures."""
+        world = self.world
+        if world is None or cells.width < SMALLEST[0] or cells.height < SMALLEST[1]:
+            for row, words in enumerate(EMPTY if world is None else ("Too small for a map.",)):
+                cells.put(1, row, words[: cells.width - 1], "dim")
+            return
+        chart, left, top = self.chart(cells.width, cells.height)
+        canvas = self._layers.draw(chart, world.sun)
+        _lines(canvas, chart, world)
+        canvas.onto(cells, left, top)
+        _marks(cells, chart, left, top, world, view)
+        _figures(cells, world)
+
+    def on_mouse_move(self, event: events.MouseMove) -> None:
+        """Read out the place under the mouse, and whether it is day there."""
+        chart, left, top = self.chart(self.size.width, self.size.height)
+        found = chart.place(event.x - 1 - left, event.y - 1 - top)
+        if found is None or self.world is None:
+            self.border_subtitle = ""
+            return
+        height_deg = self.world.sun.elevation_deg(*found)
+        self.border_subtitle = f"{place_text(*found, digits=0)}  Sun {height_deg:.0f}°"
+
+    def on_leave(self) -> None:
+        """The mouse is elsewhere."""
+        self.border_subtitle = ""
+
+
+def place_text(latitude_deg: float, longitude_deg: float, digits: int = 1) -> str:
+    """Return `52.1°N 5.2°E`."""
+    north, east = "N" if latitude_deg >= 0.0 else "S", "E" if longitude_deg >= 0.0 else "W"
+    return f"{abs(latitude_deg):.{digits}f}°{north} {abs(longitude_deg):.{digits}f}°{east}"
+
+
+def _lines(canvas: Braille, chart: Chart, world: WorldView) -> None:
+    """Draw the ring, then the way: past is dotted, future is solid."""
+    for places, ink, spacing in ((world.footprint, "text", 2.0), (world.behind, "target", 4.0),
+                                 (world.ahead, "target", 0.9)):  # fmt: skip
+        for x, y in chart.along(places, spacing):
+            canvas.dot(x, y, ink)
+
+
+def _marks(cells: Cells, chart: Chart, left: int, top: int, world: WorldView, view: View) -> None:
+    """Write Sun, observer and satellites, and names where they lie on nothing."""
+
+    def at(latitude_deg: float, longitude_deg: float) -> tuple[int, int]:
+        x, y = chart.cell(latitude_deg, longitude_deg)
+        return left + x, top + y
+
+    cells.put(*at(world.sun.latitude_deg, world.sun.longitude_deg), "☼", "strong")
+    for one in world.satellites:
+        spot = at(one.latitude_deg, one.longitude_deg)
+        if cells.free(*spot, 1, *OVER):
+            cells.put(*spot, "•", "strong" if one.favourite else "text")
+    if world.observer is not None:
+        spot = at(world.observer.latitude_deg, world.observer.longitude_deg)
+        cells.put(*spot, view.pointer, "accent-strong")
+        _name(cells, chart, left, world.observer.name or "you", *spot, "accent")
+    if world.chosen is not None:
+        spot = at(world.chosen.latitude_deg, world.chosen.longitude_deg)
+        cells.put(*spot, "•", "target-strong")
+        _name(cells, chart, left, world.chosen.name, *spot, "target-strong", OVER)
+    room = chart.width * chart.height // CELLS_A_NAME
+    for one in sorted(world.satellites, key=lambda one: (not one.favourite, one.name))[:room]:
+        spot = at(one.latitude_deg, one.longitude_deg)
+        _name(cells, chart, left, one.name, *spot, "text" if one.favourite else "dim", ("faint",))
+
+
+def _name(
+    cells: Cells, chart: Chart, left: int, name: str, x: int, y: int, ink: str, over: tuple[str, ...] = QUIET
+) -> None:
+    """Write a name beside its mark, away from the nearer side, where it hides nothing louder than `over`."""
+    if len(name) > LONGEST:
+        name = name[: LONGEST - 1] + "…"
+    sides = (x + 2, x - 1 - len(name))
+    for start in sides if x < left + chart.width // 2 else sides[::-1]:
+        for row in (y, y - 1, y + 1):
+            if cells.free(start, row, len(name), *over):
+                cells.put(start, row, name, ink)
+                return
+
+
+def _figures(cells: Cells, world: WorldView) -> None:
+    """Write the last row: when, and where the chosen satellite is."""
+    y = cells.height - 1
+    x = cells.put(1, y, f"{world.utc:%H:%M:%S}Z  ", "dim")
+    chosen = world.chosen
+    if chosen is None:
+        cells.put(x, y, "No pass is chosen."[: cells.width - x], "dim")
+        return
+    for ink, words in (("target-strong", chosen.name), ("text", _where(chosen)), ("dim", _wide(chosen))):
+        if x + len(words) <= cells.width:
+            x = cells.put(x, y, words, ink) + 2
+
+
+def _where(one: Ground) -> str:
+    return f"{place_text(one.latitude_deg, one.longitude_deg)}  {one.altitude_km:,.0f} km up"
+
+
+def _wide(one: Ground) -> str:
+    return f"seen within {radius_km(one.altitude_km):,.0f} km"
