@@ -197,13 +197,21 @@ class Stopper:
                 f"{now - pending.report.at:.1f} s after STOP.",
             )  # fmt: skip
 
+        if self._pending is pending and pending.still_from is not None:
+            # An answer that is asked for a little too soon proves nothing, and keeps the wire from one that would.
+            proof_at = self._proof_at(pending, pending.still_from)
+            round_trip_s = self._antenna.protocol.console.round_trip_s or 0.0
+            self.due = proof_at if now + POLL_S < proof_at < now + round_trip_s else self.due
+
     def _rests(self, pending: Pending, still_from: Pointing, asked: float, now: float) -> bool:
         """Return whether the readings have agreed for long enough.
 
         The first was made before it came, and the last after it was `asked` for: so late an answer proves nothing.
         """
-        still_s = self.way.still_s(slowest=pending.slowest) / self._board.clock.rate
-        return asked - still_from.at >= still_s and self.way.is_there(now)
+        return asked >= self._proof_at(pending, still_from) and self.way.is_there(now)
+
+    def _proof_at(self, pending: Pending, still_from: Pointing) -> float:
+        return still_from.at + self.way.still_s(slowest=pending.slowest) / self._board.clock.rate
 
     def _complete(self, pending: Pending) -> None:
         try:
