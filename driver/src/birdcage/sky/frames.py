@@ -54,7 +54,8 @@ def sidereal_rad(t_s: ArrayLike, dut1: ArrayLike) -> Floats:
 
     `t_s` in POSIX seconds of UTC, `dut1` is UT1 - UTC in seconds.
     """
-    days = (np.asarray(t_s, dtype=np.float64) - _J2000_UNIX_S + dut1) / DAY_S
+    ut1_s = np.asarray(t_s, dtype=np.float64) - _J2000_UNIX_S + np.asarray(dut1, dtype=np.float64)
+    days: Floats = ut1_s / DAY_S
     t = days / 36525.0
     beyond_days_s = 67310.54841 + t * (8640184.812866 + t * (0.093104 - 6.2e-6 * t))
     turns: Floats = (beyond_days_s / DAY_S + days % 1.0) % 1.0
