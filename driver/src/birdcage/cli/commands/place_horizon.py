@@ -95,18 +95,10 @@ def clear() -> None:
 
 def _keep(mask: HorizonMask) -> None:
     """Write it into `[place]`, and to the saved place where that is the one in use."""
-    from dataclasses import replace
-
-    from birdcage.base.config import HorizonPoint, edit
-    from birdcage.base.places import is_in_use, load_places, replace_place
+    from birdcage.base.horizon import keep_horizon
     from birdcage.cli.place_words import horizon_words
     from birdcage.cli.say import say
 
     paths = find_paths()
-    points = tuple(HorizonPoint(round(az_deg, 3), round(el_deg, 3)) for az_deg, el_deg in mask.points)
-    here = load_settings(paths).place
-    edit(paths.config_file, {"place.horizon": points or None})
-    saved = next((each for each in load_places(paths.places_file).entries if is_in_use(each, here)), None)
-    if saved is not None:
-        replace_place(paths.places_file, saved.name, replace(saved, horizon=points))
-    say(f"Kept for {'this place' if saved is None else saved.name}: {horizon_words(points)}.")
+    saved = keep_horizon(paths, load_settings(paths).place, mask.points)
+    say(f"Kept for {saved or 'this place'}: {horizon_words(mask.points)}.")
