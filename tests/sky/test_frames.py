@@ -10,7 +10,7 @@ import astropy_iers_data
 import numpy as np
 import pytest
 from birdcage.sky.dut1 import LIMIT_S, dut1_s, table_end
-from birdcage.sky.frames import julian, look, posix_s, sidereal_rad, utc
+from birdcage.sky.frames import dut1_at, julian, look, posix_s, sidereal_rad, utc
 from birdcage.sky.observer import Observer
 from sgp4.api import Satrec
 from skyfield.api import EarthSatellite, load, wgs84
@@ -86,6 +86,7 @@ def test_ut1_agrees_with_the_iers_within_seven_milliseconds() -> None:
         if int(year) >= 1973:
             when = datetime(int(year), int(month), int(day), int(hour), tzinfo=UTC)
             assert abs(dut1_s(when) - float(value)) < 0.007, when
+            assert float(dut1_at(when.timestamp())) == pytest.approx(dut1_s(when), abs=1e-9)
             checked += 1
     assert checked > 6000
 
@@ -101,4 +102,6 @@ def test_ut1_beyond_the_table_is_its_last_value() -> None:
     assert end > datetime(2027, 6, 1, tzinfo=UTC)
     assert dut1_s(end) == dut1_s(datetime(2050, 1, 1, tzinfo=UTC))
     assert abs(dut1_s(end)) < LIMIT_S
+    for when in (end, datetime(2050, 1, 1, tzinfo=UTC), datetime(1960, 1, 1, tzinfo=UTC)):
+        assert float(dut1_at(when.timestamp())) == dut1_s(when)
     assert dut1_s(datetime(1960, 1, 1, tzinfo=UTC)) == dut1_s(datetime(1973, 1, 1, tzinfo=UTC))

@@ -7,12 +7,12 @@ satellite overhead at 400 km, a tenth of an arcsecond for a star.
 
 from __future__ import annotations
 
+from bisect import bisect_right
+from dataclasses import dataclass
 from datetime import UTC, datetime
 from functools import cache
 from importlib.resources import files
-
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from itertools import accumulate, pairwise
 
 LIMIT_S = 0.9
 """UTC is kept this near to UT1 (ITU-R TF.460); 0.045 degrees for a satellite overhead at 400 km."""
@@ -21,35 +21,48 @@ LEAP_S = 0.5
 """A change of more than this from one month to the next is a leap second at the end of the first."""
 
 
+@dataclass(frozen=True, slots=True)
+class Table:
+    """UT1 - UTC at the firsts of months."""
+
+    starts_s: tuple[float, ...]
+    """The firsts, in POSIX seconds."""
+    smooth_s: tuple[float, ...]
+    """UT1 - UTC without leap seconds, which can be interpolated."""
+    leaps_s: tuple[float, ...]
+    """The leap seconds since the first month, to be added."""
+
+
 def dut1_s(when: datetime) -> float:
     """Return UT1 - UTC in seconds. Before 1973 and after the table ends, its first and last value.
 
-    `when` is aware; ValueError otherwise.
+    `when` is aware; ValueError otherwise. For arrays of times there is `frames.dut1_at`.
     """
     if when.tzinfo is None:
         raise ValueError("the time must say its zone")
-    return float(dut1_at(when.timestamp()))
-
-
-def dut1_at(t_s: ArrayLike) -> NDArray[np.float64]:
-    """Return UT1 - UTC in seconds at POSIX seconds, as `dut1_s` does."""
-    starts, smooth, leaps = _table()
-    month = np.clip(np.searchsorted(starts, t_s, side="right") - 1, 0, len(starts) - 1)
-    return np.asarray(np.interp(t_s, starts, smooth) + leaps[month])
+    t_s, known = when.timestamp(), table()
+    month = bisect_right(known.starts_s, t_s) - 1
+    if month < 0:
+        return known.smooth_s[0]
+    if month == len(known.starts_s) - 1:
+        return known.smooth_s[-1] + known.leaps_s[-1]
+    begin, end = known.starts_s[month : month + 2]
+    before, after = known.smooth_s[month : month + 2]
+    return before + (after - before) * (t_s - begin) / (end - begin) + known.leaps_s[month]
 
 
 def table_end() -> datetime:
     """Return the last month that the table knows, as its first day: from there on the last value is held."""
-    return datetime.fromtimestamp(float(_table()[0][-1]), UTC)
+    return datetime.fromtimestamp(table().starts_s[-1], UTC)
 
 
 @cache
-def _table() -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """Return the firsts of months in POSIX seconds, UT1 - UTC without leap seconds, and the leap seconds since 1973."""
+def table() -> Table:
+    """Return the table that ships with birdcage."""
     text = (files("birdcage.sky") / "data" / "dut1.txt").read_text(encoding="ascii")
     rows = [line.split() for line in text.splitlines() if not line.startswith("#")]
-    values = np.array([float(value) for row in rows for value in row[1:]])
+    values = [float(value) for row in rows for value in row[1:]]
     first = int(rows[0][0])
-    starts = [datetime(first + n // 12, n % 12 + 1, 1, tzinfo=UTC).timestamp() for n in range(len(values))]
-    leaps = np.append(0.0, np.cumsum(np.diff(values) > LEAP_S))
-    return np.array(starts), values - leaps, leaps
+    starts = (datetime(first + n // 12, n % 12 + 1, 1, tzinfo=UTC).timestamp() for n in range(len(values)))
+    leaps = tuple(accumulate((float(b - a > LEAP_S) for a, b in pairwise(values)), initial=0.0))
+    return Table(tuple(starts), tuple(value - leap for value, leap in zip(values, leaps, strict=True)), leaps)

@@ -11,11 +11,12 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
+from functools import cache
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from birdcage.sky.dut1 import dut1_at
+from birdcage.sky import dut1 as ut1
 from birdcage.sky.observer import Observer
 
 Floats = NDArray[np.float64]
@@ -47,6 +48,20 @@ def julian(t_s: ArrayLike) -> tuple[Floats, Floats]:
     """Return the Julian date of POSIX seconds in two parts, as SGP4 takes it: midnight, and the part of the day."""
     days, rest_s = np.divmod(np.asarray(t_s, dtype=np.float64), DAY_S)
     return days + _UNIX_JD, rest_s / DAY_S
+
+
+@cache
+def _ut1() -> tuple[Floats, Floats, Floats]:
+    known = ut1.table()
+    return np.array(known.starts_s), np.array(known.smooth_s), np.array(known.leaps_s)
+
+
+def dut1_at(t_s: ArrayLike) -> Floats:
+    """Return UT1 - UTC in seconds at POSIX seconds, as `dut1.dut1_s` does for one time."""
+    starts, smooth, leaps = _ut1()
+    times = np.asarray(t_s, dtype=np.float64)
+    month = np.clip(np.searchsorted(starts, times, side="right") - 1, 0, len(starts) - 1)
+    return np.asarray(np.interp(times, starts, smooth) + leaps[month])
 
 
 def sidereal_rad(t_s: ArrayLike, dut1: ArrayLike) -> Floats:

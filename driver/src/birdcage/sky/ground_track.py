@@ -7,9 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from birdcage.sky.dut1 import dut1_at
 from birdcage.sky.elements import ElementSet
-from birdcage.sky.frames import Floats, julian, sidereal_rad
+from birdcage.sky.frames import Floats, dut1_at, julian, sidereal_rad
 from birdcage.sky.propagate import over_times, satrec
 
 _EQUATOR_KM = 6378.137  # WGS84

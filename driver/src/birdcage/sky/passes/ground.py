@@ -12,8 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from birdcage.sky.dut1 import LEAP_S, dut1_at
-from birdcage.sky.frames import SIDEREAL_RATE_RAD_S, Floats, Site, sidereal_rad
+from birdcage.sky.dut1 import LEAP_S
+from birdcage.sky.frames import SIDEREAL_RATE_RAD_S, Floats, Site, dut1_at, sidereal_rad
 from birdcage.sky.observer import Observer
 
 
