@@ -6,7 +6,7 @@ import heapq
 
 from birdcage_tui.canvas import Cells
 from birdcage_tui.passes.model import Row
-from birdcage_tui.passes.words import count_text, length_text
+from birdcage_tui.passes.words import count_text, fit, length_text
 from birdcage_tui.view import View
 
 MOST = 8
@@ -43,6 +43,5 @@ def draw_next(cells: Cells, y: int, row: Row, now_s: float) -> None:
     length = length_text(row.reach_s)
     tail = f"{row.max_el_deg:3.0f}°  {length:>4}" + (" in reach" if cells.width >= 46 else "")
     room = cells.width - 15 - len(tail) - 2
-    name = row.name if len(row.name) <= room else row.name[: max(room - 1, 0)] + "…"
-    cells.put(15, y, name, "target-strong" if inside else "text")
+    cells.put(15, y, fit(row.name, room), "target-strong" if inside else "text")
     cells.right(cells.width - 1, y, tail, "dim")

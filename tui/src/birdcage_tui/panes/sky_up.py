@@ -5,6 +5,7 @@ from __future__ import annotations
 from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.panes.polar import Polar
 from birdcage_tui.panes.sky_ground import QUIET, label
+from birdcage_tui.passes.words import fit
 from birdcage_tui.view import View
 
 OVER = (*QUIET, "target", "accent", "text")
@@ -52,7 +53,7 @@ def draw_up(cells: Cells, polar: Polar, view: View) -> dict[tuple[int, int], str
     for one, (x, y) in wanted:
         if left <= 0:
             break
-        name = one.name if len(one.name) <= LONGEST else one.name[: LONGEST - 1] + "…"
+        name = fit(one.name, LONGEST)
         # The elevation of your own: it is seen to move, where a cell of the map is degrees wide.
         names = (f"{name} {one.el_deg:.1f}°", name) if one.favourite else (name,)
         left -= label(cells, names, x, y, x - middle, "text" if one.favourite else "dim")

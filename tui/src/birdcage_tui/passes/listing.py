@@ -14,7 +14,7 @@ from birdcage_tui.passes.desk import Desk
 from birdcage_tui.passes.empty import GET_ELEMENTS, empty_words
 from birdcage_tui.passes.model import Row
 from birdcage_tui.passes.spark import draw_spark
-from birdcage_tui.passes.words import count_text, reach_sign, reach_text
+from birdcage_tui.passes.words import count_text, fit, reach_sign, reach_text
 from birdcage_tui.view import View
 
 LEAST_NAME, MOST_NAME = 10, 24
@@ -127,8 +127,7 @@ class PassList(Pane, can_focus=True):
             ink = text if lit else "target" if event[1] == "out" else text if soon else dim
             cells.put(3, y, f"{event[1]:<5}", dim)
             cells.right(15, y, count_text(event[0] - t_s), ink)
-        name = row.name if len(row.name) <= width else row.name[: width - 1] + "…"
-        cells.put(16, y, name, text if reachable else dim)
+        cells.put(16, y, fit(row.name, width), text if reachable else dim)
         x = 16 + width
         cells.right(x + 6, y, reach_text(row), text if reachable else dim)
         cells.right(x + 11, y, f"{row.max_el_deg:.0f}°", dim)

@@ -11,7 +11,7 @@ from birdcage_tui.canvas import Cells
 from birdcage_tui.pane import Pane
 from birdcage_tui.passes.desk import Desk
 from birdcage_tui.passes.model import Row
-from birdcage_tui.passes.words import clock_text
+from birdcage_tui.passes.words import clock_text, fit
 from birdcage_tui.view import View
 
 NAME = 14
@@ -51,7 +51,7 @@ class Timeline(Pane):
         self._start_s = self._from(now_s, t_s, width)
         rows = self._lanes(view, cells.height - 1)
         for y, (name, passes, favourite) in enumerate(rows, 1):
-            cells.put(0, y, (name if len(name) <= NAME - 1 else name[: NAME - 2] + "…"),
+            cells.put(0, y, fit(name, NAME - 1),
                       "text" if favourite else "dim")  # fmt: skip
             for row in passes:
                 self._bar(cells, y, row, width)
