@@ -1,0 +1,58 @@
+"""Whether a feed can hear a downlink: by its band, and by the kind of polarisation."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from birdcage.sky.downlinks import Downlink
+
+if TYPE_CHECKING:
+    from birdcage.base.config import FeedProfile
+
+CROSSED_DB = 3.0
+"""Lost between linear and circular: half the power, whichever way round."""
+
+
+@dataclass(frozen=True, slots=True)
+class Hearing:
+    """That a feed hears a downlink, and what to expect of it."""
+
+    downlink: Downlink
+    whole: bool
+    """Whether all of its band lies in the feed's."""
+    loss_db: float | None
+    """By the kinds of polarisation alone; None where one of them is not known."""
+
+    @property
+    def remark(self) -> str:
+        """What is worth saying of it; empty for nothing."""
+        parts = [] if self.whole else ["a part of its band"]
+        if self.loss_db:
+            parts.append(f"{self.loss_db:g} dB lost: {self.downlink.kind} into a feed of the other kind")
+        return ", ".join(parts)
+
+
+def has_band(feed: FeedProfile) -> bool:
+    """Return whether a feed says what it hears at all."""
+    return feed.freq_min_hz is not None and feed.freq_max_hz is not None
+
+
+def hearing(downlink: Downlink, feed: FeedProfile) -> Hearing | None:
+    """Return how a feed hears a downlink; None when it does not, or its band is not known.
+
+    Whether anything is on the air there is another question: see `Downlink.alive`.
+    """
+    low_hz, high_hz = feed.freq_min_hz, feed.freq_max_hz
+    if low_hz is None or high_hz is None or downlink.freq_max_hz < low_hz or downlink.freq_min_hz > high_hz:
+        return None
+    kinds = (downlink.kind, feed.polarization)
+    loss_db = None if None in kinds else (0.0 if kinds[0] == kinds[1] else CROSSED_DB)
+    return Hearing(downlink, low_hz <= downlink.freq_min_hz and downlink.freq_max_hz <= high_hz, loss_db)
+
+
+def hearable(downlinks: Iterable[Downlink], feed: FeedProfile) -> tuple[Hearing, ...]:
+    """Return what of it a feed can hear and that is not known to be off the air."""
+    found = (hearing(each, feed) for each in downlinks if each.alive is not False)
+    return tuple(each for each in found if each is not None)

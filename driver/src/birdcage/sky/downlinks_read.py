@@ -1,0 +1,141 @@
+"""Reads tables of downlinks, and says by file, line and key what is wrong with them."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Mapping
+from pathlib import Path
+
+from birdcage.base.config.value import did_you_mean
+from birdcage.sky.downlinks import POLARIZATIONS, Downlink
+
+KEYS = ("satellite", "freq_mhz", "mode", "polarization", "alive", "source", "date", "norad_id", "longitude_deg",
+        "names", "note")  # fmt: skip
+MOST_BYTES = 2_000_000
+"""A larger file is not written by a person."""
+_HEADING = re.compile(r"\s*\[\[\s*[\"']?downlink[\"']?\s*\]\]")
+_DATE = re.compile(r"\d{4}(-(0[1-9]|1[0-2])(-(0[1-9]|[12]\d|3[01]))?)?")
+
+Read = tuple[tuple[Downlink, ...], tuple[str, ...]]
+
+
+def read_file(path: Path) -> Read:
+    """Return the entries of the user's file and its problems. One that is absent is empty."""
+    try:
+        if path.stat().st_size > MOST_BYTES:
+            return (), (f"{path} is larger than a list of downlinks can be.",)
+        text = path.read_bytes().decode("utf-8-sig")
+    except FileNotFoundError:
+        return (), ()
+    except OSError as error:
+        return (), (f"{path} can't be read ({error.strerror or error}).",)
+    except UnicodeDecodeError as error:
+        return (), (f"{path} is no UTF-8 text (byte {error.start}).",)
+    return read_table(text, str(path), own=True)
+
+
+def read_table(text: str, where: str, *, own: bool = False) -> Read:
+    """Return the entries of a text and what is wrong with it; `own` entries need neither source nor date."""
+    try:
+        data = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        return (), (f"{where} is no valid TOML: {error}.",)
+    except (RecursionError, ValueError) as error:
+        # tomllib lets both through: brackets nested without end, numbers with thousands of digits.
+        return (), (f"{where} is no valid TOML: {type(error).__name__}.",)
+    problems = [
+        f"{where}: {key} is no table of it{did_you_mean(key, ('downlink',))}." for key in data if key != "downlink"
+    ]
+    rows = data.get("downlink", [])
+    if not isinstance(rows, list):
+        return (), (*problems, f"{where}: `downlink` must be tables: [[downlink]].")
+    lines = [number for number, line in enumerate(text.splitlines(), 1) if _HEADING.match(line)]
+    entries: dict[tuple[str, int, int], Downlink] = {}
+    for index, row in enumerate(rows):
+        place = f"{where}:{lines[index]}" if len(lines) == len(rows) else f"{where}, downlink {index + 1}"
+        try:
+            entry = _downlink(row, own)
+        except ValueError as wrong:
+            problems.append(f"{place}: {wrong}.")
+            continue
+        if entry.key in entries:
+            problems.append(f"{place}: satellite {entry.satellite!r} has that freq_mhz before.")
+        entries.setdefault(entry.key, entry)
+    return tuple(entries.values()), tuple(problems)
+
+
+def _downlink(row: object, own: bool) -> Downlink:
+    if not isinstance(row, dict):
+        raise ValueError("a downlink is a table: [[downlink]]")
+    for key in row:
+        if key not in KEYS:
+            raise ValueError(f"{key} is no key of a downlink{did_you_mean(key, KEYS)}")
+    low_mhz, high_mhz = _frequencies(row)
+    polarization = row.get("polarization")
+    if polarization is not None and polarization not in POLARIZATIONS:
+        raise ValueError(f"polarization is {polarization!r}, not one of {', '.join(POLARIZATIONS)}")
+    alive = row.get("alive", "unknown")
+    if not isinstance(alive, bool) and alive != "unknown":
+        raise ValueError(f'alive is {alive!r}, not true, false or "unknown"')
+    date = str(row.get("date", ""))
+    if (date or not own) and not _DATE.fullmatch(date):
+        raise ValueError(f"date is {date!r}, not such as 2026-10-16, 2026-10 or 2026")
+    norad_id = row.get("norad_id", 0)
+    if isinstance(norad_id, bool) or not isinstance(norad_id, int) or not 0 <= norad_id <= 999_999_999:
+        raise ValueError(f"norad_id is {norad_id!r}, not a catalogue number")
+    return Downlink(
+        satellite=_text(row, "satellite"),
+        freq_min_hz=low_mhz * 1e6,
+        freq_max_hz=high_mhz * 1e6,
+        mode=_text(row, "mode", "" if own else None),
+        polarization=polarization,
+        alive=alive if isinstance(alive, bool) else None,
+        source=_text(row, "source", "your own file" if own else None),
+        date=date,
+        norad_id=norad_id,
+        longitude_deg=_longitude(row),
+        names=_names(row),
+        note=_text(row, "note", ""),
+        own=own,
+    )
+
+
+def _text(row: Mapping[str, object], key: str, default: str | None = None) -> str:
+    value = row.get(key, default)
+    if not isinstance(value, str) or (default is None and not value.strip()):
+        raise ValueError(f"{key} is missing" if value is None else f"{key} is {value!r}, not a text")
+    return " ".join(value.split())
+
+
+def _number(value: object, key: str, low: float, high: float) -> float:
+    if isinstance(value, bool) or not isinstance(value, int | float) or not low <= value <= high:
+        raise ValueError(f"{key} is {value!r}, not a number from {low:g} to {high:g}")
+    return float(value)
+
+
+def _frequencies(row: Mapping[str, object]) -> tuple[float, float]:
+    value = row.get("freq_mhz")
+    if value is None:
+        raise ValueError("freq_mhz is missing: one number of MHz, or [from, to]")
+    if not isinstance(value, list):
+        freq = _number(value, "freq_mhz", 0.1, 1e6)
+        return freq, freq
+    if len(value) != 2:
+        raise ValueError(f"freq_mhz has {len(value)} numbers, not one or [from, to]")
+    low, high = (_number(each, "freq_mhz", 0.1, 1e6) for each in value)
+    if low >= high:
+        raise ValueError(f"freq_mhz goes from {low:g} to {high:g}, which is not upward")
+    return low, high
+
+
+def _longitude(row: Mapping[str, object]) -> float | None:
+    value = row.get("longitude_deg")
+    return None if value is None else _number(value, "longitude_deg", -180.0, 180.0)
+
+
+def _names(row: Mapping[str, object]) -> tuple[str, ...]:
+    value = row.get("names", [])
+    if not isinstance(value, list) or not all(isinstance(each, str) and each.strip("* ") for each in value):
+        raise ValueError(f'names is {value!r}, not a list such as ["IRIDIUM*"]')
+    return tuple(value)
