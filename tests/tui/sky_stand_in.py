@@ -116,8 +116,8 @@ class Source:
     def start(self):
         self.show(self.sky)
 
-    def keep(self, state, place):
-        self.state, self.place = state, place
+    def keep(self, state, place, horizon=None):
+        self.state, self.place, self.horizon = state, place, horizon
 
     def set_favourite(self, satellite, favourite):
         self.favourites.append((satellite, favourite))

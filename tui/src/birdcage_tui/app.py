@@ -110,6 +110,7 @@ class BirdcageApp(Shell):
         future = self.station.submit(request)
         if isinstance(request, MOTIONS):
             self.under_way.add(future)
+            self.horizon.moved(jog=isinstance(request, Jog))
         future.add_done_callback(done)
 
     def open_goto(self, text: str = "") -> None:

@@ -7,6 +7,7 @@ from typing import Protocol
 from birdcage.station.requests import Request
 
 from birdcage_tui.control.book import PresetBook
+from birdcage_tui.control.horizon_book import HorizonBook
 from birdcage_tui.sky_feed import SkyFeed
 from birdcage_tui.view import View
 
@@ -16,6 +17,8 @@ class Host(Protocol):
 
     presets: PresetBook
     """Directions with names."""
+    horizon: HorizonBook
+    """The line of trees and roofs."""
     sky: SkyFeed
     """What is known of the sky, and how to ask for more."""
     aim: tuple[float, float] | None

@@ -22,6 +22,7 @@ from birdcage.station.ring import owners_folder
 from birdcage.station.session import Session
 
 from birdcage_tui.app import BirdcageApp
+from birdcage_tui.control.horizon_file import ConfigHorizon
 from birdcage_tui.glyphs import fitting
 from birdcage_tui.settings import AppSettings, Place
 from birdcage_tui.setup.engine import SetupEngine
@@ -131,9 +132,15 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSetti
         ports = list if options.demo else list_ports
         return Setup(session, settings, paths, environ={} if options.demo else None, flags=flags, ports=ports)
 
-    app_settings = _app_settings(settings, paths, demo=options.demo)
+    def load_again() -> Settings:
+        return load(paths.config_file, environ={} if options.demo else None, flags=flags)
+
     return session, replace(
-        app_settings, setup=make_setup, sky=make_sky(settings, paths, clock, demo=options.demo), first_page=begin
+        _app_settings(settings, paths, demo=options.demo),
+        setup=make_setup,
+        sky=make_sky(settings, paths, clock, demo=options.demo),
+        horizon=ConfigHorizon(paths, settings, load_again),
+        first_page=begin,
     )
 
 

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
+    from birdcage.sky.horizon import HorizonMask
+
     from birdcage_tui.setup.engine import SetupEngine
     from birdcage_tui.sky_feed import MakeSky
 
@@ -19,6 +21,20 @@ class Place:
     latitude_deg: float
     longitude_deg: float
     name: str = ""
+
+
+class HorizonFile(Protocol):
+    """Where the line of trees and roofs is kept."""
+
+    @property
+    def begin(self) -> HorizonMask:
+        """What the settings held when the app began."""
+
+    def read(self) -> HorizonMask:
+        """Return what the settings hold now. ConfigError where they cannot be read."""
+
+    def write(self, mask: HorizonMask) -> None:
+        """Keep another one. ConfigError says why not."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,5 +62,7 @@ class AppSettings:
     """Makes the engine of the setup page when it is first visited; None: there is no setup."""
     sky: MakeSky | None = field(default=None, compare=False)
     """Makes what watches the sky, after the first frame; None: nothing does."""
+    horizon: HorizonFile | None = field(default=None, compare=False)
+    """Where the line of trees and roofs is kept; None: nowhere."""
     first_page: str = "dashboard"
     """The page that the app opens with."""

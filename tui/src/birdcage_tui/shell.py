@@ -23,6 +23,7 @@ from textual.widgets import ContentSwitcher, Input
 from birdcage_tui import commands
 from birdcage_tui.console.tap import WireTap
 from birdcage_tui.control.book import PresetBook
+from birdcage_tui.control.horizon_book import HorizonBook
 from birdcage_tui.footer import KeyBar
 from birdcage_tui.goto import GotoLine
 from birdcage_tui.messages import SkyChanged, StationEvent
@@ -83,6 +84,8 @@ class Shell(Surface):
         """The console, once it was opened."""
         self.presets = PresetBook(self.settings.presets_file)
         """Directions with names; read after the first frame."""
+        self.horizon = HorizonBook(self.settings.horizon)
+        """The line of trees and roofs."""
         self.sky = SkyFeed(self.settings.sky, lambda sky: self.post_message(SkyChanged(sky)), self.say_soon)
         self.aim: tuple[float, float] | None = None
         """Where the go-to line would lead, while one types into it."""
@@ -136,7 +139,7 @@ class Shell(Surface):
         except BirdcageError as problem:
             self.tap_problem = str(problem)
         self.session.start()
-        self.sky.begin(self.station.state, self.settings.place)
+        self.sky.begin(self.station.state, self.settings.place, self.horizon.known)
         self.watch_page()
         if self.settings.first_page != "dashboard":
             self.show_page(self.settings.first_page)
@@ -181,6 +184,7 @@ class Shell(Surface):
             aim=self.aim,
             told=tuple(self._told),
             sky=self.sky.now,
+            horizon=self.horizon.state,
         )
 
     def paint(self) -> None:
@@ -216,7 +220,7 @@ class Shell(Surface):
     def _tick(self) -> None:
         """Move the tour on and draw: ages and the time have changed."""
         self._tour_says = self._tour.step(self.view())
-        self.sky.keep(self.station.state, self.settings.place)
+        self.sky.keep(self.station.state, self.settings.place, self.horizon.known)
         self._changed()
 
     @on(StationEvent)

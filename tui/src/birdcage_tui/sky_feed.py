@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from birdcage.base.clock import Clock
     from birdcage.base.config import Settings
     from birdcage.base.paths import Paths
+    from birdcage.sky.horizon import HorizonMask
 
     from birdcage_tui.passes.model import Row, SkyPicture
 
@@ -31,8 +32,11 @@ class SkySource(Protocol):
     def start(self) -> None:
         """Begin, on a thread of its own."""
 
-    def keep(self, state: StationState, place: Place | None) -> None:
-        """Take what is known of the dish, whose limits reach follows from, and where it stands."""
+    def keep(self, state: StationState, place: Place | None, horizon: HorizonMask | None = None) -> None:
+        """Take what is known of the dish, whose limits reach follows from, and where it stands.
+
+        `horizon`: what hides the sky there now; None: what the settings said.
+        """
 
     def set_favourite(self, satellite: int | str, favourite: bool) -> None:
         """Mark or unmark a satellite, by number or name."""
@@ -70,18 +74,18 @@ class SkyFeed:
         self._closed = False
         self.now: SkyPicture | None = None
 
-    def begin(self, state: StationState, place: Place | None) -> None:
+    def begin(self, state: StationState, place: Place | None, horizon: HorizonMask | None = None) -> None:
         """Begin to watch; after the first frame."""
         if self._make is None or self._closed:
             return
         self.source = self._make(self._show, self._say)
-        self.source.keep(state, place)
+        self.source.keep(state, place, horizon)
         self.source.start()
 
-    def keep(self, state: StationState, place: Place | None) -> None:
-        """Take what has become of the dish and its place."""
+    def keep(self, state: StationState, place: Place | None, horizon: HorizonMask | None = None) -> None:
+        """Take what has become of the dish, its place and the horizon there."""
         if self.source is not None:
-            self.source.keep(state, place)
+            self.source.keep(state, place, horizon)
 
     def set_favourite(self, satellite: int | str, favourite: bool) -> None:
         """Mark or unmark a satellite."""

@@ -8,13 +8,14 @@ from __future__ import annotations
 import queue
 import threading
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path as File
 from typing import TYPE_CHECKING
 
 from birdcage.base.clock import Clock
 from birdcage.base.errors import BirdcageError
 from birdcage.base.paths import Paths
+from birdcage.sky.horizon import HorizonMask
 from birdcage.sky.observer import Observer
 from birdcage.sky.reach_limits import ReachLimits
 from birdcage.sky.watch import SkyWatch
@@ -82,9 +83,11 @@ class WatchedSky:
             threading.Thread(target=self._work, name="sky-desk", daemon=True).start()
             threading.Thread(target=self._follow_moon, name="moon", daemon=True).start()
 
-    def keep(self, state: StationState, place: Place | None) -> None:
-        """Take what is known of the dish and where it stands."""
+    def keep(self, state: StationState, place: Place | None, horizon: HorizonMask | None = None) -> None:
+        """Take what is known of the dish, where it stands, and the horizon there (None: the settings')."""
         limits = self._setup.limits(state)
+        if horizon is not None:
+            limits = replace(limits, horizon=horizon or None)
         if limits != self._limits:
             self._limits = limits
             self._converter.mask = limits.horizon

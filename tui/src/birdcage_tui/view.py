@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import datetime
 from typing import TYPE_CHECKING
 
@@ -12,6 +12,7 @@ from birdcage.base.presets import Preset
 from birdcage.station.raw import CONSOLE
 from birdcage.station.state import Activity, Link, StationState
 
+from birdcage_tui.control.horizon_state import HorizonState
 from birdcage_tui.settings import AppSettings
 
 if TYPE_CHECKING:
@@ -75,6 +76,8 @@ class View:
     """What the last commands did, the newest last: `note`, unless that was cleared since."""
     sky: SkyPicture | None = None
     """What is up, and which passes come; None before it was first worked out."""
+    horizon: HorizonState = field(default_factory=HorizonState)
+    """The line of trees and roofs, as it counts now."""
 
     @property
     def position_age_s(self) -> float | None:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from birdcage_tui.commands.console import CONSOLE
 from birdcage_tui.commands.control import CONTROL
 from birdcage_tui.commands.everywhere import APP, MOTION, PAGE_COMMANDS, PAGES, SAFETY, SEARCH
+from birdcage_tui.commands.horizon import HORIZON
 from birdcage_tui.commands.jog import JOG
 from birdcage_tui.commands.passes import PASSES
 from birdcage_tui.commands.setup import SETUP
@@ -15,7 +16,7 @@ from birdcage_tui.commands.table import Command
 __all__ = ["BY_NAME", "COMMANDS", "KEYS", "PAGES", "Command", "for_key", "in_force"]
 
 COMMANDS: tuple[Command, ...] = (
-    *SAFETY, *JOG, *CONTROL, *PASSES, *CONSOLE, *SETUP, *MOTION, *SEARCH, *APP, *PAGE_COMMANDS
+    *SAFETY, *JOG, *CONTROL, *HORIZON, *PASSES, *CONSOLE, *SETUP, *MOTION, *SEARCH, *APP, *PAGE_COMMANDS
 )  # fmt: skip
 BY_NAME = {command.name: command for command in COMMANDS}
 KEYS: dict[str, bool] = {

@@ -19,6 +19,8 @@ UNDER_DEG = 3.0
 """A target nearer than this lies under the needle: its ray would only break it."""
 WORDS, ROOM = 2, 12
 """Rows that the limits in words take over the quarter; from how many rows on they are written."""
+WITH_HORIZON = 3
+"""The same rows with the horizon among them."""
 QUIET = ("faint", "line", "dim")
 
 
@@ -28,18 +30,19 @@ class Quarter:
 
     width: int
     height: int
+    words: int = WORDS
 
     @property
     def radius(self) -> float:
         """Dots from the hub to the arc."""
-        over = WORDS * 4 if self.height >= ROOM else 0
+        over = self.words * 4 if self.height >= ROOM else 0
         return max(4.0, min(self.width * 2 - 10, self.height * 4 - 8 - over))
 
     @property
     def hub(self) -> tuple[float, float]:
         """The hub: the arc stands in the middle of what the words over it leave."""
         left = max(2.0, (self.width * 2 - 8 - self.radius) / 2)
-        row = min(self.height - 1, math.floor((self.height * 4 + self.radius) / 8 + WORDS / 2))
+        row = min(self.height - 1, math.floor((self.height * 4 + self.radius) / 8 + self.words / 2))
         return left, row * 4 + 1.5  # the middle of a row, where its sign stands
 
     def dot(self, el_deg: float, part: float = 1.0) -> tuple[float, float]:
@@ -73,6 +76,12 @@ class Quarter:
                     canvas.dot(x0 + across, y0 - up, "line")
 
 
+def horizon_deg(view: View) -> float | None:
+    """Return how high trees and roofs stand where the dish looks; None where that is not known."""
+    position = view.state.position
+    return None if position is None or not view.horizon.mask else view.horizon.mask.at(position.az_deg)
+
+
 class ElevationPane(Pane):
     """The quarter circle over its scale."""
 
@@ -83,9 +92,10 @@ class ElevationPane(Pane):
 
     def draw(self, cells: Cells, view: View) -> None:
         """Draw the quarter, what limits it, the needle and the target."""
-        quarter, state = Quarter(cells.width, max(cells.height - ROWS, 1)), view.state
+        quarter, state = self._quarter(cells.width, cells.height, view), view.state
         position, target = state.position, state.target_el_deg
         canvas = self._ground(quarter, view).copy()
+        self._horizon(canvas, quarter, view)
         if view.aim is not None:
             canvas.line(*quarter.dot(view.aim[1], 0.3), *quarter.dot(view.aim[1], 0.93), "text", 5)
         if target is not None and (position is None or abs(target - position.el_deg) > UNDER_DEG):
@@ -111,6 +121,23 @@ class ElevationPane(Pane):
             cells, cells.height - ROWS, None if position is None else position.el_deg,
             ink="dim" if view.stale else "accent-strong", target_deg=target,
         )  # fmt: skip
+
+    @staticmethod
+    def _quarter(width: int, height: int, view: View) -> Quarter:
+        return Quarter(width, max(height - ROWS, 1), WITH_HORIZON if view.horizon.mask else WORDS)
+
+    @staticmethod
+    def _horizon(canvas: Braille, quarter: Quarter, view: View) -> None:
+        """Draw how high trees and roofs stand where the dish looks: outside the arc, for they limit no motion."""
+        el_deg = horizon_deg(view)
+        if el_deg is None or el_deg <= 0.0:
+            return
+        outside = (1 + 2.5 / quarter.radius, 1 + 4.5 / quarter.radius)
+        count = max(2, round(quarter.radius * math.radians(el_deg)))
+        for step in range(count + 1):
+            angle = el_deg * step / count
+            canvas.line(*quarter.dot(angle, outside[0]), *quarter.dot(angle, outside[1]), "text", 2)
+        canvas.line(*quarter.dot(el_deg, 0.75), *quarter.dot(el_deg, outside[1]), "text", 2)
 
     def _ground(self, quarter: Quarter, view: View) -> Braille:
         """Return the layer that changes only with size and limits."""
@@ -155,11 +182,14 @@ class ElevationPane(Pane):
 
     @staticmethod
     def _limits(cells: Cells, quarter: Quarter, view: View) -> None:
-        """Say how far it is to ceiling and floor, where there is room over the quarter."""
+        """Say how far it is to ceiling, floor and horizon, where there is room over the quarter."""
         state, position = view.state, view.state.position
         if quarter.height < ROOM:
             return
-        for y, name, limit in ((0, "ceiling", state.el_max_deg), (1, "floor", state.el_min_deg)):
+        rows = [("ceiling", state.el_max_deg), ("floor", state.el_min_deg)]
+        if view.horizon.mask:
+            rows.append(("horizon", horizon_deg(view)))
+        for y, (name, limit) in enumerate(rows):
             words = f"{name:<8}" + (" --.-" if limit is None else f"{limit:5.1f}°")
             if limit is not None and position is not None and cells.width >= 23:
                 words += f" {abs(limit - position.el_deg):4.1f}° off"
@@ -168,7 +198,9 @@ class ElevationPane(Pane):
     def on_click(self, event: events.Click) -> None:
         """Open the go-to line with the elevation under the mouse; Enter is still to be pressed."""
         offset = event.get_content_offset(self)
-        quarter = Quarter(self.size.width, max(self.size.height - ROWS, 1))
+        if self.view is None:
+            return
+        quarter = self._quarter(self.size.width, self.size.height, self.view)
         el_deg = None if offset is None else quarter.direction(offset.x, offset.y)
         if el_deg is not None:
             event.stop()

@@ -36,6 +36,8 @@ def _hint(view: View) -> str:
         return "← → choose a digit of the target, ↑ ↓ step it, Esc goes back to the rose."
     if "presets" in view.scopes:
         return "↑ ↓ choose, Enter turns the dish there, Esc goes back to the rose."
+    if view.horizon.recording:
+        return "Recording the horizon: jog along the tree line. A rest of 1 s is a point. M ends it."
     return f"Arrows or hjkl step {view.step_deg:g}°, g goes to a direction, Tab goes on to the digits."
 
 

@@ -29,6 +29,8 @@ class Sizes:
     """Height of elevation and hands, over the presets; 0 where the presets take turns with them."""
     log: int = 0
     """Width of the log beside the presets; 0 where there is no room for one."""
+    horizon: int = 1
+    """Height of its keys, and of what it is where there is a second row."""
 
 
 def sizes(width: int, height: int, *, with_skew: bool = False) -> Sizes:
@@ -42,13 +44,17 @@ def sizes(width: int, height: int, *, with_skew: bool = False) -> Sizes:
         left = width - 28
         rose = max(min(rows * 2 + 4 + FRAME, left - least), 20)
         skew = 1 if with_skew else 0
-        return Sizes(False, rose, left - rose, top - FRAME - 7 - skew, 3, 1, 3, cable, skew)
+        actions = 3 - skew  # a dish with a third axis has no speed setting: that row is of no use
+        return Sizes(False, rose, left - rose, top - FRAME - 8, 3, 1, actions, cable, skew)
     rose = max(min(rows * 2 + 4 + FRAME, width - 44 - least), 20)
     side = width - rose
     right = 57 if side >= 57 + 40 else 44
     readout = (8 if top >= 36 and right == 57 else 6) + FRAME
     digits, jog, actions = (4, 3, 4) if top >= 36 else (3, 2, 3) if top >= 25 else (3, 1, 2)
     skew = 0 if not with_skew else 5 if top >= 36 and right == 57 else 2
-    upper = readout + digits + skew + jog + actions + FRAME
+    if with_skew and top < 25:
+        actions -= 1  # it has no speed setting
+    horizon = 2 if top >= 25 else 1
+    upper = readout + digits + skew + jog + actions + horizon + FRAME
     log = side - right if side >= 80 else 0
-    return Sizes(True, rose, side - right, readout, digits, jog, actions, cable, skew, upper, log)
+    return Sizes(True, rose, side - right, readout, digits, jog, actions, cable, skew, upper, log, horizon)

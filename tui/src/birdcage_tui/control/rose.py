@@ -10,6 +10,7 @@ from textual import events
 
 from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.control.compass import Compass
+from birdcage_tui.control.horizon_draw import draw_skyline
 from birdcage_tui.control.needle import draw_needle
 from birdcage_tui.control.reach import cable_limits
 from birdcage_tui.control.tape import ROWS, draw_tape
@@ -68,7 +69,8 @@ class RosePane(Pane, can_focus=True):
     def _dial(self, compass: Compass, view: View) -> Braille:
         state = view.state
         limits = cable_limits(state)
-        key = (compass, limits, state.no_go_sectors, state.az_offset_deg)
+        mask = view.horizon.mask
+        key = (compass, limits, state.no_go_sectors, state.az_offset_deg, mask)
         if self._static is not None and self._static[0] == key:
             return self._static[1]
         canvas = Braille(compass.width, compass.height)
@@ -79,6 +81,7 @@ class RosePane(Pane, can_focus=True):
             for edge in (low, high):
                 canvas.line(*compass.dot(edge, 0.6), *compass.dot(edge, 0.97), "warn")
         compass.ticks(canvas)
+        draw_skyline(canvas, compass, mask)
         self._static = (key, canvas)
         return canvas
 
@@ -146,6 +149,8 @@ class RosePane(Pane, can_focus=True):
     def _words(cells: Cells, compass: Compass, view: View) -> None:
         """Say in the corners what the second needle is and which preset this is; in the middle why there is none."""
         state, position = view.state, view.state.position
+        if view.horizon.recording:
+            cells.right(compass.width, compass.height - 1, "● recording", "warn-strong")
         if position is None:
             rows = why_unknown(view)
             for offset, words in enumerate(rows):

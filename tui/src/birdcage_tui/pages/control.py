@@ -16,6 +16,8 @@ from birdcage_tui.control import ask
 from birdcage_tui.control.actions import ActionsPane
 from birdcage_tui.control.cable import CablePane
 from birdcage_tui.control.elevation import ElevationPane
+from birdcage_tui.control.horizon_hands import HorizonHands
+from birdcage_tui.control.horizon_pane import HorizonPane
 from birdcage_tui.control.jog import JogPane
 from birdcage_tui.control.last import LastLine, LogPane
 from birdcage_tui.control.layout import sizes
@@ -75,6 +77,7 @@ class ControlPage(Page):
                             yield SkewPane(id="turn-skew")
                             yield JogPane(id="jog")
                             yield ActionsPane(id="actions")
+                            yield HorizonPane(id="horizon")
                 with Horizontal(id="control-lower"):
                     yield LogPane(id="log")
                     with PresetsBox(id="presets-box") as box:
@@ -88,6 +91,11 @@ class ControlPage(Page):
             self._with_skew = has_skew(view)
             self.on_resize()
         super().show(view)
+        self._horizon.look(view)
+
+    def on_mount(self) -> None:
+        """Make what the keys of the horizon do."""
+        self._horizon = HorizonHands(self)
 
     def on_resize(self) -> None:
         """Choose the layout."""
@@ -97,7 +105,7 @@ class ControlPage(Page):
             self.query_one(name).styles.width = width
         for name, height in (
             ("#readout", found.readout), ("#digits", found.digits), ("#jog", found.jog), ("#actions", found.actions),
-            ("#turn-skew", found.skew), ("#cable", found.cable),
+            ("#turn-skew", found.skew), ("#horizon", found.horizon), ("#cable", found.cable),
         ):  # fmt: skip
             self.query_one(name).styles.height = height
         self.query_one(SkewPane).display = found.skew > 0
@@ -135,6 +143,8 @@ class ControlPage(Page):
             return self.query_one(DigitsPane).do(command)
         if command.startswith("preset"):
             return self._preset(command)
+        if command.startswith("horizon-"):
+            return self._horizon.do(command)
         match command:
             case "digits":
                 self.set_class(False, "-listing")

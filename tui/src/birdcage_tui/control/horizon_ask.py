@@ -1,0 +1,59 @@
+"""The questions about the horizon: a point that is typed, and whether to clear it."""
+
+from __future__ import annotations
+
+import math
+import re
+
+from birdcage.sky.horizon import HorizonMask
+
+from birdcage_tui.control.fields import Field, FieldsScreen, Values
+from birdcage_tui.control.horizon_state import count_text
+
+EXAMPLE = "azimuth and elevation, such as 231 12.3"
+_TIGHT_COMMA = re.compile(r"(?<=\d),(?=\d)")
+
+
+def point_of(text: str) -> tuple[float, float]:
+    """Return the azimuth and elevation that were typed. ValueError says what to type instead."""
+    plain = text.replace("°", " ").replace("−", "-")
+    words = re.split(r"[\s/;]+|,\s+", plain.strip())
+    if len(words) == 1 and len(_TIGHT_COMMA.findall(words[0])) == 1:
+        words = _TIGHT_COMMA.split(words[0])
+    try:
+        az_deg, el_deg = (float(_TIGHT_COMMA.sub(".", word)) for word in words if word)
+    except ValueError:
+        raise ValueError(f"Type two numbers of degrees: {EXAMPLE}.") from None
+    if not (math.isfinite(az_deg) and math.isfinite(el_deg)):
+        raise ValueError(f"Type two numbers of degrees: {EXAMPLE}.")
+    if abs(az_deg) > 360.0:
+        raise ValueError(f"Azimuth {az_deg:g} is more than a full turn: type one from 0 to 360.")
+    if abs(el_deg) > 90.0:
+        raise ValueError(f"Elevation {el_deg:g} is none: 0 is the horizon, 90 is straight up.")
+    return az_deg % 360.0, el_deg
+
+
+def point() -> FieldsScreen:
+    """Return the form for a point."""
+
+    def check(values: Values) -> str:
+        try:
+            point_of(values[0])
+        except ValueError as wrong:
+            return str(wrong)
+        return ""
+
+    words = (
+        "Where a tree or a roof ends, in true degrees. The line runs straight from point to point. It says what can "
+        "be heard, and refuses no motion."
+    )
+    return FieldsScreen("A point of the horizon", words, (Field("az el", "", EXAMPLE),), check)
+
+
+def clear(mask: HorizonMask) -> tuple[str, str, str]:
+    """Return title, words and consent of clearing the horizon."""
+    words = (
+        f"The horizon of {count_text(mask)} is taken out of the settings, and counts as flat: passes are in reach "
+        "where trees hide them. z brings the points back while this program runs. Nothing moves by this."
+    )
+    return "Clear the horizon", words, "make it flat"

@@ -1,0 +1,43 @@
+"""The keys of the horizon, and what it is at this azimuth."""
+
+from __future__ import annotations
+
+from birdcage_tui.canvas import Cells
+from birdcage_tui.control.horizon_state import count_text
+from birdcage_tui.pane import Pane
+from birdcage_tui.view import View
+
+KEYS = (("horizon-mark", "mark"), ("horizon-record", "rec"), ("horizon-undo", "undo"), ("horizon-type", "type"))
+CLEAR = "horizon-clear", "clear"
+"""It stands apart, in the row of words."""
+LEAST_WIDE = 42
+
+
+def horizon_text(view: View) -> tuple[str, str]:
+    """Return the ink and the words: how many points, and how high it is where the dish looks."""
+    mask, position = view.horizon.mask, view.state.position
+    words = f"horizon {count_text(mask)}"
+    if mask and position is not None and view.link_up:
+        words += f", {mask.at(position.az_deg):.1f}° here"
+    return ("warn-strong", f"● RECORDING  {words}") if view.horizon.recording else ("dim", words)
+
+
+class HorizonPane(Pane):
+    """One row of keys, as many as there is room for; with a second row: what the horizon is."""
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Write them."""
+        wide = cells.width >= LEAST_WIDE
+        left = 1 if wide else 0
+        y = 0
+        if cells.height > 1:
+            ink, words = horizon_text(view)
+            start = self.button(cells, cells.width - len(CLEAR[1]) - 5, 0, CLEAR[0], view, CLEAR[1])
+            cells.put(left, 0, words[: start - len(CLEAR[1]) - 6 - left], ink)
+            y = 1
+        x = left
+        for command, name in KEYS:
+            word = "end" if command == "horizon-record" and view.horizon.recording else name
+            length = len(word) + 4
+            if x + length <= cells.width:
+                x = self.button(cells, x, y, command, view, word)
