@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from importlib import import_module
+from keyword import iskeyword
 from typing import Any
 
 import click
@@ -28,6 +29,9 @@ COMMANDS = {
     "where": "Print where a satellite, a body or a slot stands.",
     "sky": "List what is up now.",
     "passes": "List what comes over, and when this dish can follow it.",
+    "downlinks": "List who sends what, and what your feed can hear.",
+    "if": "Work out where a converter puts a frequency, and who can tune to it.",
+    "ready": "Check what is missing before you leave home.",
     "craft": "Ask a remote prediction service, if you have set one.",
     "config": "Show and check birdcage.toml.",
     "paths": "Print where files are kept.",
@@ -54,7 +58,8 @@ class Birdcage(click.Group):
         """Load a command; None if there is none of that name."""
         if cmd_name not in COMMANDS:
             return None
-        module = import_module(f"birdcage.cli.commands.{cmd_name}")
+        # `if` is a word of Python's own, which no module that can be imported is called.
+        module = import_module(f"birdcage.cli.commands.{cmd_name}{'_' if iskeyword(cmd_name) else ''}")
         command: click.Command = module.command
         return command
 

@@ -1,0 +1,140 @@
+"""`birdcage if`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import click
+
+from birdcage.cli.exits import DATA_EPILOG
+from birdcage.cli.options import flags, global_options
+
+if TYPE_CHECKING:
+    from birdcage.sky.band import Conversion, Span
+    from birdcage.sky.downlinks import Downlinks
+
+
+class Frequency(click.ParamType["float"]):
+    """A frequency with its unit, in Hz."""
+
+    name = "FREQ"
+
+    def convert(self, value: str | float, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        """Return hertz."""
+        from birdcage.sky.band import parse_frequency
+
+        if isinstance(value, float):
+            return value
+        try:
+            return parse_frequency(value)
+        except ValueError as error:
+            self.fail(f"{error}.", param, ctx)
+
+
+FREQUENCY = Frequency()
+
+
+@click.command("if", short_help="Work out where a converter puts a frequency.", epilog=DATA_EPILOG)
+@click.option("--rf", "rf_hz", type=FREQUENCY, help="What the satellite sends: 10489.5M, 1.7013G.")
+@click.option("--if", "if_hz", type=FREQUENCY, help="The other way: what the receiver is tuned to.")
+@click.option("--lo", "lo_hz", type=FREQUENCY, help="Local oscillator.  [default: the active feed's, else none]")
+@global_options("config", "json", "verbose")
+def command(rf_hz: float | None, if_hz: float | None, lo_hz: float | None) -> None:
+    """Work out the intermediate frequency behind a converter, what it is for, and which receivers tune to it.
+
+    Units are Hz, k, M and G; a number below a million must say its unit. With --if: what may have been received.
+    """
+    from birdcage.cli.options import find_paths, load_settings
+    from birdcage.cli.say import say, tell, tell_json
+    from birdcage.sky.band import Conversion, rf_of
+    from birdcage.sky.downlinks import load_downlinks
+
+    if (rf_hz is None) == (if_hz is None):
+        raise click.UsageError("Give either --rf, what the satellite sends, or --if, what the receiver is tuned to.")
+    paths = find_paths()
+    settings = load_settings(paths)
+    if lo_hz is None:
+        lo_hz = settings.active_feed.lo_hz or 0.0
+        told = f"LO {lo_hz / 1e6:.10g} MHz" if lo_hz else "no LO is set, so none is taken"
+        say(f"Feed {settings.feed.active}: {told}.")
+    found = (Conversion(rf_hz, lo_hz),) if rf_hz is not None else rf_of(lo_hz, if_hz or 0.0)
+    downlinks = load_downlinks(paths.downlinks_file)
+    for problem in downlinks.problems:
+        say(problem)
+    if flags().json:
+        tell_json([values(each, downlinks) for each in found])
+        return
+    for index, each in enumerate(found):
+        for line in ([""] if index else []) + lines(each, downlinks):
+            tell(line)
+
+
+def values(conversion: Conversion, downlinks: Downlinks) -> dict[str, object]:
+    """Return a conversion for JSON."""
+    from birdcage.sky.band import lnbs, plans, receivers
+
+    rf_hz = conversion.rf_hz
+    return {
+        "rf_hz": rf_hz,
+        "lo_hz": conversion.lo_hz,
+        "if_hz": conversion.if_hz,
+        "inverted": conversion.inverted,
+        "image_hz": conversion.image_hz,
+        "bands": [each.name for each in plans() if each.holds(rf_hz)],
+        "lnbs": [each.name for each in lnbs() if each.holds(rf_hz) and each.lo_hz == conversion.lo_hz],
+        "satellites": senders(conversion, downlinks),
+        "receivers": [
+            {"name": each.name, "reaches": each.holds(conversion.if_hz), "beside_hz": each.beside_hz(conversion.if_hz)}
+            for each in receivers()
+        ],
+    }
+
+
+def lines(conversion: Conversion, downlinks: Downlinks) -> list[str]:
+    """Return it for people."""
+    from birdcage.sky.band import lnbs, megahertz, plans, receivers
+
+    rf_hz, if_hz = conversion.rf_hz, conversion.if_hz
+    told = [f"RF         {megahertz(rf_hz)}"]
+    told += [f"           {each.name}" for each in plans() if each.holds(rf_hz)]
+    names = senders(conversion, downlinks)
+    if names:
+        told.append(f"           {', '.join(names[:6])}{' and more' if len(names) > 6 else ''}")
+    if conversion.lo_hz:
+        side = "above the signal: the spectrum is inverted" if conversion.inverted else "below the signal: not inverted"
+        told.append(f"LO         {megahertz(conversion.lo_hz)}, {side}")
+        made_for = [each for each in lnbs() if each.lo_hz == conversion.lo_hz]
+        for each in made_for:
+            outside = "" if each.holds(rf_hz) else ", and not for this frequency: expect less, or nothing"
+            told.append(
+                f"           as in a {each.name}, made for {each.low_hz / 1e6:g} to {each.high_hz / 1e6:g} MHz{outside}"
+            )
+    else:
+        told.append("LO         none: the receiver is tuned to the signal itself")
+    told.append(f"IF         {megahertz(if_hz)}")
+    if conversion.image_hz is not None:
+        told.append(f"           so is {megahertz(conversion.image_hz)}, its image, where no filter holds it back")
+    told += [f"{each.name:24} {_verdict(each, conversion)}" for each in receivers()]
+    return told
+
+
+def senders(conversion: Conversion, downlinks: Downlinks) -> list[str]:
+    """Return who is known to send there, and not known to be off the air."""
+    rf_hz = conversion.rf_hz
+    there = (each for each in downlinks if each.alive is not False and each.freq_min_hz <= rf_hz <= each.freq_max_hz)
+    return sorted({each.satellite for each in there})
+
+
+def _verdict(receiver: Span, conversion: Conversion) -> str:
+    """Return whether a receiver tunes there, and else by how much not, and which oscillator would do."""
+    from birdcage.sky.band import megahertz
+
+    note = f" ({receiver.note})" if receiver.note else ""
+    beside_hz = receiver.beside_hz(conversion.if_hz)
+    if not beside_hz:
+        return f"✓ reaches it{note}"
+    tunes = f"{receiver.low_hz / 1e6:g} to {receiver.high_hz / 1e6:g} MHz"
+    below = beside_hz < 0
+    wanted_hz = conversion.rf_hz - (receiver.low_hz if below else receiver.high_hz)
+    remedy = f"; an LO of {megahertz(wanted_hz)} or {'less' if below else 'more'} would do" if wanted_hz > 0 else ""
+    return f"✗ {tunes}: {megahertz(abs(beside_hz))} too {'low' if below else 'high'}{remedy}{note}"

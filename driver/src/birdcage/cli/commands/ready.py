@@ -1,0 +1,40 @@
+"""`birdcage ready`."""
+
+from __future__ import annotations
+
+import click
+
+from birdcage.cli.exits import DATA_EPILOG, NOT_DONE
+from birdcage.cli.options import find_paths, flags, global_options, load_settings
+
+
+@click.command("ready", short_help="Check what is missing before you leave home.", epilog=DATA_EPILOG)
+@global_options("port", "firmware", "config", "json", "verbose")
+@click.pass_context
+def command(context: click.Context) -> None:
+    """Go through all that is needed where there is no network: elements, clock, ephemeris, place, port, settings.
+
+    Nothing is sent, no port is opened and the dish stays as it is. ✓ is good, ! is worth a look, ✗ must be mended:
+    then the exit status is 1.
+    """
+    from birdcage.base.clock import RealClock
+    from birdcage.cli.ready_checks import GLYPHS, checks
+    from birdcage.cli.say import say, tell, tell_json
+
+    paths = find_paths()
+    found = list(checks(paths, load_settings(paths), RealClock().utc()))
+    must = sum(each.state == "must" for each in found)
+    look = sum(each.state == "look" for each in found)
+    if flags().json:
+        rows = [{"name": e.name, "state": e.state, "words": e.words, "remedy": e.remedy or None} for e in found]
+        tell_json({"ready": not must, "checks": rows})
+    else:
+        width = max(len(each.name) for each in found)
+        for each in found:
+            tell(f"{GLYPHS[each.state]} {each.name:{width}}  {each.words}")
+            if each.remedy:
+                tell(f"  {'':{width}}  → {each.remedy}")
+    if must:
+        say(f"Not ready: {must} to mend{f', {look} to look at' if look else ''}.")
+        context.exit(NOT_DONE)
+    say(f"Ready, with {look} to look at." if look else "Ready.")

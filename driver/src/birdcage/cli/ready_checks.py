@@ -1,0 +1,160 @@
+"""What `birdcage ready` looks at, one thing each: is it good, is it worth a look, must it be mended first."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal
+
+if TYPE_CHECKING:
+    from datetime import datetime
+
+    from birdcage.base.config import Settings
+    from birdcage.base.paths import Paths
+
+State = Literal["good", "look", "must"]
+GLYPHS: dict[State, str] = {"good": "✓", "look": "!", "must": "✗"}
+
+
+@dataclass(frozen=True, slots=True)
+class Check:
+    """One line of the list."""
+
+    name: str
+    state: State
+    words: str
+    remedy: str = ""
+    """The command, or what else mends it; empty for what is good."""
+
+
+def checks(paths: Paths, settings: Settings, now: datetime) -> Iterator[Check]:
+    """Yield every check, in the order in which one mends them. No network, no port is opened; takes at most 4 s."""
+    from birdcage.cli.ready_sky import clock, elements, ephemeris
+
+    yield config(paths, settings)
+    yield place(settings)
+    yield clock(paths, now)
+    yield from elements(paths, now)
+    yield ephemeris(now)
+    yield dish(settings)
+    yield port(settings)
+    yield tv_search(settings)
+    yield limits(settings)
+    yield feed(settings)
+    yield downlinks(paths)
+
+
+def config(paths: Paths, settings: Settings) -> Check:
+    """Whether birdcage.toml could be read."""
+    if not settings.problems:
+        there = paths.config_file.exists()
+        return Check("config", "good", f"{paths.config_file} is in order" if there else "no file: all is default")
+    count = len(settings.problems)
+    words = f"{settings.problems[0].text}{f' And {count - 1} more.' if count > 1 else ''}"
+    if settings.motion_problem is not None:
+        return Check("config", "must", f"nothing would move: {words}", "birdcage config check")
+    return Check("config", "look", words, "birdcage config check")
+
+
+def place(settings: Settings) -> Check:
+    """Whether it is known where the dish will stand."""
+    here = settings.place
+    if here.latitude_deg is None or here.longitude_deg is None:
+        return Check("place", "must", "not set: no pass and no direction can be computed", "birdcage place add")
+    where = f"{here.latitude_deg:.3f}, {here.longitude_deg:.3f}, {here.height_m:.0f} m"
+    horizon = f", horizon of {len(here.horizon)} points" if here.horizon else ", flat horizon"
+    return Check("place", "good", f"{f'{here.name}: ' if here.name else ''}{where}{horizon}")
+
+
+def dish(settings: Settings) -> Check:
+    """Whether it is known which dish it is."""
+    from birdcage.station.known import list_models
+
+    name = settings.dish.firmware
+    if name is None:
+        return Check("dish", "look", "its firmware is not named: it will be asked or listened for", "birdcage setup")
+    model = next((each for each in list_models() if each.firmware == name), None)
+    if model is None:
+        return Check("dish", "must", f"firmware {name!r} is none that this version speaks", "birdcage setup")
+    return Check("dish", "good", f"{model.name}, firmware {name}")
+
+
+def port(settings: Settings) -> Check:
+    """Whether the port is there and may be used. It is not opened."""
+    name = settings.dish.port
+    if name is None:
+        return Check("port", "look", "not set; plug in the adapter and see", "birdcage ports")
+    if ":" in name and not Path(name).exists():
+        return Check("port", "look", f"{name} is an address: whether it answers shows only when it is opened")
+    if name.upper().startswith("COM"):
+        from birdcage.station.known import list_ports
+
+        plugged = name.upper() in (each.device.upper() for each in list_ports())
+        return Check("port", "good", f"{name} is there") if plugged else _no_port(name)
+    if not Path(name).exists():
+        return _no_port(name)
+    if not os.access(name, os.R_OK | os.W_OK):
+        return Check(
+            "port", "must", f"{name} is there, but you may not use it", "birdcage wiring, and the group dialout"
+        )
+    return Check("port", "good", f"{name} is there and may be used")
+
+
+def _no_port(name: str) -> Check:
+    return Check("port", "look", f"{name} is not plugged in: take the adapter along", "birdcage ports")
+
+
+def tv_search(settings: Settings) -> Check:
+    """Whether the dish's own search for television is remembered as switched off."""
+    kept = settings.setup.kept("search")
+    if kept is not None and kept.done:
+        return Check("TV search", "good", f"{kept.evidence or 'done'} ({kept.when[:10]})")
+    words = "left out" if kept is not None and kept.skipped else "not known"
+    return Check("TV search", "look", f"{words}: the dish may begin to search by itself", "birdcage init")
+
+
+def limits(settings: Settings) -> Check:
+    """Whether the user said how far the cable and the elevation may go."""
+    motion = settings.motion
+    told = []
+    if None not in (motion.cable_min_deg, motion.cable_max_deg):
+        told.append(f"cable {motion.cable_min_deg:+.0f}° to {motion.cable_max_deg:+.0f}°")
+    if motion.min_elevation_deg is not None or motion.max_elevation_deg is not None:
+        ends = ("-" if each is None else f"{each:g}°" for each in (motion.min_elevation_deg, motion.max_elevation_deg))
+        told.append("elevation {} to {}".format(*ends))
+    if motion.no_go_sectors:
+        told.append(f"{len(motion.no_go_sectors)} no-go sectors")
+    if motion.cable_min_deg is None or motion.cable_max_deg is None:
+        told.insert(0, "of the cable only the firmware's: your own coax may be shorter")
+        return Check("limits", "look", ", ".join(told), "birdcage setup")
+    return Check("limits", "good", ", ".join(told))
+
+
+def feed(settings: Settings) -> Check:
+    """Whether it is known what hangs in the focus."""
+    from birdcage.sky.downlinks_hearing import has_band
+
+    name, mounted = settings.feed.active, settings.active_feed
+    if "feed.active" not in settings.sources:
+        return Check("feed", "look", f"{name}, as nobody named another: is that what is mounted?", "birdcage setup")
+    if not has_band(mounted):
+        return Check("feed", "look", f"{name} has no band: freq_min_hz and freq_max_hz", "birdcage config path")
+    assert mounted.freq_min_hz is not None
+    assert mounted.freq_max_hz is not None
+    lo = "" if mounted.lo_hz is None else f", LO {mounted.lo_hz / 1e6:.10g} MHz"
+    band = f"{mounted.freq_min_hz / 1e6:.10g} to {mounted.freq_max_hz / 1e6:.10g} MHz"
+    stow = "may be stowed" if mounted.stow_allowed else "stow locked"
+    return Check("feed", "good", f"{name}, {band}{lo}, {stow}")
+
+
+def downlinks(paths: Paths) -> Check:
+    """Whether the user's own table of downlinks could be read."""
+    from birdcage.sky.downlinks import load_downlinks
+
+    table = load_downlinks(paths.downlinks_file)
+    if table.problems:
+        return Check("downlinks", "look", table.problems[0], f"mend {paths.downlinks_file}")
+    own = sum(each.own for each in table)
+    return Check("downlinks", "good", f"{len(table)} known{f', {own} of them your own' if own else ''}")

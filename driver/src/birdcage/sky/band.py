@@ -1,0 +1,114 @@
+"""What a converter makes of a frequency: the intermediate frequency, which way round, and who can tune to it."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+_UNITS = {"": 1.0, "k": 1e3, "m": 1e6, "g": 1e9}
+_FREQUENCY = re.compile(r"\s*(\d+(?:[.,]\d*)?|[.,]\d+)\s*([kmg]?)(?:hz)?\s*", re.IGNORECASE)
+LEAST_BARE_HZ = 1e6
+"""A smaller number without a unit is rather megahertz than hertz, and is not guessed at."""
+
+
+def parse_frequency(text: str) -> float:
+    """Return a frequency in Hz: `9750M`, `10.4895 GHz`, `437800k`, `1701300000`. ValueError, a sentence, for none."""
+    found = _FREQUENCY.fullmatch(text)
+    if found is None:
+        raise ValueError(f"{text!r} is no frequency such as 9750M or 10.4895G")
+    number, unit = float(found[1].replace(",", ".")), found[2].lower()
+    hz = number * _UNITS[unit]
+    if not unit and "hz" not in text.lower() and hz < LEAST_BARE_HZ:
+        raise ValueError(f"{text!r} has no unit: say {text.strip()}M for megahertz")
+    if not 0.0 < hz <= 1e12:
+        raise ValueError(f"{text!r} is no frequency from 1 Hz to 1 THz")
+    return hz
+
+
+def megahertz(hz: float) -> str:
+    """Return a frequency as people read it, to the hertz: `10489.5 MHz`."""
+    return f"{hz / 1e6:.6f}".rstrip("0").rstrip(".") + " MHz"
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """A row of `data/bands.toml`: something with a name and a range of frequencies."""
+
+    name: str
+    low_hz: float
+    high_hz: float
+    source: str
+    lo_hz: float | None = None
+    """Its local oscillator, of a converter."""
+    note: str = ""
+
+    def holds(self, hz: float) -> bool:
+        """Return whether a frequency lies in it."""
+        return self.low_hz <= hz <= self.high_hz
+
+    def beside_hz(self, hz: float) -> float:
+        """Return by how much a frequency lies below (negative) or above it; 0 within."""
+        return min(hz - self.low_hz, 0.0) + max(hz - self.high_hz, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Conversion:
+    """What a converter with one oscillator makes of one frequency."""
+
+    rf_hz: float
+    lo_hz: float
+    """0: there is no converter."""
+
+    @property
+    def if_hz(self) -> float:
+        """The intermediate frequency, never negative."""
+        return abs(self.rf_hz - self.lo_hz)
+
+    @property
+    def inverted(self) -> bool:
+        """Whether the spectrum comes out mirrored: the oscillator is above the signal."""
+        return self.lo_hz > self.rf_hz
+
+    @property
+    def image_hz(self) -> float | None:
+        """What else lands on the same frequency, if no filter holds it back; None without a converter, or below 0."""
+        image = 2.0 * self.lo_hz - self.rf_hz
+        return image if self.lo_hz and image > 0.0 else None
+
+
+def rf_of(lo_hz: float, if_hz: float) -> tuple[Conversion, ...]:
+    """Return what may have been converted to an intermediate frequency: above the oscillator first, then below it."""
+    sums = (lo_hz + if_hz, lo_hz - if_hz) if lo_hz else (if_hz,)
+    return tuple(Conversion(rf_hz, lo_hz) for rf_hz in sums if rf_hz > 0.0)
+
+
+def lnbs() -> tuple[Span, ...]:
+    """Return the common converters."""
+    return _rows()["lnb"]
+
+
+def receivers() -> tuple[Span, ...]:
+    """Return the receivers, each with what it tunes."""
+    return _rows()["receiver"]
+
+
+def plans() -> tuple[Span, ...]:
+    """Return who uses what part of the spectrum."""
+    return _rows()["plan"]
+
+
+@cache
+def _rows() -> dict[str, tuple[Span, ...]]:
+    import tomllib
+    from importlib.resources import files
+
+    data = tomllib.loads((files("birdcage.sky") / "data" / "bands.toml").read_text(encoding="utf-8"))
+    return {kind: tuple(_span(row) for row in rows) for kind, rows in data.items()}
+
+
+def _span(row: dict[str, Any]) -> Span:
+    low_mhz, high_mhz = row.get("if_mhz") or row["rf_mhz"]
+    lo_hz = row["lo_mhz"] * 1e6 if "lo_mhz" in row else None
+    return Span(row["name"], low_mhz * 1e6, high_mhz * 1e6, row["source"], lo_hz, row.get("note", ""))

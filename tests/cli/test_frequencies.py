@@ -1,0 +1,122 @@
+"""`birdcage if` and `birdcage downlinks`: where a frequency ends up, and what a feed can hear."""
+
+from __future__ import annotations
+
+import pytest
+
+HELIX = """
+[feed]
+active = "helix"
+[feed.helix]
+freq_min_hz = 1.67e9
+freq_max_hz = 1.71e9
+polarization = "circular"
+lo_hz = 0.0
+"""
+
+
+@pytest.fixture(autouse=True)
+def at_home(tmp_path, monkeypatch):
+    monkeypatch.setenv("BIRDCAGE_HOME", str(tmp_path))
+    return tmp_path
+
+
+@pytest.fixture
+def ask(run):
+    def ask(*words, **more):
+        return run(*words, firmware="", **more)
+
+    return ask
+
+
+def lines(result):
+    return [" ".join(line.split()) for line in result.stdout.splitlines()]
+
+
+def test_qo100_behind_a_universal_lnb(ask):
+    result = ask("if", "--lo", "9750M", "--rf", "10489.5M")
+    told = lines(result)
+    assert "IF 739.5 MHz" in told
+    assert "LO 9750 MHz, below the signal: not inverted" in told
+    assert "QO-100 narrow band, vertical" in told
+    assert "RTL-SDR (R820T, R828D) ✓ reaches it" in told
+    missed = "✗ 950 to 2150 MHz: 210.5 MHz too low; an LO of 9539.5 MHz or less would do"
+    assert f"television receiver {missed}" in told
+    assert any("made for 10700 to 11700 MHz, and not for this frequency" in line for line in told)
+
+
+def test_a_c_band_lnb_inverts(ask, as_json):
+    assert "LO 5150 MHz, above the signal: the spectrum is inverted" in lines(
+        ask("if", "--lo", "5150M", "--rf", "3.95G")
+    )
+    (found,) = as_json(ask("if", "--lo", "5150M", "--rf", "3.95G", "--json"))
+    assert (found["if_hz"], found["inverted"], found["image_hz"]) == (1.2e9, True, 6.35e9)
+    assert found["lnbs"] == ["C-band LNB"]
+    assert {each["name"]: each["reaches"] for each in found["receivers"]}["SkyWalker-1"] is True
+
+
+def test_the_other_way_round_names_both_that_it_may_have_been(ask, as_json):
+    found = as_json(ask("if", "--lo", "9750M", "--if", "1G", "--json"))
+    assert [each["rf_hz"] for each in found] == [10.75e9, 8.75e9]
+
+
+def test_the_oscillator_is_the_feeds_unless_one_is_named(ask, at_home, as_json):
+    (at_home / "birdcage.toml").write_text(HELIX.replace("lo_hz = 0.0", "lo_hz = 1.0e9"))
+    result = ask("if", "--rf", "1701.3M", "--json")
+    assert as_json(result)[0]["if_hz"] == 701.3e6
+    assert "Feed helix: LO 1000 MHz." in result.stderr
+
+
+def test_who_is_dead_is_not_named_as_a_sender(ask, as_json):
+    (found,) = as_json(ask("if", "--rf", "1701.3M", "--lo", "1M", "--json"))
+    assert found["satellites"] == ["METOP-B", "METOP-C"]
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (("--rf", "10489.5"), "say 10489.5M for megahertz"),
+        ((), "Give either --rf"),
+        (("--rf", "1G", "--if", "1G"), "Give either --rf"),
+        (("--rf", "much"), "no frequency"),
+    ],
+)
+def test_what_cannot_be_worked_out_is_said(ask, words, told):
+    result = ask("if", *words)
+    assert result.exit_code == 2
+    assert told in result.stderr
+
+
+def test_downlinks_of_the_mounted_feed_with_what_the_polarisation_costs(ask, at_home):
+    (at_home / "birdcage.toml").write_text(HELIX)
+    told = lines(ask("downlinks"))
+    assert told[0] == "SATELLITE MHZ MODE POL ON THE AIR REMARK"
+    assert "METOP-B 1701.3 AHRPT RHCP on 2026-10-16 -" in told
+    assert "GOES 19 1694.1 HRIT linear on 2026-10-16 3 dB lost: linear into a feed of the other kind" in told
+    assert not [line for line in told if line.startswith(("NOAA 1", "QO-100"))]
+
+
+def test_all_of_them_also_those_off_the_air_and_beside_the_band(ask, at_home):
+    (at_home / "birdcage.toml").write_text(HELIX)
+    told = lines(ask("downlinks", "noaa 1", "--all"))
+    assert "NOAA 18 1707 HRPT RHCP off 2025-06-06 -" in told
+    assert "NOAA 15 137.62 APT - off 2025-08-19 not in this feed's band" in told
+    assert "hears nothing of it; --all" in ask("downlinks", "noaa 1").stderr
+
+
+def test_a_feed_without_a_band_lists_all_and_says_why(ask, at_home, as_json):
+    (at_home / "birdcage.toml").write_text('[feed]\nactive = "horn"\n[feed.horn]\nbeam_deg = 5.0\n')
+    result = ask("downlinks", "--json")
+    assert len(as_json(result)) > 100
+    assert "has no freq_min_hz" in result.stderr
+    assert not any(each["hearable"] for each in as_json(result))
+
+
+def test_ones_own_file_counts_and_what_is_wrong_with_it_is_said(ask, at_home):
+    (at_home / "birdcage.toml").write_text(HELIX)
+    (at_home / "downlinks.toml").write_text(
+        '[[downlink]]\nsatellite = "MINE"\nfreq_mhz = 1690\n[[downlink]]\nsatellite = "YOURS"\n'
+    )
+    result = ask("downlinks")
+    assert "MINE 1690 - - ? -" in lines(result)
+    assert "downlinks.toml:4: freq_mhz is missing" in result.stderr

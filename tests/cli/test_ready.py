@@ -1,0 +1,198 @@
+"""`birdcage ready`: what is missing before one leaves home, and the command that mends each."""
+
+from __future__ import annotations
+
+import socket
+from dataclasses import replace
+from datetime import UTC, datetime, timedelta
+
+import birdcage.gps.clock_check
+import pytest
+from birdcage.base.paths import Paths
+from birdcage.gps.verdict import ClockVerdict
+from birdcage.sky.catalogue import Catalogue
+from birdcage.sky.elements import ElementSet
+
+NOW = datetime.now(UTC)
+STATION = ElementSet("ISS (ZARYA)", 25544, NOW - timedelta(hours=6), 51.6, 0, 0.0005, 0, 0, 15.4995)
+SETTINGS = """
+[dish]
+port = "{port}"
+firmware = "g2"
+[motion]
+cable_min_deg = -360.0
+cable_max_deg = 20.0
+min_elevation_deg = 18.0
+[place]
+name = "Field"
+latitude_deg = 52.0
+longitude_deg = 5.0
+[feed]
+active = "helix"
+[feed.helix]
+freq_min_hz = 1.67e9
+freq_max_hz = 1.71e9
+[setup]
+search = "done 2026-11-01T10:00Z: NVS 20 TRUE"
+"""
+
+
+@pytest.fixture(autouse=True)
+def at_home(tmp_path, monkeypatch):
+    monkeypatch.setenv("BIRDCAGE_HOME", str(tmp_path))
+    return tmp_path
+
+
+@pytest.fixture(autouse=True)
+def clock(monkeypatch):
+    """Let the system say of its clock what a test wants."""
+
+    def say(verdict):
+        monkeypatch.setattr(birdcage.gps.clock_check, "check_clock", lambda _now, _state: verdict)
+
+    say(ClockVerdict("network", "network time (chrony)", NOW, None, 0.01))
+    return say
+
+
+@pytest.fixture
+def prepared(at_home):
+    """Set everything up: what is taken away afterwards is missing."""
+    (at_home / "tty").touch()
+    (at_home / "birdcage.toml").write_text(SETTINGS.format(port=at_home / "tty"))
+    with Catalogue(Paths.in_folder(at_home).catalogue) as catalogue:
+        catalogue.add([STATION])
+        catalogue.set_favourite(25544)
+    return at_home
+
+
+@pytest.fixture
+def ready(run, as_json):
+    """Return the exit status and the checks by name."""
+
+    def ready(*words):
+        result = run("ready", "--json", *words, port=None, firmware="")
+        return result.exit_code, {each["name"]: each for each in as_json(result)["checks"]}
+
+    return ready
+
+
+def test_all_is_well(run, prepared):
+    result = run("ready", port=None, firmware="")
+    told = [" ".join(line.split()) for line in result.stdout.splitlines()]
+    assert all(line.startswith("✓") for line in told), result.stdout
+    assert "✓ place Field: 52.000, 5.000, 0 m, flat horizon" in told
+    assert "✓ TV search NVS 20 TRUE (2026-11-01)" in told
+    assert "✓ limits cable -360° to +20°, elevation 18° to -" in told
+    assert "✓ elements one satellite, 6 h old" in told
+    assert any(line.startswith("✓ ISS (ZARYA) ● fresh: 6 h old, 0.10° off") for line in told)
+    assert result.stderr.strip() == "Ready."
+    assert result.exit_code == 0
+
+
+def test_nothing_at_all_names_what_must_be_done_and_the_command_for_each(ready):
+    status, found = ready()
+    assert status == 1
+    assert {name for name, each in found.items() if each["state"] == "must"} == {"place", "elements"}
+    assert found["elements"]["remedy"] == "birdcage elements update"
+    assert found["place"]["remedy"] == "birdcage place add"
+    assert {name for name, each in found.items() if each["state"] == "look"} == {
+        "dish", "port", "TV search", "limits", "feed",
+    }  # fmt: skip
+    assert all(each["remedy"] for each in found.values() if each["state"] != "good")
+
+
+def test_what_is_only_worth_a_look_leaves_the_exit_status_at_0(ready, prepared):
+    (prepared / "tty").unlink()
+    status, found = ready()
+    assert found["port"]["state"] == "look"
+    assert "not plugged in" in found["port"]["words"]
+    assert status == 0
+
+
+def test_a_favourite_whose_elements_are_useless_must_be_updated(ready, prepared):
+    with Catalogue(Paths.in_folder(prepared).catalogue) as catalogue:
+        catalogue.remove([25544])
+        catalogue.add([replace(STATION, epoch=NOW - timedelta(days=10))])
+        catalogue.set_time_offset(25544, 1.5, now=datetime(2026, 11, 1, tzinfo=UTC))
+    status, found = ready()
+    assert status == 1
+    assert found["ISS (ZARYA)"]["state"] == "must"
+    assert found["ISS (ZARYA)"]["words"].startswith("✗ useless: 10 d old, error not known: after 7 d it is 17°")
+    assert found["ISS (ZARYA)"]["words"].endswith("; your offset +1.5 s is of 2026-11-01")
+    assert found["elements"]["state"] == "look", "its age alone is worth a look"
+
+
+def test_the_few_that_ship_are_no_elements(ready, prepared):
+    from birdcage.sky.frozen import frozen
+
+    with Catalogue(Paths.in_folder(prepared).catalogue) as catalogue:
+        catalogue.remove([25544])
+        catalogue.add(frozen())
+    assert ready()[1]["elements"]["state"] == "must"
+
+
+def test_a_damaged_catalogue_is_told_and_the_rest_goes_on(ready, prepared):
+    Paths.in_folder(prepared).catalogue.write_bytes(b"no database" * 100)
+    status, found = ready()
+    assert status == 1
+    assert "can't be read" in found["elements"]["words"]
+    assert found["ephemeris"]["state"] == "good"
+
+
+@pytest.mark.parametrize(
+    ("verdict", "state"),
+    [
+        (ClockVerdict("unknown", "nobody", NOW, doubt="Nobody knows."), "look"),
+        (ClockVerdict("remembered", "gpsd", NOW, 5.0, 0.1, doubt="The clock is 5.0 s fast: set it."), "must"),
+    ],
+)
+def test_a_clock_that_is_wrong_must_be_set_and_one_of_which_nobody_knows_is_worth_a_look(
+    ready, prepared, clock, verdict, state
+):
+    clock(verdict)
+    found = ready()[1]["clock"]
+    assert (found["state"], found["words"]) == (state, verdict.doubt)
+    assert "birdcage clock" in found["remedy"]
+
+
+def test_a_port_that_may_not_be_used_must_be_mended(ready, prepared, monkeypatch):
+    monkeypatch.setattr("os.access", lambda _path, _mode: False)
+    status, found = ready()
+    assert status == 1
+    assert "may not use it" in found["port"]["words"]
+
+
+def test_a_port_that_is_an_address_is_not_asked(ready, prepared):
+    status, found = ready("--port", "socket://dish.local:4000")
+    assert status == 0
+    assert found["port"]["state"] == "look"
+    assert "only when it is opened" in found["port"]["words"]
+
+
+def test_settings_that_limit_motion_and_cannot_be_read_must_be_mended(ready, prepared):
+    with (prepared / "birdcage.toml").open("a") as file:
+        file.write("\n[alignment]\naz_offset_deg = 'north'\n")
+    status, found = ready()
+    assert status == 1
+    assert found["config"]["state"] == "must"
+    assert "alignment.az_offset_deg" in found["config"]["words"]
+
+
+def test_a_firmware_that_nobody_speaks_must_be_mended(ready, prepared):
+    assert ready("--firmware", "g9")[1]["dish"]["state"] == "must"
+
+
+def test_ones_own_table_of_downlinks_is_read(ready, prepared):
+    (prepared / "downlinks.toml").write_text("[[downlink]]\n")
+    found = ready()[1]["downlinks"]
+    assert found["state"] == "look"
+    assert "satellite is missing" in found["words"] or "freq_mhz is missing" in found["words"]
+
+
+def test_no_network_is_touched_and_no_file_is_made(ready, at_home, monkeypatch):
+    def refuse(*_args):
+        raise AssertionError("a socket was opened")
+
+    monkeypatch.setattr(socket.socket, "connect", refuse)
+    ready()
+    assert list(at_home.iterdir()) == []
