@@ -17,13 +17,17 @@ if TYPE_CHECKING:
     from birdcage.base.config import Settings
     from birdcage.base.paths import Paths
     from birdcage.sky.horizon import HorizonMask
+    from birdcage.sky.world import WorldView
 
     from birdcage_tui.passes.model import Row, SkyPicture
+    from birdcage_tui.passes.world_map_ask import Ask
 
 Show = Callable[["SkyPicture"], object]
 """Takes a picture of the sky, on whichever thread made it."""
 Say = Callable[[str], object]
 """Takes a sentence to be told, on any thread."""
+ShowWorld = Callable[["WorldView"], object]
+"""Takes the world at one moment, on whichever thread made it."""
 
 
 class SkySource(Protocol):
@@ -43,6 +47,9 @@ class SkySource(Protocol):
 
     def export(self, rows: Sequence[Row]) -> None:
         """Write passes to files, and tell where."""
+
+    def look_down(self, ask: Ask, show: ShowWorld) -> None:
+        """Work out what a map of the world shows, and show it."""
 
     def close(self) -> None:
         """End soon; nothing is told any more."""
@@ -96,6 +103,13 @@ class SkyFeed:
         """Write passes to files; where is told later."""
         if self.source is not None:
             self.source.export(rows)
+
+    def look_down(self, ask: Ask, show: ShowWorld) -> bool:
+        """Work out what a map of the world shows; return whether that will be done."""
+        if self.source is None or self._closed:
+            return False
+        self.source.look_down(ask, show)
+        return True
 
     def close(self) -> None:
         """End."""

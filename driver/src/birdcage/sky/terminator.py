@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from datetime import datetime
 
 from birdcage.base.geometry import shortest_turn
-
 from birdcage.sky.sun import sun
 
 

@@ -14,20 +14,28 @@ from birdcage_tui.view import View
 
 OVER = (*QUIET, "target", "text", "accent")
 """Dots that a mark may stand on."""
+CALM = ("faint", "line")
 SMALLEST = (20, 6)
 LONGEST = 16
 """Letters of a name."""
 CELLS_A_NAME = 90
 """A name for so many cells of the map, at most."""
-EMPTY = ("The world, with the ground track of the chosen pass.", "No place is set, or nothing is known yet.")
+NOTHING = "No pass is chosen, or its satellite has no position then."
+EMPTY = "The world comes with the first look at the sky."
 
 
-class WorldMapPane(Pane):
-    """Shows one `WorldView` after another; what it is given is drawn with the next frame at the latest."""
+class WorldMapPane(Pane, can_focus=True):
+    """Shows one `WorldView` after another."""
+
+    HELP = (
+        "The world with the satellites of the listed passes. Of the chosen one, the orbit ahead is solid and the one "
+        "behind is dotted; from inside the ring it is in view. Dots are night; ☼ has the Sun overhead. Up and down "
+        "choose another pass, w goes back to the list."
+    )
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
-        self.border_title = "World  ━ ahead  ┄ behind  ○ sees it  ⠢ night"
+        self.border_title = "World  ━ ahead  ┄ behind  ○ in view  · night  ☼ Sun overhead"
         self.world: WorldView | None = None
         self._layers = Layers()
 
@@ -47,8 +55,7 @@ class WorldMapPane(Pane):
         """Draw what is quiet (kept between frames), then what moves, then the figures."""
         world = self.world
         if world is None or cells.width < SMALLEST[0] or cells.height < SMALLEST[1]:
-            for row, words in enumerate(EMPTY if world is None else ("Too small for a map.",)):
-                cells.put(1, row, words[: cells.width - 1], "dim")
+            cells.put(1, 0, (EMPTY if world is None else "Too small for a map.")[: cells.width - 1], "dim")
             return
         chart, left, top = self.chart(cells.width, cells.height)
         canvas = self._layers.draw(chart, world.sun)
@@ -80,8 +87,8 @@ def place_text(latitude_deg: float, longitude_deg: float, digits: int = 1) -> st
 
 def _lines(canvas: Braille, chart: Chart, world: WorldView) -> None:
     """Draw the ring, then the way: past is dotted, future is solid."""
-    for places, ink, spacing in ((world.footprint, "text", 2.0), (world.behind, "target", 4.0),
-                                 (world.ahead, "target", 0.9)):  # fmt: skip
+    for places, ink, spacing in ((world.footprint, "dim", 1.0), (world.behind, "target", 4.0),
+                                 (world.ahead, "target", 1.0)):  # fmt: skip
         for x, y in chart.along(places, spacing):
             canvas.dot(x, y, ink)
 
@@ -101,29 +108,38 @@ def _marks(cells: Cells, chart: Chart, left: int, top: int, world: WorldView, vi
     if world.observer is not None:
         spot = at(world.observer.latitude_deg, world.observer.longitude_deg)
         cells.put(*spot, view.pointer, "accent-strong")
-        _name(cells, chart, left, world.observer.name or "you", *spot, "accent")
+        _name(cells, chart, left, world.observer.name or "you", *spot, "accent", CALM)
     if world.chosen is not None:
         spot = at(world.chosen.latitude_deg, world.chosen.longitude_deg)
         cells.put(*spot, "•", "target-strong")
-        _name(cells, chart, left, world.chosen.name, *spot, "target-strong", OVER)
+        _name(cells, chart, left, world.chosen.name, *spot, "target-strong", CALM, QUIET, OVER)
     room = chart.width * chart.height // CELLS_A_NAME
     for one in sorted(world.satellites, key=lambda one: (not one.favourite, one.name))[:room]:
         spot = at(one.latitude_deg, one.longitude_deg)
-        _name(cells, chart, left, one.name, *spot, "text" if one.favourite else "dim", ("faint",))
+        if one.favourite:
+            _name(cells, chart, left, one.name, *spot, "text", CALM)
+        else:
+            _name(cells, chart, left, one.name, *spot, "dim", ("faint",), rows=1)
 
 
 def _name(
-    cells: Cells, chart: Chart, left: int, name: str, x: int, y: int, ink: str, over: tuple[str, ...] = QUIET
+    cells: Cells, chart: Chart, left: int, name: str, x: int, y: int, ink: str, *over: tuple[str, ...], rows: int = 3
 ) -> None:
-    """Write a name beside its mark, away from the nearer side, where it hides nothing louder than `over`."""
+    """Write a name beside its mark, away from the nearer side, on dots in the first of those inks that leave room.
+
+    `rows`: 3 for a name that may also stand a row above or below, 1 for one that then would be taken for another's.
+    """
     if len(name) > LONGEST:
         name = name[: LONGEST - 1] + "…"
     sides = (x + 2, x - 1 - len(name))
-    for start in sides if x < left + chart.width // 2 else sides[::-1]:
-        for row in (y, y - 1, y + 1):
-            if cells.free(start, row, len(name), *over):
-                cells.put(start, row, name, ink)
-                return
+    for inks in over:
+        for start in sides if x < left + chart.width // 2 else sides[::-1]:
+            for row in (y, y - 1, y + 1)[:rows]:
+                inside = left <= start <= left + chart.width - len(name)
+                begin, end = max(start - 1, 0), min(start + len(name) + 1, cells.width)
+                if inside and cells.free(begin, row, end - begin, *inks):
+                    cells.put(start, row, name, ink)
+                    return
 
 
 def _figures(cells: Cells, world: WorldView) -> None:
@@ -132,7 +148,7 @@ def _figures(cells: Cells, world: WorldView) -> None:
     x = cells.put(1, y, f"{world.utc:%H:%M:%S}Z  ", "dim")
     chosen = world.chosen
     if chosen is None:
-        cells.put(x, y, "No pass is chosen."[: cells.width - x], "dim")
+        cells.put(x, y, NOTHING[: cells.width - x], "dim")
         return
     for ink, words in (("target-strong", chosen.name), ("text", _where(chosen)), ("dim", _wide(chosen))):
         if x + len(words) <= cells.width:

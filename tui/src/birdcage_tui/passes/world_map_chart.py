@@ -5,16 +5,20 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import groupby, pairwise
 
 from birdcage.base.geometry import shortest_turn
-from birdcage.sky.coastline import coastline
+from birdcage.sky.coastline import Line, coastline
 from birdcage.sky.terminator import SubSolar
 
 from birdcage_tui.canvas import Braille
 
 STRETCH = 1.35
 """How much wider or higher than true the map may be, to fill its pane."""
+ALMOST_180 = 179.999
+"""The right side of the map, which as 180 degrees would be the left one."""
+SMALLEST_DOTS = 2.5
+"""An island smaller than this would be a blot."""
 NIGHT_DEG = 0.25
 """The Sun goes so far in a minute; the night is drawn again then."""
 
@@ -49,14 +53,17 @@ class Chart:
         return 90.0 - (row + 0.5) / self.height * 180.0, (column + 0.5) / self.width * 360.0 - 180.0
 
     def along(self, places: Sequence[tuple[float, float]], spacing: float) -> Iterator[tuple[float, float]]:
-        """Yield dots evenly along a line of places; it leaves at one side and comes in at the other."""
+        """Yield dots along a line of places, `spacing` apart along its flatter axis, so that 1 makes a thin line.
+
+        What leaves at one side comes in at the other.
+        """
         across = self.width * 2
         due = 0.0
         for (lat0, lon0), (lat1, lon1) in pairwise(places):
             x, y = self.dot(lat0, lon0)
             dx = shortest_turn(lon0, lon1) / 360.0 * across
             dy = self.dot(lat1, lon1)[1] - y
-            length = math.hypot(dx, dy)
+            length = max(abs(dx), abs(dy))
             while due <= length and length > 0.0:
                 yield (x + dx * due / length) % across, y + dy * due / length
                 due += spacing
@@ -83,10 +90,22 @@ class Layers:
         if self._still is None or self._still[0] != chart:
             canvas = Braille(chart.width, chart.height)
             for line in coastline():
-                for x, y in chart.along(line, 0.9):
-                    canvas.dot(x, y, "line")
+                if _size_deg(line) * chart.height * 4 / 180.0 < SMALLEST_DOTS:
+                    continue
+                # From dot to dot: pieces shorter than one would make a thick line of corners.
+                dots = [tuple(map(math.floor, chart.dot(lat, min(lon, ALMOST_180)))) for lat, lon in line]
+                for (x0, y0), (x1, y1) in pairwise(key for key, _ in groupby(dots)):
+                    canvas.line(x0, y0, x1, y1, "line")
             self._still = (chart, canvas)
         return self._still[1]
+
+
+def _size_deg(line: Line) -> float:
+    """Return how far a coast reaches, north to south or east to west."""
+    latitudes, longitudes = [lat for lat, _ in line], [lon for _, lon in line]
+    south, north = min(latitudes), max(latitudes)
+    across = (max(longitudes) - min(longitudes)) * math.cos(math.radians((south + north) / 2.0))
+    return max(north - south, across)
 
 
 def _night(canvas: Braille, chart: Chart, sun: SubSolar) -> None:

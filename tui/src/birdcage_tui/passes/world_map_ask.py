@@ -1,0 +1,95 @@
+"""The world map of the page: asks for the world at the moment that the page shows, and draws what comes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime
+from typing import TYPE_CHECKING, cast
+
+from birdcage.sky.observer import Observer
+from birdcage.sky.world import WorldView
+from textual.message import Message
+
+from birdcage_tui.host import Host
+from birdcage_tui.passes.desk import Desk
+from birdcage_tui.passes.model import Row
+from birdcage_tui.passes.world_map import WorldMapPane
+from birdcage_tui.view import View
+
+if TYPE_CHECKING:
+    from birdcage.sky.look_down import Mapped
+
+MOST = 60
+"""Satellites on the map; the favourites first, then those that pass next."""
+
+
+@dataclass(frozen=True, slots=True)
+class Ask:
+    """What the map is to show: a moment to the second, the chosen pass, and one pass of each other satellite."""
+
+    t_s: int
+    chosen: Row | None
+    others: tuple[Row, ...]
+
+
+def ask_of(desk: Desk, view: View) -> Ask:
+    """Return what the page shows now."""
+    chosen = desk.chosen(view)
+    found: dict[tuple[int, str], Row] = {}
+    for row in sorted(desk.rows(view), key=lambda row: not row.favourite):
+        found.setdefault((row.norad_id, row.name), row)
+    if chosen is not None:
+        found.pop((chosen.norad_id, chosen.name), None)
+    return Ask(int(desk.time(view)), chosen, tuple(found.values())[:MOST])
+
+
+def world_of(ask: Ask, observer: Observer | None) -> WorldView:
+    """Work out what was asked for; on a thread other than the app's: it computes with arrays."""
+    from birdcage.sky.look_down import world_view
+
+    chosen = None if ask.chosen is None else _mapped(ask.chosen)
+    others = [one for one in map(_mapped, ask.others) if one is not None]
+    return world_view(datetime.fromtimestamp(ask.t_s, UTC), observer, chosen, others)
+
+
+def _mapped(row: Row) -> Mapped | None:
+    from birdcage.sky.look_down import Mapped
+
+    if row.origin is None:
+        return None
+    elements = replace(row.origin.elements, name=row.name)
+    return Mapped(elements, row.origin.time_offset_s, row.favourite)
+
+
+class PassWorld(WorldMapPane):
+    """The map with the chosen pass of the page's desk."""
+
+    class Seen(Message):
+        """The world at the moment asked for; posted from the thread that worked it out."""
+
+        def __init__(self, world: WorldView) -> None:
+            super().__init__()
+            self.world = world
+
+    def __init__(self, desk: Desk, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self._desk = desk
+        self._asked: Ask | None = None
+        self._waits = False
+        """Whether an answer is on its way: until then nothing else is asked."""
+
+    def show(self, view: View) -> None:
+        """Draw what is known, and ask for what is not."""
+        super().show(view)
+        if not self.display or self._waits:
+            return
+        ask = ask_of(self._desk, view)
+        if ask != self._asked:
+            self._asked = ask
+            self._waits = cast(Host, self.app).sky.look_down(ask, lambda world: self.post_message(self.Seen(world)))
+
+    def on_pass_world_seen(self, event: Seen) -> None:
+        """Draw the answer; ask again if another moment is shown by now."""
+        event.stop()
+        self._waits = False
+        self.look_down(event.world)
