@@ -6,7 +6,11 @@ import math
 from dataclasses import replace
 from datetime import UTC, datetime
 
+from birdcage.sky.footprint import footprint
 from birdcage.sky.horizon import HorizonMask
+from birdcage.sky.observer import Observer
+from birdcage.sky.terminator import sub_solar
+from birdcage.sky.world import Ground, WorldView
 from birdcage_tui.passes.model import InReach, Lost, Path, Row, SkyPicture, Up, Way
 
 NOON = datetime(2026, 3, 20, 12, tzinfo=UTC).timestamp()
@@ -104,13 +108,41 @@ def picture(now_s=NOON, **changes):
 
 class Source:
     """Shows one picture at once, and notes what is asked of it."""
+def world(ask):
+    """The world at a moment: the chosen satellite on a circle about the Earth, and others here and there."""
+    when = datetime.fromtimestamp(ask.t_s, UTC)
+
+    def under(t_s):
+        turn = math.radians(t_s / 100.0 * 6.0 % 360.0)
+        latitude = math.asin(math.sin(math.radians(98.0)) * math.sin(turn))
+        longitude = math.atan2(math.cos(math.radians(98.0)) * math.sin(turn), math.cos(turn))
+        return math.degrees(latitude), (math.degrees(longitude) - t_s / 240.0 + 180.0) % 360.0 - 180.0
+
+    def line(start_s, end_s):
+        return tuple(under(start_s + (end_s - start_s) * step / 240) for step in range(241))
+
+    others = tuple(
+        Ground(row.name, row.norad_id, 70.0 - 17.0 * place % 130.0, 47.0 * place % 360.0 - 180.0, 800.0, row.favourite)
+        for place, row in enumerate(ask.others)
+    )
+    seen = WorldView(when, sub_solar(when), Observer(40.4, -95.0, name="EN10"), others)
+    if ask.chosen is None:
+        return seen
+    here = under(ask.t_s)
+    chosen = Ground(ask.chosen.name, ask.chosen.norad_id, *here, 820.0, ask.chosen.favourite)
+    return replace(
+        seen, chosen=chosen, behind=line(ask.t_s - 6000.0, ask.t_s), ahead=line(ask.t_s, ask.t_s + 6000.0),
+        footprint=footprint(*here, 820.0),
+    )  # fmt: skip
+
+
 
     made: list[Source] = []  # noqa: RUF012 - the tests look here
 
     def __init__(self, show, say, sky=None):
         self.state, self.show, self.say = None, show, say
         self.sky = sky or picture()
-        self.favourites, self.exported, self.closed = [], [], False
+        self.favourites, self.exported, self.looked, self.closed = [], [], [], False
         Source.made.append(self)
 
     def start(self):
@@ -134,6 +166,10 @@ class Source:
 
     def close(self):
         self.closed = True
+    def look_down(self, ask, show):
+        self.looked.append(ask)
+        show(world(ask))
+
 
 
 def make(**changes):

@@ -30,7 +30,8 @@ if TYPE_CHECKING:
     from birdcage.base.config import Settings
     from birdcage.station.state import StationState
 
-    from birdcage_tui.sky_feed import Say, Show
+    from birdcage_tui.passes.world_map_ask import Ask
+    from birdcage_tui.sky_feed import Say, Show, ShowWorld
 
 MOON_S = 20.0
 """Seconds of the clock between two looks at the Moon: it goes a tenth of a degree in that."""
@@ -116,6 +117,10 @@ class WatchedSky:
 
     def step(self) -> None:
         """Do all that is to do now, on the calling thread."""
+    def look_down(self, ask: Ask, show: ShowWorld) -> None:
+        """Work out what a map of the world shows, and show it."""
+        self._jobs.put(lambda: self._look_down(ask, show))
+
         while not self._jobs.empty():
             job = self._jobs.get()
             if job is not None:
@@ -217,6 +222,12 @@ class WatchedSky:
             return
         note = "DEMO: these orbits are made up." if self._setup.demo else sky.note
         try:
+    def _look_down(self, ask: Ask, show: ShowWorld) -> None:
+        from birdcage_tui.passes.world_map_ask import world_of
+
+        if not self._closed.is_set():
+            show(world_of(ask, self._observer))
+
             words = write_passes(found, sky.observer, self._setup.clock.utc(), self._setup.exports, note)
         except OSError as problem:
             words = f"No file was written in {self._setup.exports}: {problem.strerror or problem}."

@@ -20,6 +20,7 @@ from birdcage_tui.passes.listing import PassList
 from birdcage_tui.passes.plot import PassSky
 from birdcage_tui.passes.strip import PassStrip
 from birdcage_tui.passes.timeline import Timeline
+from birdcage_tui.passes.world_map_ask import PassWorld
 from birdcage_tui.view import View
 
 SHIFTS_S = {"time-back": -60.0, "time-forward": 60.0, "time-far-back": -1800.0, "time-far-forward": 1800.0}
@@ -28,15 +29,17 @@ RUN_S = 0.25
 
 
 class PassesPage(Page):
-    """The list at the left, the chosen pass at the right, the timeline below."""
+    """The list at the left, the chosen pass at the right, the timeline below; or the world in place of all three."""
 
     DEFAULT_CSS = """
     PassesPage { layout: vertical; }
     PassesPage PassHead { height: 1; }
     PassesPage #pass-upper { height: auto; }
-    PassesPage PassList, PassesPage PassSky, PassesPage PassStrip, PassesPage Timeline { border: round $line;
-        border-title-color: $dim; border-title-style: none; border-subtitle-color: $dim; }
-    PassesPage PassList:focus { border: round $focus; border-title-color: $foreground; }
+    PassesPage PassList, PassesPage PassSky, PassesPage PassStrip, PassesPage Timeline,
+    PassesPage PassWorld { border: round $line; border-title-color: $dim; border-title-style: none;
+        border-subtitle-color: $dim; }
+    PassesPage PassWorld { height: 1fr; }
+    PassesPage PassList:focus, PassesPage PassWorld:focus { border: round $focus; border-title-color: $foreground; }
     PassesPage #pass-side { width: 1fr; }
     PassesPage Input, PassesPage Input:focus { height: 1; border: none; padding: 0 1; background: $panel; }
     """
@@ -65,6 +68,9 @@ class PassesPage(Page):
                 yield PassSky(self.desk, id="pass-sky")
                 yield PassStrip(self.desk, id="pass-strip")
         yield Timeline(self.desk, id="pass-timeline")
+        world = PassWorld(self.desk, id="pass-world")
+        world.display = False
+        yield world
 
     def on_mount(self) -> None:
         """Have a timer ready for a time that runs."""
@@ -77,12 +83,14 @@ class PassesPage(Page):
     def _arrange(self) -> None:
         field = self.query_one(Input)
         found = layout(self.size.width, self.size.height - bool(field.display), self._shown)
-        if found == self._layout:
+        if found == self._layout and self.desk.world == self.query_one(PassWorld).display:
             return
         self._layout = found
+        self.query_one(PassWorld).display = self.desk.world
         side, upper = self.query_one("#pass-side"), self.query_one("#pass-upper")
         listing = self.query_one(PassList)
         listing.styles.width, listing.styles.height = found.list_width, found.list_height
+        upper.display = not self.desk.world
         side.display = found.plot_height + found.strip_height > 0
         side.styles.height = found.plot_height + found.strip_height
         upper.styles.layout = "horizontal" if found.plot_height else "vertical"
@@ -90,7 +98,7 @@ class PassesPage(Page):
         for kind, rows in ((PassSky, found.plot_height), (PassStrip, found.strip_height),
                            (Timeline, found.timeline_height)):  # fmt: skip
             pane = self.query_one(kind)
-            pane.display = rows > 0
+            pane.display = rows > 0 and not self.desk.world
             pane.styles.height = rows
         for pane in self.query(Pane):
             pane.redraw()
@@ -180,11 +188,15 @@ class PassesPage(Page):
                 choice.reachable_only = not choice.reachable_only
             case "pass-favourites":
                 choice.favourites_only = not choice.favourites_only
-            case "pass-view":
+            case "pass-view" if not self.desk.world:
                 self._shown = VIEWS[(VIEWS.index(self._shown) + 1) % len(VIEWS)]
                 self._arrange()
             case "pass-filter":
                 self._open_filter()
+            case "pass-world" | "pass-view":
+                self.desk.world = not self.desk.world
+                self._arrange()
+                self._focus()
             case "pass-favourite" | "pass-undo":
                 self._favourite(command, view)
             case "pass-export":
@@ -215,6 +227,9 @@ class PassesPage(Page):
 
     # The filter.
 
+    def _focus(self) -> None:
+        self.query_one(PassWorld if self.desk.world else PassList).focus()
+
     def _open_filter(self) -> None:
         field = self.query_one(Input)
         field.disabled, field.display = False, True
@@ -225,7 +240,7 @@ class PassesPage(Page):
         field = self.query_one(Input)
         field.value = words
         self.desk.choice.filter = words
-        self.query_one(PassList).focus()
+        self._focus()
         field.disabled, field.display = True, False
         self._arrange()
         self._moment()

@@ -27,6 +27,8 @@ class Desk:
         self.choice = Choice()
         self.chosen_key: tuple[int, str, int] | None = None
         """None: the first of the list, whatever that is."""
+        self.world = False
+        """Whether the map of the world stands in place of list, path and timeline."""
         self._kept: tuple[View, list[Row], int] | None = None
 
     def changed(self) -> None:

@@ -29,6 +29,7 @@ class PassHead(Pane):
             pace = "stands still" if machine.paused else f"{machine.speed}x"
             x = cells.put(1, 0, f"▲ NOT NOW  {clock_text(t_s)}Z, {shift_text(t_s - now_s)}, {pace}", "warn-row") + 2
             x = self.button(cells, x, 0, "time-now", view, "back to now") + 1
+        x = self.button(cells, x, 0, "pass-world", view, "list" if self._desk.world else "world") + 1
         quiet = "dim" if machine.is_now else "warn-row"
         parts = [f"sort: {choice.sort}"]
         if choice.filter:
