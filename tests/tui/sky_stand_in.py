@@ -11,7 +11,7 @@ from birdcage.sky.horizon import HorizonMask
 from birdcage.sky.observer import Observer
 from birdcage.sky.terminator import sub_solar
 from birdcage.sky.world import Ground, WorldView
-from birdcage_tui.passes.model import InReach, Lost, Path, Row, SkyPicture, Up, Way
+from birdcage_tui.passes.model import Age, InReach, Lost, Path, Row, SkyPicture, Up, Way
 
 NOON = datetime(2026, 3, 20, 12, tzinfo=UTC).timestamp()
 MASK = HorizonMask([(0, 4), (40, 9), (70, 22), (95, 24), (110, 8), (180, 2), (250, 5), (300, 14), (330, 6)])
@@ -68,6 +68,7 @@ PASSES = (
 )  # fmt: skip
 
 
+AGE = Age("1 d old, about 0.26° off at closest, one in ten 2.2°", "1 d", "◐", "text")
 OTHERS = (
     ("MOLNIYA 3-50", 25847, 35.0, 58.0),
     ("GALILEO 22", 41859, 290.0, 33.0),
@@ -87,7 +88,8 @@ def rows(now_s=NOON):
         highest = max(range(121), key=lambda index: path.el_deg[index])
         found.append(Row(
             name, number, aos, path.t_s[highest], path.t_s[-1], from_az, path.az_deg[highest], to_az, float(top),
-            reach_of(path), Way(lambda path=path: path), favourite, groups,
+            reach_of(path), Way(lambda path=path: path), favourite, groups, AGE,
+            hears="137.9 MHz LRPT" if name.startswith("METEOR") else "",
         ))  # fmt: skip
     return tuple(sorted(found, key=lambda row: row.aos_s))
 
@@ -101,13 +103,11 @@ def picture(now_s=NOON, **changes):
     ]  # fmt: skip
     up += [Up(*others) for others in OTHERS]
     sky = SkyPicture(
-        now_s, tuple(up), (171.0, 27.0), (77.0, 36.0), table, 1.0, NOON + 86400.0, 43, "demo orbits", mask=MASK
+        now_s, tuple(up), (171.0, 27.0), (77.0, 36.0), table, 1.0, NOON + 86400.0, 43, "demo orbits", mask=MASK, feed="helix"
     )
     return replace(sky, **changes)
 
 
-class Source:
-    """Shows one picture at once, and notes what is asked of it."""
 def world(ask):
     """The world at a moment: the chosen satellite on a circle about the Earth, and others here and there."""
     when = datetime.fromtimestamp(ask.t_s, UTC)
@@ -136,6 +136,8 @@ def world(ask):
     )  # fmt: skip
 
 
+class Source:
+    """Shows one picture at once, and notes what is asked of it."""
 
     made: list[Source] = []  # noqa: RUF012 - the tests look here
 
@@ -164,12 +166,12 @@ def world(ask):
         self.exported.append(list(rows))
         self.say(f"Wrote {len(rows)} passes.")
 
-    def close(self):
-        self.closed = True
     def look_down(self, ask, show):
         self.looked.append(ask)
         show(world(ask))
 
+    def close(self):
+        self.closed = True
 
 
 def make(**changes):

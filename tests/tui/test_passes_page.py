@@ -139,6 +139,34 @@ def test_only_what_is_in_reach_and_only_favourites():
     assert "7 of 43" in both
 
 
+def test_only_what_the_feed_hears():
+    async def hide(app, pilot):
+        return await pressed(app, pilot, "h"), await pressed(app, pilot, "h")
+
+    heard, again = on_page(hide, (160, 48))
+    assert "3 of 43" in heard
+    assert "heard by helix" in heard
+    assert "sends 137.9 MHz LRPT" in heard
+    assert "43 of 43" in again
+    first = on_page(read, sky=sky_stand_in.make(hear_first=True))
+    assert "3 of 43" in first, "it is on where the user has said which feed is mounted"
+
+
+def test_a_feed_without_a_band_hears_nobody_knows_what():
+    async def hide(app, pilot):
+        return await pressed(app, pilot, "h")
+
+    text = on_page(hide, sky=sky_stand_in.make(feed=""))
+    assert "The feed says no band" in text
+    assert "43 of 43" in text
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_the_age_of_the_elements_is_told(size):
+    text = on_page(read, size)
+    assert "◐ 1 d" in text if size[0] == 80 else "◐ elements 1 d old" in text
+
+
 # The time machine.
 
 

@@ -12,7 +12,7 @@ from datetime import datetime
 import pytest
 import stand_in
 from birdcage.base.clock import RealClock, VirtualClock
-from birdcage.base.config import PlaceSettings, Settings
+from birdcage.base.config import FeedProfile, PlaceSettings, Settings
 from birdcage.base.paths import Paths
 from birdcage.sky.catalogue import Catalogue
 from birdcage_tui.run import DEMO_PLACE
@@ -76,7 +76,7 @@ def test_passes_come_with_reach_path_and_age(stage):
     assert max(path.el_deg) == pytest.approx(soon.max_el_deg, abs=0.05)
     start, _ = soon.reach.intervals[0]
     assert soon.path.at(start)[1] == pytest.approx(18.0, abs=0.3), "the dish's floor"
-    assert soon.age.words.endswith("old")
+    assert soon.age.words == "made up for the demo"
     assert not any(row.name.startswith("DEMO") for row in sky.rows), "the status line says so already"
 
 
@@ -148,6 +148,22 @@ def test_without_a_catalogue_the_elements_that_ship_are_marked(tmp_path):
     sky = Stage(tmp_path, demo=False).step()
     assert sky.source == "elements that ship"
     assert re.search(r"the newest of \d{4}-\d\d-\d\d: no dish finds", sky.note)
+
+
+def test_real_elements_tell_their_age_and_what_the_feed_hears_of_them(tmp_path):
+    feed = FeedProfile(freq_min_hz=137e6, freq_max_hz=1710e6)
+    settings = replace(HERE, feeds={**HERE.feeds, "stock-ku": feed})
+    stage = Stage(tmp_path, demo=False, settings=settings)
+    stage.step()
+    sky = stage.step(30.0)
+    assert {row.age.short[-1] for row in sky.rows} <= set("dhn")
+    assert all("old" in row.age.words or "ahead" in row.age.words for row in sky.rows)
+    assert sky.feed == "stock-ku"
+    assert not sky.hear_first, "nobody has said that this feed is mounted"
+    heard = {row.name: row.hears for row in sky.rows if row.hears}
+    assert "MHz" in heard["METOP-B"]
+    assert "METEOR-M 2" not in heard, "it is off the air"
+    assert "AQUA" not in heard, "too high for this feed"
 
 
 def test_without_a_place_there_are_no_passes(tmp_path):

@@ -27,7 +27,7 @@ _QUADRANTS = " ▘▝▀▖▌▞▛▗▚▐▜▄▙▟█"
 _ONE_ROW = {0: ("'", '"'), 1: ("'", "-"), 2: (".", "-"), 3: (".", "_")}
 """A cell with dots in one row only: one dot, two dots."""
 _SIGNS = {
-    **dict(zip("●○•◉✕✖▨■▲▼◀▶✓◍◌☼☾", "*Oo@Xx%!^v<>V?&$C", strict=True)),
+    **dict(zip("●○•◉✕✖▨■▲▼◀▶✓◍◌☼☾★◐", "*Oo@Xx%!^v<>V?&$Cfc", strict=True)),
     **dict(zip("─━═╌┄╎╏│┃║▕▏╭╮╰╯", "-==--::|||||..''", strict=True)),
     **dict(zip("▔▁▂▃▄▅▆▇█▀▌▐░▒▓", '-_.-=+*##"[]:%#', strict=True)),
     **dict(zip("←→↑↓↔↕°·…×±µ–—‘’“”≤≥−✗", "<>^v-|d.~x~u--''\"\"<>-x", strict=True)),

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from datetime import timedelta
 from typing import TYPE_CHECKING
 
 from birdcage.base.geometry import separation
+from birdcage.sky.age import expected_error
 from birdcage.sky.catalogue.entry import key_of
+from birdcage.sky.catalogue.words import span
 from birdcage.sky.horizon import HorizonMask
 from birdcage.sky.observer import Observer
 from birdcage.sky.sun import sun
@@ -41,6 +44,9 @@ class Converter:
         self.mask: Horizon | None = None
         self.groups: dict[str, tuple[str, ...]] = {}
         """Groups and tags by key of the catalogue."""
+        self.feed, self.hear_first = "", False
+        self.hears: Callable[[int, str], str] | None = None
+        """What the feed hears of a satellite, by number and name."""
         self._rows: dict[int, tuple[PassRow, Row]] = {}
         self._table: tuple[Row, ...] = ()
         self._trails: dict[tuple[int, str], tuple[tuple[float, float], ...]] = {}
@@ -70,6 +76,8 @@ class Converter:
             "demo orbits" if demo else "elements that ship" if sky.note else "",
             "" if demo else sky.note,
             self.mask if isinstance(self.mask, HorizonMask) else None,
+            self.feed if self.hears is not None else "",
+            self.hear_first,
         )
 
     def _favourite(self, number: int, name: str, known: bool) -> bool:
@@ -91,11 +99,16 @@ class Converter:
             passing = found.passing
             favourite = self._favourite(passing.norad_id, passing.name, found.favourite)
             groups = self.groups.get(key_of(found.elements), ())
+            hears = None if self.hears is None else self.hears(passing.norad_id, passing.name)
             old = None if known is None or known[0] is not found else known[1]
-            if known is not None and old is not None and (old.favourite, old.groups) == (favourite, groups):
+            if (
+                known is not None
+                and old is not None
+                and (old.favourite, old.groups, old.hears) == (favourite, groups, hears)
+            ):
                 kept[id(found)] = known
             else:
-                kept[id(found)] = (found, _row(found, observer, favourite, groups))
+                kept[id(found)] = (found, _row(found, observer, favourite, groups, hears))
         self._rows = kept
         table = tuple(row for _, row in kept.values())
         if len(table) != len(self._table) or any(a is not b for a, b in zip(table, self._table, strict=True)):
@@ -103,10 +116,10 @@ class Converter:
         return self._table
 
 
-def _row(found: PassRow, observer: Observer, favourite: bool, groups: tuple[str, ...]) -> Row:
+def _row(found: PassRow, observer: Observer, favourite: bool, groups: tuple[str, ...], hears: str | None) -> Row:
     passing = found.passing
     aos_s, los_s = passing.aos.timestamp(), passing.los.timestamp()
-    elements, ahead_s = found.elements, found.time_offset_s
+    elements, later_s = found.elements, found.time_offset_s
     return Row(
         passing.name.removeprefix(DEMO),
         passing.norad_id,
@@ -118,12 +131,13 @@ def _row(found: PassRow, observer: Observer, favourite: bool, groups: tuple[str,
         passing.los_azimuth_deg,
         passing.max_elevation_deg,
         _reach(found.reach),
-        Way(lambda: _path(elements, observer, aos_s, passing.tca.timestamp(), los_s, ahead_s)),
+        Way(lambda: _path(elements, observer, aos_s, passing.tca.timestamp(), los_s, later_s)),
         favourite,
         groups,
         _age(found),
         passing.already_up,
         passing.still_up,
+        hears,
         found,
     )
 
@@ -136,20 +150,25 @@ def _reach(reach: Reach) -> InReach:
     )
 
 
+GRADE_INKS = {"fresh": "good", "usable": "text", "doubtful": "warn", "useless": "fault"}
+
+
 def _age(found: PassRow) -> Age:
-    """Return how old the elements are at the pass."""
-    hours = max(found.epoch_age_s, 0.0) / 3600.0
-    words = f"{hours * 60:.0f} min" if hours < 2 else f"{hours:.0f} h" if hours < 48 else f"{hours / 24:.0f} days"
-    return Age(f"{words} old", "·", "dim")
+    """Return how old the elements are at the pass, and what that means there; of made-up ones nothing can be said."""
+    elements = found.elements
+    if elements.source == "demo":
+        return Age("made up for the demo", "demo", "·", "dim")
+    error = expected_error(elements, found.passing.tca, found.at_tca.range_km)
+    return Age(error.words, span(abs(error.age_s)), error.glyph, GRADE_INKS[error.grade])
 
 
-def _path(elements: ElementSet, observer: Observer, aos_s: float, tca_s: float, los_s: float, ahead_s: float) -> Path:
+def _path(elements: ElementSet, observer: Observer, aos_s: float, tca_s: float, los_s: float, later_s: float) -> Path:
     import numpy as np
     from birdcage.sky.propagate import track
 
     about = 0.06 * (los_s - aos_s)
     close = np.linspace(max(tca_s - about, aos_s), min(tca_s + about, los_s), SAMPLES // 2)
     times = np.unique(np.concatenate([np.linspace(aos_s, los_s, SAMPLES // 2), close]))
-    found = track(elements, observer, times, ahead_s)
+    found = track(elements, observer, times, later_s)
     good = np.isfinite(found.el_deg)
     return Path(tuple(found.t_s[good].tolist()), tuple(found.az_deg[good].tolist()), tuple(found.el_deg[good].tolist()))

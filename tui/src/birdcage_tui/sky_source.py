@@ -25,6 +25,7 @@ from birdcage.station.reach_limits import reach_limits_of
 from birdcage_tui.passes.model import Row
 from birdcage_tui.settings import Place
 from birdcage_tui.sky_convert import Converter
+from birdcage_tui.sky_hearing import hearing_of
 
 if TYPE_CHECKING:
     from birdcage.base.config import Settings
@@ -53,6 +54,12 @@ class SkySetup:
     observer: Observer | None
     limits: Callable[[StationState], ReachLimits]
     demo: bool = False
+    feed: str = ""
+    """The name of the feed in use."""
+    feed_is_set: bool = False
+    """Whether the user has said which one that is."""
+    hearing: Callable[[], Callable[[int, str], str] | None] | None = None
+    """Reads what the feed hears; takes some milliseconds."""
 
 
 class WatchedSky:
@@ -66,6 +73,7 @@ class WatchedSky:
         self._watch = SkyWatch(setup.catalogue, self._seen, setup.clock, observer=setup.observer)
         self._jobs: queue.SimpleQueue[Callable[[], None] | None] = queue.SimpleQueue()
         self._converter = Converter()
+        self._converter.feed, self._converter.hear_first = setup.feed, setup.feed_is_set
         self._sky: SkyNow | None = None
         self._moon: tuple[float, float, float] | None = None
         """When it was looked at, azimuth, elevation."""
@@ -109,6 +117,10 @@ class WatchedSky:
         """Write passes to files, and tell where."""
         self._jobs.put(lambda: self._write(tuple(rows)))
 
+    def look_down(self, ask: Ask, show: ShowWorld) -> None:
+        """Work out what a map of the world shows, and show it."""
+        self._jobs.put(lambda: self._look_down(ask, show))
+
     def close(self) -> None:
         """End."""
         self._closed.set()
@@ -117,10 +129,6 @@ class WatchedSky:
 
     def step(self) -> None:
         """Do all that is to do now, on the calling thread."""
-    def look_down(self, ask: Ask, show: ShowWorld) -> None:
-        """Work out what a map of the world shows, and show it."""
-        self._jobs.put(lambda: self._look_down(ask, show))
-
         while not self._jobs.empty():
             job = self._jobs.get()
             if job is not None:
@@ -186,9 +194,11 @@ class WatchedSky:
                     catalogue.set_favourite(one.norad_id)
 
     def _read_groups(self) -> None:
-        """Read which groups and tags satellites have, to filter by."""
+        """Read which groups and tags satellites have, and what the feed hears, to filter by."""
         from birdcage.sky.catalogue import Catalogue
 
+        if self._setup.hearing is not None and self._converter.hears is None:
+            self._converter.hears = self._setup.hearing()
         if not self._setup.catalogue.exists():
             return
         try:
@@ -212,6 +222,12 @@ class WatchedSky:
             return
         self._watch.refresh()
 
+    def _look_down(self, ask: Ask, show: ShowWorld) -> None:
+        from birdcage_tui.passes.world_map_ask import world_of
+
+        if not self._closed.is_set():
+            show(world_of(ask, self._observer))
+
     def _write(self, rows: tuple[Row, ...]) -> None:
         from birdcage_tui.passes.export import write_passes
 
@@ -222,12 +238,6 @@ class WatchedSky:
             return
         note = "DEMO: these orbits are made up." if self._setup.demo else sky.note
         try:
-    def _look_down(self, ask: Ask, show: ShowWorld) -> None:
-        from birdcage_tui.passes.world_map_ask import world_of
-
-        if not self._closed.is_set():
-            show(world_of(ask, self._observer))
-
             words = write_passes(found, sky.observer, self._setup.clock.utc(), self._setup.exports, note)
         except OSError as problem:
             words = f"No file was written in {self._setup.exports}: {problem.strerror or problem}."
@@ -245,5 +255,7 @@ def open_sky(
     setup = SkySetup(
         paths.catalogue, paths.catalogue.parent / "passes", clock, observer,
         lambda state: reach_limits_of(state, settings), demo,
+        settings.feed.active, "feed.active" in settings.sources,
+        lambda: hearing_of(settings.active_feed, paths.downlinks_file),
     )  # fmt: skip
     return WatchedSky(setup, show, say, threads=threads)

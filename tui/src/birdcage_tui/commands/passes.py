@@ -15,6 +15,13 @@ def can_choose(view: View) -> str | None:
     return None
 
 
+def can_hear(view: View) -> str | None:
+    """Return why nobody can say what the feed hears."""
+    if view.sky is None or not view.sky.rows:
+        return "No pass is known yet."
+    return None if view.sky.feed else "The feed says no band: freq_min_hz and freq_max_hz in birdcage.toml do."
+
+
 def _pass(name: str, keys: tuple[str, ...], shown: str, title: str, text: str, footer: str = "") -> Command:
     return Command(name, keys, shown, title, text, "Passes", can_choose, footer, HERE)
 
@@ -36,6 +43,8 @@ PASSES = (
           "order"),
     _pass("pass-reachable", ("r",), "r", "In reach only", "Hide what this dish cannot point at, or show it again.",
           "in reach"),
+    Command("pass-hearable", ("h",), "h", "Hearable only",
+            "Hide what the feed in use is not known to hear, or show it again.", "Passes", can_hear, where=HERE),
     _pass("pass-favourites", ("f",), "f", "Favourites only", "Hide all other satellites, or show them again."),
     _pass("pass-favourite", ("asterisk",), "*", "Favourite", "Mark the satellite of the chosen pass, or unmark it.",
           "favourite"),
@@ -43,6 +52,9 @@ PASSES = (
             where=HERE),
     Command("pass-view", ("v",), "v", "Path, elevation, timeline",
             "What a small screen shows beside the list; a large one shows all.", "Passes", where=HERE, footer="view"),
+    Command("pass-world", ("w",), "w", "World map",
+            "The ground track of the chosen pass, from where it is seen, day and night; w goes back.", "Passes",
+            where=HERE, footer="world"),
     _pass("pass-export", ("x",), "x", "Export",
           "Write the listed passes as a calendar (ICS), a table (CSV) and JSON, and say where.", "export"),
     _time("time-back", ("left_square_bracket",), "[", "Earlier", "Show the sky a minute earlier. Nothing moves by it."),
@@ -52,9 +64,6 @@ PASSES = (
     _time("time-far-forward", ("right_curly_bracket",), "}", "Much later", "Half an hour."),
     Command("time-event", ("e",), "e", "Jump to next event",
             "Show the moment at which the chosen pass rises, comes into reach, culminates or sets.", "Time machine",
-    Command("pass-world", ("w",), "w", "World map",
-            "The ground track of the chosen pass, from where it is seen, day and night; w goes back.", "Passes",
-            where=HERE, footer="world"),
             can_choose, where=HERE),
     _time("time-pause", ("z",), "z", "Pause", "Let the time shown stand still, or go on."),
     _time("time-faster", ("full_stop",), ".", "Faster", "Let the time shown run, up to 900 times as fast."),

@@ -186,17 +186,19 @@ class PassesPage(Page):
                 self.host.say(f"In order of {choice.next_sort()}.")
             case "pass-reachable":
                 choice.reachable_only = not choice.reachable_only
+            case "pass-hearable":
+                choice.hearable_only = not self.desk.hearable(view)
             case "pass-favourites":
                 choice.favourites_only = not choice.favourites_only
             case "pass-view" if not self.desk.world:
                 self._shown = VIEWS[(VIEWS.index(self._shown) + 1) % len(VIEWS)]
                 self._arrange()
-            case "pass-filter":
-                self._open_filter()
             case "pass-world" | "pass-view":
                 self.desk.world = not self.desk.world
                 self._arrange()
                 self._focus()
+            case "pass-filter":
+                self._open_filter()
             case "pass-favourite" | "pass-undo":
                 self._favourite(command, view)
             case "pass-export":
@@ -225,10 +227,10 @@ class PassesPage(Page):
     def _export(self, view: View) -> None:
         self.host.sky.export(self.desk.rows(view))
 
-    # The filter.
-
     def _focus(self) -> None:
         self.query_one(PassWorld if self.desk.world else PassList).focus()
+
+    # The filter.
 
     def _open_filter(self) -> None:
         field = self.query_one(Input)

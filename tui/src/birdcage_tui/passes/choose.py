@@ -50,6 +50,8 @@ class Choice:
         self.sort = SORTS[0]
         self.reachable_only = False
         self.favourites_only = False
+        self.hearable_only: bool | None = None
+        """None: as the sky begins."""
         self._of: Sequence[Row] = ()
         self._kept: tuple[object, list[Row]] | None = None
         self._left: tuple[int, list[Row]] | None = None
@@ -59,11 +61,14 @@ class Choice:
         self.sort = SORTS[(SORTS.index(self.sort) + 1) % len(SORTS)]
         return self.sort
 
-    def of(self, rows: Sequence[Row], t_s: float) -> list[Row]:
-        """Return the passes to show at a moment: those that are not over, to the second."""
-        key = (self.filter, self.sort, self.reachable_only, self.favourites_only)
+    def of(self, rows: Sequence[Row], t_s: float, *, hearable: bool = False) -> list[Row]:
+        """Return the passes to show at a moment: those that are not over, to the second.
+
+        `hearable`: only what the feed in use hears.
+        """
+        key = (self.filter, self.sort, self.reachable_only, self.favourites_only, hearable)
         if self._kept is None or self._kept[0] != key or self._of is not rows:
-            self._of, self._kept, self._left = rows, (key, self._chosen(rows)), None
+            self._of, self._kept, self._left = rows, (key, self._chosen(rows, hearable)), None
         if self._left is None or self._left[0] != int(t_s):
             left = [row for row in self._kept[1] if row.los_s > t_s]
             if self.sort not in _KEYS:  # what comes next changes with every moment
@@ -71,12 +76,13 @@ class Choice:
             self._left = int(t_s), left
         return self._left[1]
 
-    def _chosen(self, rows: Sequence[Row]) -> list[Row]:
+    def _chosen(self, rows: Sequence[Row], hearable: bool) -> list[Row]:
         meant = matcher(self.filter)
         chosen = [
             row for row in rows
             if (not self.reachable_only or row.reach_s > 0)
             and (not self.favourites_only or row.favourite)
+            and (not hearable or row.hears)
             and meant(row)
         ]  # fmt: skip
         return sorted(chosen, key=_KEYS[self.sort]) if self.sort in _KEYS else chosen

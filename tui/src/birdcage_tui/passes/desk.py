@@ -48,9 +48,14 @@ class Desk:
         self.machine.bounds = (min(now_s, max(now_s - BACK_S, first)), max(last, now_s))
         return self.machine.time(now_s)
 
+    def hearable(self, view: View) -> bool:
+        """Return whether only what the feed in use hears is listed."""
+        sky, wanted = self.sky(view), self.choice.hearable_only
+        return bool(sky.feed) and (sky.hear_first if wanted is None else wanted)
+
     def _listed(self, view: View) -> tuple[list[Row], int]:
         if self._kept is None or self._kept[0] is not view:
-            rows = self.choice.of(self.sky(view).rows, self.time(view))
+            rows = self.choice.of(self.sky(view).rows, self.time(view), hearable=self.hearable(view))
             self._kept = (view, rows, self._index(rows))
         return self._kept[1], self._kept[2]
 

@@ -28,6 +28,9 @@ def empty_words(view: View, desk: Desk) -> list[tuple[str, str]]:
     choice = desk.choice
     if choice.filter:
         return [("text", f'No pass has "{choice.filter}" in name, number or group.'), ("dim", "/ changes that.")]
+    if desk.hearable(view):
+        return [("text", f"Nothing that passes is known to send what the feed {sky.feed} hears."),
+                ("dim", "h shows what it cannot hear, too.")]  # fmt: skip
     if choice.favourites_only:
         return [("text", "None of your favourites passes."), ("dim", "f shows all satellites again.")]
     if choice.reachable_only:

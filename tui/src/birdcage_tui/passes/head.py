@@ -36,6 +36,8 @@ class PassHead(Pane):
             parts.append(f'/ "{choice.filter}"')
         if choice.reachable_only:
             parts.append("in reach only")
+        if self._desk.hearable(view):
+            parts.append(f"heard by {sky.feed}")
         if choice.favourites_only:
             parts.append("favourites only")
         for index, words in enumerate(parts):

@@ -93,7 +93,9 @@ class Age:
     """How much the elements may be trusted for a pass."""
 
     words: str
-    """`6 h old, ±0.1°`."""
+    """`6 h old, about 0.05° off at closest, one in ten 0.2°`."""
+    short: str
+    """`6 h`."""
     glyph: str
     ink: str
 
@@ -121,6 +123,8 @@ class Row:
     """It was up when the search began: `aos_s` is that moment."""
     still_up: bool = False
     """It was up when the search ended."""
+    hears: str | None = None
+    """What the feed in use hears of it, in words; empty: nothing that is known; None: nobody can say."""
     origin: PassRow | None = field(default=None, compare=False, repr=False)
     """What it was made of: for files."""
 
@@ -205,5 +209,9 @@ class SkyPicture:
     """What has to be said of the elements: that no dish finds a satellite by them, and why these; else empty."""
     mask: HorizonMask | None = None
     """What hides the sky all around; None for a flat horizon."""
+    feed: str = ""
+    """The feed that `Row.hears` is told for; empty while nothing is known of what it hears."""
+    hear_first: bool = False
+    """Whether a list begins with what that feed hears: the user has said which one is mounted."""
     problem: str = ""
     """Why there is no sky, or not all of it, as a sentence with what to do."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import textwrap
+
 from textual.geometry import Size
 
 from birdcage_tui.canvas import Braille, Cells
@@ -118,7 +120,9 @@ class PassSky(Pane):
         lines = [("strong", f"{name}{number}" if len(name + number) <= width else name)]
         event = row.next_event(t_s)
         if event is not None:
-            lines.append(("target", f"{EVENT_WORDS[event[1]]} in {count_text(event[0] - t_s)}"))
+            words = f"{EVENT_WORDS[event[1]]} in {count_text(event[0] - t_s)}"
+            age = "" if row.age is None or tall else f" {row.age.glyph} {row.age.short}"
+            lines.append(("target", words + age if len(words + age) <= width else words))
         place = None if row.path is None else row.path.at(t_s)
         reach, why = row.reach, reach_sign(row.reach)[2]
         if reach is None:
@@ -146,10 +150,14 @@ class PassSky(Pane):
         ]
         if reach is not None:
             lines += [("text", f"  {clock_text(start)} to {clock_text(end)}") for start, end in reach.intervals[:3]]
-            lines += [
-                ("dim", f"  {lost.reason} {clock_text(lost.start_s)}, {length_text(lost.end_s - lost.start_s)}")
-                for lost in reach.lost[:4] if lost.end_s - lost.start_s >= 1.0
-            ]  # fmt: skip
         if row.age is not None:
-            lines += [("text", ""), (row.age.ink, f"{row.age.glyph} elements {row.age.words}")]
+            told = textwrap.wrap(f"{row.age.glyph} elements {row.age.words}", width, subsequent_indent="  ")
+            lines += [(row.age.ink, each) for each in told]
+        if row.hears:
+            lines += [("text", each) for each in textwrap.wrap(f"sends {row.hears}", width, subsequent_indent="  ")]
+        if reach is not None:
+            lines += [
+                ("dim", f"{lost.reason} {clock_text(lost.start_s)}, {length_text(lost.end_s - lost.start_s)}")
+                for lost in reach.lost if lost.end_s - lost.start_s >= 1.0
+            ]  # fmt: skip
         return lines
