@@ -7,12 +7,14 @@ from datetime import datetime
 from typing import TYPE_CHECKING
 
 from birdcage.cli.say import tell
+from birdcage.sky.age import expected_error
+from birdcage.sky.age_words import degrees
 from birdcage.sky.doppler import doppler_hz
 
 if TYPE_CHECKING:
     from birdcage.sky.pass_row import PassRow
 
-HEAD = ("AOS (UTC)", "LOS", "NAME", "MAX", "AZIMUTHS", "REACH", "FROM", "BEST", "NOT WHERE", "SUN", "AGE")
+HEAD = ("AOS (UTC)", "LOS", "NAME", "MAX", "AZIMUTHS", "REACH", "FROM", "BEST", "NOT WHERE", "SUN", "AGE", "ERROR")
 RIGHT = frozenset({"MAX", "REACH", "BEST", "AGE", "DOPPLER"})
 
 
@@ -47,6 +49,7 @@ def _cells(row: PassRow, start: datetime, freq_hz: float | None) -> tuple[str, .
         ", ".join(found.reasons) or "-",
         _sun(row),
         _age(row.epoch_age_s),
+        _error(row),
     )
     if freq_hz is None:
         return cells
@@ -69,3 +72,9 @@ def _sun(row: PassRow) -> str:
 def _age(seconds: float) -> str:
     hours = seconds / 3600.0
     return f"{hours:.0f} h" if abs(hours) < 48.0 else f"{hours / 24.0:.0f} d"
+
+
+def _error(row: PassRow) -> str:
+    """Return how far off the dish may look at TCA, by the age of the elements: a glyph and the median."""
+    found = expected_error(row.elements, row.passing.tca, row.at_tca.range_km)
+    return f"{found.glyph} {degrees(found.pointing_median_deg)}"

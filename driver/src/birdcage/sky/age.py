@@ -65,6 +65,22 @@ class ExpectedError:
     """Whether the figures are of this satellite, and not an estimate by its orbit."""
 
 
+def error_values(found: ExpectedError) -> dict[str, object]:
+    """Return it for JSON and CSV."""
+
+    def rounded(value: float | None, digits: int) -> float | None:
+        return None if value is None else round(value, digits)
+
+    return {
+        "elements_grade": found.grade,
+        "along_track_error_km": rounded(found.along_track_median_km, 2),
+        "along_track_error_p90_km": rounded(found.along_track_p90_km, 2),
+        "pointing_error_deg": rounded(found.pointing_median_deg, 3),
+        "pointing_error_p90_deg": rounded(found.pointing_p90_deg, 3),
+        "error_measured": found.measured,
+    }
+
+
 def expected_error(elements: ElementSet, when: datetime, range_km: float | None = None) -> ExpectedError:
     """Return how far the satellite may be along its track at a time, and how far off a dish that believes the elements.
 

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import Literal
 
@@ -65,11 +65,18 @@ class Downlink:
         """Return whether a satellite of a catalogue sends it: by number where both have one, else by name."""
         if self.norad_id and norad_id:
             return self.norad_id == norad_id
-        called = {plain(each) for each in (name, *re.findall(r"\(([^)]+)\)", name), re.sub(r"\(.*?\)", "", name))}
         patterns = [plain(each) for each in (self.satellite, *self.names)]
-        return any(each and fnmatchcase(each, pattern) for each in called for pattern in patterns)
+        return any(fnmatchcase(each, pattern) for each in _called(name) for pattern in patterns)
 
 
+@lru_cache(maxsize=32768)
+def _called(name: str) -> frozenset[str]:
+    """Return what a satellite of a list is called: `RADFXSAT (FOX-1B)` is three names."""
+    parts = (name, *re.findall(r"\(([^)]+)\)", name), re.sub(r"\(.*?\)", "", name))
+    return frozenset(filter(None, map(plain, parts)))
+
+
+@lru_cache(maxsize=32768)
 def plain(name: str) -> str:
     """Return a name without what people write differently: case, spaces, hyphens."""
     return re.sub(r"[^a-z0-9*]", "", name.casefold())

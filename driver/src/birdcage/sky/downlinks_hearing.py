@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -56,3 +56,19 @@ def hearable(downlinks: Iterable[Downlink], feed: FeedProfile) -> tuple[Hearing,
     """Return what of it a feed can hear and that is not known to be off the air."""
     found = (hearing(each, feed) for each in downlinks if each.alive is not False)
     return tuple(each for each in found if each is not None)
+
+
+def listener(downlinks: Iterable[Downlink], feed: FeedProfile) -> Callable[[int, str], bool]:
+    """Return what tells whether a feed can hear a satellite, by number and name: quick enough for a whole catalogue.
+
+    A satellite of which nothing is known counts as one that cannot be heard.
+    """
+    heard = [each.downlink for each in hearable(downlinks, feed)]
+    numbers = {each.norad_id for each in heard if each.norad_id}
+    unnumbered = [each for each in heard if not each.norad_id]
+
+    def hears(norad_id: int, name: str) -> bool:
+        rest = unnumbered if norad_id else heard
+        return norad_id in numbers or any(each.is_of(norad_id, name) for each in rest)
+
+    return hears

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from datetime import UTC, datetime, timedelta
 
+from birdcage.sky.age import error_values, expected_error
 from birdcage.sky.doppler import doppler_hz
 from birdcage.sky.pass_row import PassRow
 
@@ -47,6 +48,7 @@ def values_of(row: PassRow, freq_hz: float | None = None) -> dict[str, object]:
         "epoch": iso(row.elements.epoch),
         "epoch_age_s": round(row.epoch_age_s),
         "elements": row.elements.source,
+        **error_values(expected_error(row.elements, passing.tca, row.at_tca.range_km)),
     }
     if freq_hz is not None:
         for name, distance in (("aos", row.at_aos), ("tca", row.at_tca), ("los", row.at_los)):
