@@ -176,3 +176,14 @@ def test_what_cannot_be_is_a_usage_error(run, words):
 def test_a_time_with_a_zone_is_taken_as_such(passes, as_json):
     there = as_json(passes("--json", "--start", "2026-11-20T17:00:00-07:00"))
     assert there == as_json(passes("--json", "--start", "2026-11-21T00:00:00Z"))
+
+
+def test_a_satellite_that_comes_ten_seconds_later_rises_ten_seconds_later(run, passes, as_json, iss):
+    run("elements", "add", iss)
+    before = as_json(passes("--json", elements=None))
+    run("elements", "offset", 25544, 10)
+    late = as_json(passes("--json", elements=None))
+    assert len(late) == len(before) > 8
+    for one, other in zip(late, before, strict=True):
+        apart = datetime.fromisoformat(one["aos"]) - datetime.fromisoformat(other["aos"])
+        assert apart.total_seconds() == pytest.approx(10.0, abs=2.5), "but for what the Earth turns meanwhile"

@@ -137,7 +137,10 @@ def test_a_satellite_of_the_catalogue_with_its_time_offset(where, as_json, tle, 
     late = as_json(where("25544", *HOUSTON, *AT, "--json"))
     assert late["time_offset_s"] == 20.0
     assert late["elevation_deg"] != pytest.approx(before["elevation_deg"], abs=0.2)
-    assert "comes +20 s" in where("25544", *HOUSTON, *AT).stdout
+    then = as_json(where("25544", *HOUSTON, "--at", "2026-11-21T17:59:40Z", "--elements", tle, "--json"))
+    assert late["range_km"] == pytest.approx(then["range_km"], abs=12.0), "the Earth turns 9 km meanwhile"
+    assert abs(late["range_km"] - before["range_km"]) > 30.0
+    assert "comes 20 s later than computed" in where("25544", *HOUSTON, *AT).stdout
 
 
 def test_frozen_elements_are_marked_with_their_epoch_and_warned_of(where, as_json, at_home):

@@ -82,12 +82,12 @@ def test_a_fleet_looks_as_each_of_its_tracks_does() -> None:
     assert seen.el_deg[2] != fleet.look(HERE, when).el_deg[2]
 
 
-def test_an_offset_is_where_the_satellite_will_be_in_orbit() -> None:
+def test_a_satellite_that_comes_later_is_where_it_was_computed_to_be_before() -> None:
     _, elements = verification_set()[0]
     t_s = posix_s(elements.epoch) + np.array([0.0, 60.0, 120.0])
-    ahead, plain = track(elements, HERE, t_s, 60.0), track(elements, HERE, t_s)
-    assert np.allclose(ahead.position_km[:-1], plain.position_km[1:], atol=1e-6)
-    assert np.array_equal(ahead.t_s, t_s)
+    late, plain = track(elements, HERE, t_s, 60.0), track(elements, HERE, t_s)
+    assert np.allclose(late.position_km[1:], plain.position_km[:-1], atol=1e-6)
+    assert np.array_equal(late.t_s, t_s)
 
 
 def test_where_sgp4_has_no_position_there_is_no_number() -> None:

@@ -30,7 +30,7 @@ def test_any_span_agrees(agree, orbits, start, hours: float) -> None:
     assert agree(orbits(8, 12), PLACES[1], start, hours, 0.0) > 0
 
 
-def test_a_satellite_ahead_of_its_elements_agrees(agree, orbits, start) -> None:
+def test_satellites_that_come_later_or_earlier_agree(agree, orbits, start) -> None:
     agree(orbits(12, 13), PLACES[3], start, 24.0, 5.0, {0: 12.5, 3: -40.0, 7: 0.0, 8: 12.5})
 
 

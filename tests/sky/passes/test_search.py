@@ -100,14 +100,14 @@ def test_closing_the_parts_ends_the_search(orbits, start, monkeypatch) -> None:
     assert next(parts, None) is None
 
 
-def test_an_offset_moves_the_pass_by_about_as_much(orbits, start) -> None:
+def test_who_comes_ten_seconds_later_rises_about_as_much_later(orbits, start) -> None:
     low = [one for one in orbits(10, 6) if one.mean_motion_rev_day > 12.0]
     fleet = Fleet(low)
-    plain, early = search(fleet, HERE, start, 24.0), search(fleet, HERE, start, 24.0, 0.0, {0: 10.0})
-    mine, moved = plain.aos_s[plain.fleet_index == 0], early.aos_s[early.fleet_index == 0]
+    plain, late = search(fleet, HERE, start, 24.0), search(fleet, HERE, start, 24.0, 0.0, {0: 10.0})
+    mine, moved = plain.aos_s[plain.fleet_index == 0], late.aos_s[late.fleet_index == 0]
     assert len(mine) == len(moved) > 0
-    assert np.all(np.abs(mine - moved - 10.0) < 2.0)
-    assert np.array_equal(plain.aos_s[plain.fleet_index == 1], early.aos_s[early.fleet_index == 1])
+    assert np.all(np.abs(moved - mine - 10.0) < 2.0)
+    assert np.array_equal(plain.aos_s[plain.fleet_index == 1], late.aos_s[late.fleet_index == 1])
 
 
 def test_nothing_to_search_finds_nothing(orbits, start) -> None:

@@ -97,9 +97,8 @@ def _satellites(entries: Sequence[Entry], observer: Observer, when: datetime) ->
     from birdcage.sky.targets.model import Satellite
 
     fleet = Fleet(entry.elements for entry in entries)
-    # The catalogue keeps how much later a satellite comes, the fleet takes how much it is ahead.
-    ahead = {index: -entry.time_offset_s for index, entry in enumerate(entries) if entry.time_offset_s}
-    looks = fleet.look(observer, when, ahead)
+    offsets = {index: entry.time_offset_s for index, entry in enumerate(entries) if entry.time_offset_s}
+    looks = fleet.look(observer, when, offsets)
     for entry, az, el, far, away in zip(
         entries,
         looks.az_deg.tolist(),

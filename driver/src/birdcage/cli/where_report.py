@@ -173,7 +173,10 @@ class Report:
         )
         if self.elements.source == "frozen":
             words += ", FROZEN"
-        return words + (f", comes {self.time_offset_s:+g} s" if self.time_offset_s else "")
+        if self.time_offset_s:
+            later = "later" if self.time_offset_s > 0.0 else "earlier"
+            words += f", comes {abs(self.time_offset_s):g} s {later} than computed"
+        return words
 
 
 def iso(when: datetime) -> str:

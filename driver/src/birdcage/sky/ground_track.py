@@ -54,10 +54,10 @@ def sub_points(t_s: ArrayLike, position_km: Floats) -> SubPoints:
 def ground_track(elements: ElementSet, times: ArrayLike, time_offset_s: float = 0.0) -> SubPoints:
     """Return the points under one satellite at `times` (POSIX seconds).
 
-    `time_offset_s`: how much the satellite is ahead of its elements.
+    `time_offset_s`: how much later than computed the satellite comes.
     """
     t_s = np.atleast_1d(np.asarray(times, dtype=np.float64))
-    error, position, _ = over_times(satrec(elements), *julian(t_s + time_offset_s))
+    error, position, _ = over_times(satrec(elements), *julian(t_s - time_offset_s))
     position[error != 0] = np.nan
     return sub_points(t_s, position)
 

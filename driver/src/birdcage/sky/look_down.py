@@ -24,7 +24,7 @@ class Mapped:
 
     elements: ElementSet
     time_offset_s: float = 0.0
-    """How much it is ahead of its elements."""
+    """How much later than computed it comes."""
     favourite: bool = False
 
 

@@ -54,7 +54,7 @@ class PassRow:
     favourite: bool = False
     priority: int = 0
     time_offset_s: float = 0.0
-    """How much the satellite is taken to be ahead of its elements."""
+    """How much later than computed the satellite is taken to come."""
 
     @property
     def epoch_age_s(self) -> float:

@@ -90,7 +90,7 @@ class Fleet(Sequence[ElementSet]):
     def look(self, observer: Observer, when: datetime, time_offsets: Mapping[int, float] | None = None) -> Looks:
         """Return where every satellite stands at one time, in the order of the fleet.
 
-        `time_offsets`: seconds by index in the fleet; a satellite with 2 s is where its elements put it 2 s later.
+        `time_offsets`: how many seconds later than computed a satellite comes, by its index in the fleet.
         """
         t_s = posix_s(when)
         _, position, velocity = self.states(t_s, time_offsets)
@@ -106,8 +106,8 @@ class Fleet(Sequence[ElementSet]):
         day, part = julian([t_s])
         errors, positions, velocities = self._array.sgp4(day, part)
         error, position, velocity = errors[:, 0], positions[:, 0], velocities[:, 0]
-        for index, offset_s in (time_offsets or {}).items():
-            day, part = julian(t_s + offset_s)
+        for index, later_s in (time_offsets or {}).items():
+            day, part = julian(t_s - later_s)  # it is now where its elements had it before
             error[index], position[index], velocity[index] = self.satrecs[index].sgp4(float(day), float(part))
         position[error != 0] = np.nan
         return error, position, velocity
@@ -127,10 +127,10 @@ class Track(Looks):
 def track(elements: ElementSet, observer: Observer, times: ArrayLike, time_offset_s: float = 0.0) -> Track:
     """Return one satellite's look angles at `times` (POSIX seconds, in order).
 
-    `time_offset_s`: how much the satellite is ahead of its elements. NaN where SGP4 has no position.
+    `time_offset_s`: how much later than computed the satellite comes. NaN where SGP4 has no position.
     """
     t_s = np.atleast_1d(np.asarray(times, dtype=np.float64))
-    error, position, velocity = over_times(satrec(elements), *julian(t_s + time_offset_s))
+    error, position, velocity = over_times(satrec(elements), *julian(t_s - time_offset_s))
     position[error != 0] = np.nan
     seen = look(observer, t_s, position, velocity)
     return Track(

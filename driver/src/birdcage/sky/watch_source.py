@@ -20,7 +20,7 @@ class Watched:
     """Places in `elements`, as those below."""
     priorities: Mapping[int, int] = field(default_factory=dict)
     time_offsets: Mapping[int, float] = field(default_factory=dict)
-    """Seconds by which a satellite is *ahead* of its elements (`Fleet.look`)."""
+    """How many seconds later than computed a satellite comes."""
 
     def chosen(self, keep: Callable[[ElementSet], bool]) -> Watched:
         """Return those satellites that `keep` says yes to, with all that is said of them."""
@@ -55,8 +55,7 @@ def read_catalogue(path: Path) -> Watched:
         tuple(entry.elements for entry in entries),
         favourites=frozenset(index for index, entry in enumerate(entries) if entry.favourite),
         priorities={index: entry.priority for index, entry in enumerate(entries) if entry.priority},
-        # The catalogue says how much later it comes; SGP4 is asked for the satellite that much earlier.
-        time_offsets={index: -entry.time_offset_s for index, entry in enumerate(entries) if entry.time_offset_s},
+        time_offsets={index: entry.time_offset_s for index, entry in enumerate(entries) if entry.time_offset_s},
     )
 
 

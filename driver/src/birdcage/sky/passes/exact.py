@@ -121,7 +121,7 @@ class Exact:
         """Return positions and velocities (3 rows, n); `satellite` is sorted, so that each is asked once."""
         absolute = self._ground.start_s + t
         if self._offsets:
-            absolute += np.array([self._offsets.get(int(index), 0.0) for index in satellite])
+            absolute -= np.array([self._offsets.get(int(index), 0.0) for index in satellite])
         day, part = julian(absolute)
         r, v = np.empty((len(t), 3)), np.empty((len(t), 3))
         cuts = np.flatnonzero(np.diff(satellite, prepend=-1, append=-1)).tolist()

@@ -81,7 +81,7 @@ def sample(
     """Run SGP4 over the nodes of one group; keep the intervals that may hold something above the mask."""
     count = max(3, math.ceil(span_s / step_s) + 1)
     t = np.linspace(0.0, span_s, count)
-    day, part = julian(ground.start_s + offset_s + t)
+    day, part = julian(ground.start_s - offset_s + t)
     error, r, v = propagate.over_grid([satrecs[index] for index in members], day, part)
     stops: tuple[Stop, ...] = ()
     if error.any():

@@ -47,9 +47,10 @@ def search(
 ) -> PassTable:  # fmt: skip
     """Return every pass of every satellite of `fleet` within `hours` of `start`, in order of AOS.
 
-    A pass is the time above `min_elevation_deg` (geometric, -90 < mask < 90). `time_offsets`: seconds by index in the
-    fleet, by which a satellite is ahead of its elements. Satellites without a position, decayed or with elements that
-    are no orbit, are named in `failed`. ValueError for a naive time, a span that is not above 0, or no such mask.
+    A pass is the time above `min_elevation_deg` (geometric, -90 < mask < 90). `time_offsets`: how many seconds
+    later than computed a satellite comes, by its index in the fleet. Satellites without a position, decayed or with
+    elements that are no orbit, are named in `failed`. ValueError for a naive time, a span that is not above 0, or no
+    such mask.
     """
     ground = _ground(observer, start, hours, min_elevation_deg)
     return PassTable.joined(list(_parts(fleet, ground, hours * 3600.0, time_offsets or {}, _SLAB)))

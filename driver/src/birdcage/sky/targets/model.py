@@ -45,7 +45,7 @@ class Satellite:
 
     elements: ElementSet
     time_offset_s: float = 0.0
-    """How much later than computed it comes, as the catalogue keeps it."""
+    """How much later than computed it comes."""
     kind: Kind = field(default="satellite", init=False)
 
     @property
@@ -60,8 +60,7 @@ class Satellite:
         from birdcage.sky.frames import posix_s
         from birdcage.sky.propagate import track
 
-        # Who comes later is now where the elements had him before.
-        seen = track(self.elements, observer, [posix_s(when)], -self.time_offset_s)
+        seen = track(self.elements, observer, [posix_s(when)], self.time_offset_s)
         az, el, far, away = (
             float(values[0]) for values in (seen.az_deg, seen.el_deg, seen.range_km, seen.range_rate_km_s)
         )
