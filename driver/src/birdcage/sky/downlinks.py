@@ -6,13 +6,14 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
-from functools import cache, lru_cache
+from functools import cache
 from pathlib import Path
 from typing import Literal
 
 Polarization = Literal["RHCP", "LHCP", "circular", "horizontal", "vertical", "linear"]
 POLARIZATIONS: tuple[Polarization, ...] = ("RHCP", "LHCP", "circular", "horizontal", "vertical", "linear")
 """`circular` and `linear` are both hands and both planes, or which one is not known."""
+_ODD = re.compile(r"[^a-z0-9*]")
 SAME_SLOT_DEG = 0.6
 """As near as this two longitudes are one place on the arc: the least distance of two neighbours is about a degree."""
 
@@ -65,21 +66,23 @@ class Downlink:
         """Return whether a satellite of a catalogue sends it: by number where both have one, else by name."""
         if self.norad_id and norad_id:
             return self.norad_id == norad_id
-        patterns = [plain(each) for each in (self.satellite, *self.names)]
-        return any(fnmatchcase(each, pattern) for each in _called(name) for pattern in patterns)
+        return any(fnmatchcase(each, pattern) for each in called(name) for pattern in self.patterns)
+
+    @property
+    def patterns(self) -> tuple[str, ...]:
+        """What it is called, as `called` returns names; `*` stands for anything."""
+        return tuple(plain(each) for each in (self.satellite, *self.names))
 
 
-@lru_cache(maxsize=32768)
-def _called(name: str) -> frozenset[str]:
+def called(name: str) -> frozenset[str]:
     """Return what a satellite of a list is called: `RADFXSAT (FOX-1B)` is three names."""
     parts = (name, *re.findall(r"\(([^)]+)\)", name), re.sub(r"\(.*?\)", "", name))
     return frozenset(filter(None, map(plain, parts)))
 
 
-@lru_cache(maxsize=32768)
 def plain(name: str) -> str:
     """Return a name without what people write differently: case, spaces, hyphens."""
-    return re.sub(r"[^a-z0-9*]", "", name.casefold())
+    return _ODD.sub("", name.casefold())
 
 
 @dataclass(frozen=True, slots=True)

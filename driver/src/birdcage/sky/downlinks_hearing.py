@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from fnmatch import translate
 from typing import TYPE_CHECKING
 
-from birdcage.sky.downlinks import Downlink
+from birdcage.sky.downlinks import Downlink, called
 
 if TYPE_CHECKING:
     from birdcage.base.config import FeedProfile
@@ -65,10 +67,18 @@ def listener(downlinks: Iterable[Downlink], feed: FeedProfile) -> Callable[[int,
     """
     heard = [each.downlink for each in hearable(downlinks, feed)]
     numbers = {each.norad_id for each in heard if each.norad_id}
-    unnumbered = [each for each in heard if not each.norad_id]
+    of_all, of_unnumbered = _any_of(heard), _any_of(each for each in heard if not each.norad_id)
 
     def hears(norad_id: int, name: str) -> bool:
-        rest = unnumbered if norad_id else heard
-        return norad_id in numbers or any(each.is_of(norad_id, name) for each in rest)
+        if norad_id in numbers:
+            return True
+        pattern = of_unnumbered if norad_id else of_all
+        return any(pattern.fullmatch(each) for each in called(name))
 
     return hears
+
+
+def _any_of(downlinks: Iterable[Downlink]) -> re.Pattern[str]:
+    """Return one pattern for all that they are called; one that matches nothing for none."""
+    patterns = sorted({pattern for each in downlinks for pattern in each.patterns})
+    return re.compile("|".join(translate(each) for each in patterns) or "(?!)")

@@ -32,6 +32,11 @@ if TYPE_CHECKING:
 )  # fmt: skip
 @click.option("--name", metavar="TEXT", help="Only satellites with this in their name, or with this number.")
 @click.option(
+    "--hearable/--any",
+    default=None,
+    help="Only what sends in the band of the active feed, or all.  [default: hearable if a feed is set, and no --name]",
+)
+@click.option(
     "--sort", type=click.Choice(("aos", "max", "reach")), default="aos", show_default=True,
     help="By rise, by highest elevation, or by how long this dish can follow.",
 )  # fmt: skip
@@ -42,8 +47,8 @@ if TYPE_CHECKING:
 @global_options("config", "firmware", "json", "verbose")
 def command(
     elements: Path | None, lat: float | None, lon: float | None, alt: float | None, start: datetime | None,
-    hours: float, min_elevation: float, name: str | None, sort: str, limit: int | None, freq: float | None,
-    csv_file: Path | None, ics_file: Path | None,
+    hours: float, min_elevation: float, name: str | None, hearable: bool | None, sort: str, limit: int | None,
+    freq: float | None, csv_file: Path | None, ics_file: Path | None,
 ) -> None:  # fmt: skip
     """List what comes over: rise, highest point, set, and when this dish can follow it.
 
@@ -58,7 +63,7 @@ def command(
 
     wants = wanted()
     observer = find_observer(wants.settings, lat, lon, alt)
-    watched = _named(find_elements(wants.paths, elements, say), name)
+    watched = _heard(_named(find_elements(wants.paths, elements, say), name), wants, hearable, bool(name))
     limits = _limits(wants)
     begin = start if start is not None else datetime.now(UTC)
     rows = _rows(watched, observer, limits, begin, hours, min_elevation, sort, limit)
@@ -91,6 +96,27 @@ def _named(watched: Watched, name: str | None) -> Watched:
     found = watched.chosen(lambda one: part in one.name.casefold() or part == str(one.norad_id))
     if not found.elements:
         raise ConfigError(f"None of {len(watched.elements)} satellites has {name!r} in its name, or that number.")
+    return found
+
+
+def _heard(watched: Watched, wants: Wanted, hearable: bool | None, named: bool) -> Watched:
+    """Return the satellites that the feed can hear, and say how many are left out; all where that is not asked for."""
+    from birdcage.cli.say import say
+    from birdcage.sky.downlinks import load_downlinks
+    from birdcage.sky.downlinks_hearing import has_band, listener
+
+    settings, feed = wants.settings, wants.settings.active_feed
+    if hearable is None:
+        hearable = not named and "feed.active" in settings.sources and has_band(feed)
+    if not hearable:
+        return watched
+    table = load_downlinks(wants.paths.downlinks_file)
+    for problem in table.problems:
+        say(problem)
+    hears = listener(table, feed)
+    found = watched.chosen(lambda one: hears(one.norad_id, one.name))
+    count = f"{len(found.elements)} of {len(watched.elements)} satellites"
+    say(f"{count} are known to send what feed {settings.feed.active} hears. --any lists all.")
     return found
 
 
