@@ -6,6 +6,7 @@ import asyncio
 import sys
 from dataclasses import dataclass, field, replace
 
+import horizon_stand_in
 import setup_stand_in
 import sky_stand_in
 import stand_in
@@ -87,6 +88,8 @@ PLACES = (
     _dialog("release", "ControlPage._question", "f2", "R"),
     _dialog("stow", "ControlPage._question", "f2", "W", state={"stow_allowed": True}),
     _dialog("speeds", "ControlPage._ask_speeds", "f2", "v", **FIELDS),
+    _dialog("horizon point", "HorizonHands._type", "f2", "t", **FIELDS),
+    _dialog("clear the horizon", "HorizonHands._clear", "f2", "Z"),
     _dialog("new preset", "ControlPage._add", "f2", "a", **FIELDS),
     _dialog("edit preset", "ControlPage._edit", "f2", "p", "e", **FIELDS),
     _dialog("area clear", "SetupPage._when_clear", "f8", "enter"),
@@ -116,7 +119,7 @@ def at(place, folder, test, *, state="slewing", size=None, **settings):
         asked = []
         app = stand_in.app_in(
             state, setup=setup_stand_in.ENGINES[place.engine], presets_file=presets, history_file=folder / "history",
-            sky=sky_stand_in.make(), **settings,
+            sky=sky_stand_in.make(), horizon=horizon_stand_in.File(), **settings,
         )  # fmt: skip
         app.station.state = replace(app.station.state, **place.state)
 
