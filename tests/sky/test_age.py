@@ -72,6 +72,12 @@ def test_a_stranger_in_the_stations_orbit_gets_the_stations_figures_as_an_estima
     assert "about" in after(stranger, 72).words
 
 
+def test_more_drag_than_the_stations_grows_faster_from_the_same_error_at_epoch():
+    sinking = replace(STATION, norad_id=99999, mean_motion_dot=5 * STATION.mean_motion_dot)
+    assert after(sinking, 1).along_track_median_km == pytest.approx(0.7)
+    assert after(sinking, 24).along_track_median_km == pytest.approx(1.9 + 4 * (1.9 - 0.7))
+
+
 def test_without_air_it_grows_by_the_scatter_of_the_fit_a_day_and_is_small_in_degrees():
     for elements, orbit in ((GPS, "MEO"), (GOES, "GEO")):
         found = after(elements, 72)
