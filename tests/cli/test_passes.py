@@ -147,7 +147,7 @@ def test_damaged_lines_are_told_and_the_good_ones_count(passes, tmp_path, as_jso
 def test_without_elements_those_that_ship_are_used_and_said_to_be_old(passes):
     result = passes(elements=None)
     assert result.exit_code == 0
-    assert "The catalogue is empty" in result.stderr
+    assert "frozen elements" in result.stderr
     assert "no dish finds a satellite by them" in result.stderr
 
 

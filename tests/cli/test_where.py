@@ -175,7 +175,7 @@ def test_without_a_place_it_says_how_to_set_one(where):
     result = where("sun")
     assert result.exit_code == 2
     assert "--lat and --lon" in result.stderr
-    assert "birdcage.toml" in result.stderr
+    assert "birdcage place add home WHERE --use" in result.stderr
 
 
 def test_what_nothing_is_called_names_what_would_be_understood(where):

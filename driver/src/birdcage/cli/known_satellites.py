@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -12,49 +11,46 @@ if TYPE_CHECKING:
     from birdcage.base.paths import Paths
     from birdcage.sky.catalogue import Entry
     from birdcage.sky.elements import ElementSet
-
-FROZEN = "frozen"
-
-
-@dataclass(frozen=True, slots=True)
-class KnownSatellites:
-    """What was found."""
-
-    entries: tuple[Entry, ...]
-    frozen: bool = False
-    """They are those that ship with birdcage, as the catalogue is empty."""
+    from birdcage.sky.watch_source import Watched
 
 
-def known_satellites(paths: Paths, file: Path | None, tell: Callable[[str], None]) -> KnownSatellites:
+def known_satellites(paths: Paths, file: Path | None, tell: Callable[[str], None]) -> tuple[Entry, ...]:
     """Return the satellites of `--elements`, else of the catalogue, else those that ship with birdcage.
 
     `tell` gets a sentence about every damaged line. No file is made. ConfigError for a file without elements,
     StoreError when the catalogue can't be read.
     """
     from birdcage.base.errors import ConfigError
-    from birdcage.sky.catalogue import Catalogue
+    from birdcage.sky.formats import read_path
     from birdcage.sky.frozen import frozen
+    from birdcage.sky.watch_source import read_entries
 
-    if file is not None:
-        from birdcage.sky.formats import read_path
+    if file is None:
+        return read_entries(paths.catalogue) or _entries(frozen())
+    harvest = read_path(file)
+    for complaint in harvest.complaints:
+        tell(str(complaint))
+    if not harvest.elements:
+        raise ConfigError(f"{file} holds no elements that could be read.")
+    return _entries(harvest.elements)
 
-        harvest = read_path(file)
-        for complaint in harvest.complaints:
-            tell(f"{complaint.source}:{complaint.line}: {complaint.why}")
-        if not harvest.elements:
-            raise ConfigError(f"{file} holds no elements.")
-        return KnownSatellites(_entries(harvest.elements))
-    if paths.catalogue.exists():
-        with Catalogue(paths.catalogue) as catalogue:
-            entries = catalogue.entries()
-        if entries:
-            return KnownSatellites(entries)
-    return KnownSatellites(_entries(frozen()), frozen=True)
+
+def find_elements(paths: Paths, file: Path | None, tell: Callable[[str], None]) -> Watched:
+    """Return the same as a search for passes takes them; `tell` also gets a warning of frozen elements."""
+    from birdcage.sky.watch_source import Watched
+
+    entries = known_satellites(paths, file, tell)
+    warning = frozen_warning(entry.elements for entry in entries)
+    if warning is not None:
+        tell(warning)
+    return Watched.of(entries, warning or "")
 
 
 def frozen_warning(elements: Iterable[ElementSet]) -> str | None:
     """Return what to say when some of these elements are those that ship with birdcage; None when none is."""
-    epochs = sorted(each.epoch for each in elements if each.source == FROZEN)
+    from birdcage.sky.frozen import SOURCE
+
+    epochs = sorted(each.epoch for each in elements if each.source == SOURCE)
     if not epochs:
         return None
     dates = f"{epochs[0]:%Y-%m-%d}" if len(epochs) == 1 else f"{epochs[0]:%Y-%m-%d} to {epochs[-1]:%Y-%m-%d}"

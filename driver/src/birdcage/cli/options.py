@@ -55,6 +55,11 @@ class Wanted:
 
         return next((model for model in list_models() if model.firmware == self.firmware), None)
 
+    @property
+    def named_model(self) -> DishModel | None:
+        """The same where somebody named the firmware: what is computed without a dish guesses none."""
+        return self.model if self.firmware_given else None
+
 
 def flags() -> Flags:
     """Return the flags of the command under way."""

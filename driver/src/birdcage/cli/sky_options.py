@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,9 +13,7 @@ if TYPE_CHECKING:
     from datetime import datetime
 
     from birdcage.base.config import Settings
-    from birdcage.base.paths import Paths
     from birdcage.sky.observer import Observer
-    from birdcage.sky.watch_source import Watched
 
 
 class UtcTime(click.ParamType["datetime"]):
@@ -42,17 +39,22 @@ UTC_TIME = UtcTime()
 
 def observer_options(function: AnyCallable) -> AnyCallable:
     """Add `--lat`, `--lon` and `--alt` to a command; `find_observer` takes what they hold."""
-    for name, kind, text in (
-        ("--alt", click.FloatRange(-500.0, 9000.0), "Height of the place in metres.  [default: as set, or 0]"),
-        ("--lon", click.FloatRange(-180.0, 180.0), "Longitude of the place in degrees, east positive."),
-        ("--lat", click.FloatRange(-90.0, 90.0), "Latitude in degrees, north positive.  [default: birdcage.toml's]"),
+    for name, metavar, kind, text in (
+        ("--alt", "M", click.FloatRange(-500.0, 9000.0), "Height in metres.  [default: as set, or 0]"),
+        ("--lon", "DEG", click.FloatRange(-180.0, 180.0), "Longitude, east positive."),
+        (
+            "--lat",
+            "DEG",
+            click.FloatRange(-90.0, 90.0),
+            "Latitude, north positive.  [default: of the place in use]",
+        ),
     ):
-        function = click.option(name, type=kind, help=text)(function)
+        function = click.option(name, type=kind, metavar=metavar, help=text)(function)
     return function
 
 
 def elements_option(function: AnyCallable) -> AnyCallable:
-    """Add `--elements` to a command; `find_elements` takes what it holds."""
+    """Add `--elements` to a command; `known_satellites` takes what it holds."""
     return click.option(
         "--elements", type=click.Path(exists=True, path_type=Path), metavar="FILE",
         help="Elements from a file or folder in any known format.  [default: the catalogue]",
@@ -74,30 +76,8 @@ def find_observer(settings: Settings, lat: float | None, lon: float | None, alt:
         return Observer(lat, lon, alt if alt is not None else 0.0)
     if place.latitude_deg is None or place.longitude_deg is None:
         raise ConfigError(
-            "No place is set. Give --lat and --lon, or set latitude_deg and longitude_deg in [place] of birdcage.toml."
+            "No place is set: `birdcage place add home WHERE --use` sets one (a city, a locator such as JO21jv, or two "
+            "angles); --lat and --lon count for one command."
         )
     height_m = alt if alt is not None else place.height_m
     return Observer(place.latitude_deg, place.longitude_deg, height_m, place.name or "")
-
-
-def find_elements(paths: Paths, file: Path | None, tell: Callable[[str], None]) -> Watched:
-    """Return the satellites of `--elements`, else of the catalogue, else the frozen set that ships with birdcage.
-
-    `tell` gets a sentence about every damaged line and about a frozen set. ConfigError for a file without elements.
-    """
-    from birdcage.base.errors import ConfigError
-    from birdcage.sky.watch_source import Watched, read_catalogue
-
-    if file is None:
-        found = read_catalogue(paths.catalogue)
-        if found.note:
-            tell(found.note)
-        return found
-    from birdcage.sky.formats import read_path
-
-    harvest = read_path(file)
-    for complaint in harvest.complaints:
-        tell(f"{complaint.source}:{complaint.line}: {complaint.why}")
-    if not harvest.elements:
-        raise ConfigError(f"{file} holds no elements that could be read.")
-    return Watched(harvest.elements)

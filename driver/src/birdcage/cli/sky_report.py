@@ -27,7 +27,7 @@ class Row:
     target: Target
     seen: LookAngle
     in_the_way: str | None
-    """As in `birdcage.cli.standing`."""
+    """As `birdcage.cli.standing` has it."""
     rise_db: float | None
     elements: ElementSet | None
 
@@ -68,7 +68,7 @@ def look_round(
     from birdcage.sky.rise import Ear, expected_rise_db
     from birdcage.sky.targets.model import Satellite
 
-    ear, notes = Ear.of(dish.settings.active_feed), []
+    ear, notes, in_the_way = Ear.of(dish.settings.active_feed), [], what_stands_in_the_way(dish)
     seen = [*_satellites(entries, observer, when), *_slots(observer, when)]
     try:
         seen += _bodies(observer, when)
@@ -78,7 +78,7 @@ def look_round(
         Row(
             target,
             look,
-            what_stands_in_the_way(look, dish),
+            in_the_way(look),
             expected_rise_db(target, look, ear),
             target.elements if isinstance(target, Satellite) else None,
         )

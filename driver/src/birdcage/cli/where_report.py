@@ -34,7 +34,7 @@ def look_up(text: str, paths: Paths, file: Path | None, tell: Callable[[str], No
 
     class WhenNeeded:
         def search(self, typed: str, limit: int) -> tuple[Entry, ...]:
-            return SearchIndex(known_satellites(paths, file, tell).entries).search(typed, limit)
+            return SearchIndex(known_satellites(paths, file, tell)).search(typed, limit)
 
     return parse_target(text, WhenNeeded())
 
@@ -75,7 +75,7 @@ class Report:
             when=when,
             seen=seen,
             turning=rate(target, observer, when),
-            in_the_way=what_stands_in_the_way(seen, dish),
+            in_the_way=what_stands_in_the_way(dish)(seen),
             skew_deg=target.skew_deg(observer) if isinstance(target, SlotTarget) else None,
             rise_db=expected_rise_db(target, seen, Ear.of(feed)),
             feed=dish.settings.feed.active,

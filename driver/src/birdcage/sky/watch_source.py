@@ -5,8 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from birdcage.sky.elements import ElementSet
+
+if TYPE_CHECKING:
+    from birdcage.sky.catalogue import Entry
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,6 +25,17 @@ class Watched:
     priorities: Mapping[int, int] = field(default_factory=dict)
     time_offsets: Mapping[int, float] = field(default_factory=dict)
     """How many seconds later than computed a satellite comes."""
+
+    @classmethod
+    def of(cls, entries: Sequence[Entry], note: str = "") -> Watched:
+        """Return what the catalogue says of these satellites."""
+        return cls(
+            tuple(entry.elements for entry in entries),
+            note,
+            frozenset(index for index, entry in enumerate(entries) if entry.favourite),
+            {index: entry.priority for index, entry in enumerate(entries) if entry.priority},
+            {index: entry.time_offset_s for index, entry in enumerate(entries) if entry.time_offset_s},
+        )
 
     def chosen(self, keep: Callable[[ElementSet], bool]) -> Watched:
         """Return those satellites that `keep` says yes to, with all that is said of them."""
@@ -38,25 +53,20 @@ class Watched:
         )
 
 
-def read_catalogue(path: Path) -> Watched:
-    """Return what the catalogue holds; the frozen set, with a note, if it is empty or not there.
-
-    StoreError if it can't be read.
-    """
+def read_entries(path: Path) -> tuple[Entry, ...]:
+    """Return what the catalogue holds; nothing where there is no file, and none is made. StoreError if unreadable."""
     from birdcage.sky.catalogue import Catalogue
 
     if not path.exists():
-        return frozen_set()
+        return ()
     with Catalogue(path) as catalogue:
-        entries = catalogue.entries()
-    if not entries:
-        return frozen_set()
-    return Watched(
-        tuple(entry.elements for entry in entries),
-        favourites=frozenset(index for index, entry in enumerate(entries) if entry.favourite),
-        priorities={index: entry.priority for index, entry in enumerate(entries) if entry.priority},
-        time_offsets={index: entry.time_offset_s for index, entry in enumerate(entries) if entry.time_offset_s},
-    )
+        return catalogue.entries()
+
+
+def read_catalogue(path: Path) -> Watched:
+    """Return the same to be watched; the frozen set, with a note, if that is nothing. StoreError if unreadable."""
+    entries = read_entries(path)
+    return Watched.of(entries) if entries else frozen_set()
 
 
 def frozen_set() -> Watched:

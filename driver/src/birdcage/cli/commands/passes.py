@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 import click
 
 from birdcage.cli import exits
+from birdcage.cli.known_satellites import find_elements
 from birdcage.cli.options import Wanted, flags, global_options, wanted
-from birdcage.cli.sky_options import UTC_TIME, elements_option, find_elements, find_observer, observer_options
+from birdcage.cli.sky_options import UTC_TIME, elements_option, find_observer, observer_options
 
 if TYPE_CHECKING:
     from birdcage.sky.observer import Observer
@@ -123,10 +124,9 @@ def _heard(watched: Watched, wants: Wanted, hearable: bool | None, named: bool) 
 def _limits(wants: Wanted) -> ReachLimits:
     """Return what limits this dish, and say where that comes from."""
     from birdcage.cli.say import say
-    from birdcage.station.reach_limits import reach_limits
+    from birdcage.cli.standing import limits_of
 
-    model = wants.model if wants.firmware_given else None
-    limits = reach_limits(wants.settings, model)
+    model, limits = wants.named_model, limits_of(wants)
     whose = "No dish is named (--firmware, or firmware in birdcage.toml)" if model is None else f"The {model.name}"
     words = f"{whose}: reach is taken from {limits.el_floor_deg:g}° to {limits.el_ceiling_deg:g}° of elevation"
     if limits.cable is not None:

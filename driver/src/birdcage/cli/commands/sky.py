@@ -48,7 +48,7 @@ def command(
     dish = wanted()
     observer = find_observer(dish.settings, lat, lon, alt)
     when = at or datetime.now(UTC)
-    entries = known_satellites(dish.paths, elements, say).entries
+    entries = known_satellites(dish.paths, elements, say)
     up = look_round(entries, observer, when, dish, min_elevation)
     warning = frozen_warning([row.elements for row in up.rows if row.elements is not None])
     for note in (*up.notes, *([warning] if warning else [])):
