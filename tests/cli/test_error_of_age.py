@@ -58,3 +58,14 @@ def test_it_is_in_the_csv_too(passes):
     (first, *_rest) = csv.DictReader(io.StringIO(passes("--name", "metop", "--csv", "-").stdout))
     assert first["elements_grade"] in ("fresh", "usable")
     assert float(first["pointing_error_p90_deg"]) > float(first["pointing_error_deg"])
+
+
+def test_where_tells_it_for_a_satellite_and_not_for_a_body(run, as_json):
+    here = ("--lat", 52.0, "--lon", 5.0)
+    told = as_json(run("where", "25544", *here, "--json", port=None, firmware=""))
+    assert told["along_track_error_km"] == pytest.approx(6.0, abs=0.1)
+    assert "elements_grade" not in as_json(run("where", "moon", *here, "--json", port=None, firmware=""))
+    lines = run("where", "25544", *here, port=None, firmware="").stdout.splitlines()
+    (line,) = (line for line in lines if line.startswith("error "))
+    assert "2 d old" in line or "48 h old" in line
+    assert "° off" in line

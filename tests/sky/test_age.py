@@ -113,4 +113,5 @@ def test_of_what_is_about_to_fall_nothing_is_known_however_young():
 
 
 def test_farther_away_the_same_kilometres_are_fewer_degrees():
+    assert after(STATION, 48, 2000).words.startswith("2 d old, 0.17° off, one in ten")
     assert after(STATION, 48, 2000).pointing_median_deg < after(STATION, 48, 500).pointing_median_deg / 3.5

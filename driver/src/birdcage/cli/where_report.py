@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 
     from birdcage.base.paths import Paths
     from birdcage.cli.options import Wanted
+    from birdcage.sky.age import ExpectedError
     from birdcage.sky.catalogue import Entry
     from birdcage.sky.elements import ElementSet
     from birdcage.sky.look import LookAngle, LookRate
@@ -91,8 +92,19 @@ class Report:
         """How old the elements are at the time that was asked for."""
         return None if self.elements is None else (self.when - self.elements.epoch).total_seconds()
 
+    @property
+    def error(self) -> ExpectedError | None:
+        """How far off the elements may be: where it is up at its distance, else at its closest; None without any."""
+        from birdcage.sky.age import expected_error
+
+        if self.elements is None:
+            return None
+        return expected_error(self.elements, self.when, self.seen.range_km if self.seen.el_deg > 0.0 else None)
+
     def values(self) -> dict[str, object]:
         """Return it for JSON."""
+        from birdcage.sky.age import error_values
+
         elements = self.elements
         return {
             "name": self.target.name,
@@ -119,6 +131,7 @@ class Report:
             "age_s": rounded(self.age_s, 0),
             "source": None if elements is None else elements.source or None,
             "time_offset_s": self.time_offset_s if elements is not None else None,
+            **({} if self.error is None else error_values(self.error)),
         }
 
     def lines(self) -> list[str]:
@@ -146,6 +159,8 @@ class Report:
         lines.append(f"rise       {self._rise_words()}")
         if self.elements is not None:
             lines.append(f"elements   {self._age_words()}")
+        if self.error is not None:
+            lines.append(f"error      {self.error.glyph} {self.error.grade}: {self.error.words}")
         return lines
 
     def _rise_words(self) -> str:

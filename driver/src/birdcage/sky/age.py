@@ -98,7 +98,7 @@ def expected_error(elements: ElementSet, when: datetime, range_km: float | None 
     grade = grade_of(degrees)
     if age_h > LONGEST_H:
         grade = worse(grade, "useless" if age_h > USELESS_H[orbit] else "doubtful")
-    words = words_of(age_s, degrees, measured=measured, longest_s=LONGEST_H * 3600.0)
+    words = words_of(age_s, degrees, measured=measured, closest=range_km is None, longest_s=LONGEST_H * 3600.0)
     if age_h > LONGEST_H or km is None or degrees is None:
         return ExpectedError(age_s, None, None, None, None, grade, glyph_of(grade), words, orbit, measured)
     return ExpectedError(age_s, *km, *degrees, grade, glyph_of(grade), words, orbit, measured)

@@ -40,12 +40,14 @@ def degrees(angle: float | None) -> str:
     return f"{angle:.2f}°" if angle < 1.0 else f"{angle:.1f}°" if angle < 10.0 else f"{angle:.0f}°"
 
 
-def words_of(age_s: float, error_deg: tuple[float, float] | None, *, measured: bool, longest_s: float) -> str:
+def words_of(
+    age_s: float, error_deg: tuple[float, float] | None, *, measured: bool, closest: bool, longest_s: float
+) -> str:
     """Return age and error in words; of what is older than `longest_s` the error is that of then."""
     age = f"{span(age_s)} old" if age_s >= 0 else f"epoch {span(-age_s)} ahead"
     if error_deg is None:
         return f"{age}, falling too fast for its error to be known"
-    figures = f"{degrees(error_deg[0])} off at closest, one in ten {degrees(error_deg[1])}"
+    figures = f"{degrees(error_deg[0])} off{' at closest' if closest else ''}, one in ten {degrees(error_deg[1])}"
     about = "" if measured else "about "
     if abs(age_s) > longest_s:
         return f"{age}, error not known: after {span(longest_s)} it is {about}{figures}"
