@@ -6,6 +6,7 @@ import gc
 from collections import deque
 from collections.abc import Callable
 from concurrent.futures import Future
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -21,6 +22,8 @@ from textual.timer import Timer
 from textual.widgets import ContentSwitcher, Input
 
 from birdcage_tui import commands
+from birdcage_tui.clock_told import ClockTold
+from birdcage_tui.clock_watch import ClockWatch
 from birdcage_tui.console.tap import WireTap
 from birdcage_tui.control.book import PresetBook
 from birdcage_tui.control.horizon_book import HorizonBook
@@ -87,6 +90,9 @@ class Shell(Surface):
         self.horizon = HorizonBook(self.settings.horizon)
         """The line of trees and roofs."""
         self.sky = SkyFeed(self.settings.sky, lambda sky: self.post_message(SkyChanged(sky)), self.say_soon)
+        self.clock_watch = ClockWatch(
+            self.settings.clock_check, lambda told: self.soon(partial(self._hear_clock, told))
+        )
         self.aim: tuple[float, float] | None = None
         """Where the go-to line would lead, while one types into it."""
         self._signal: deque[Sample] = deque(maxlen=KEPT_SAMPLES)
@@ -140,6 +146,7 @@ class Shell(Surface):
             self.tap_problem = str(problem)
         self.session.start()
         self.sky.begin(self.station.state, self.settings.place, self.horizon.known)
+        self.clock_watch.begin()
         self.watch_page()
         if self.settings.first_page != "dashboard":
             self.show_page(self.settings.first_page)
@@ -152,6 +159,7 @@ class Shell(Surface):
     def on_unmount(self) -> None:
         """Hear no more events."""
         self.sky.close()
+        self.clock_watch.close()
         if self._unsubscribe is not None:
             self._unsubscribe()
 
@@ -185,6 +193,7 @@ class Shell(Surface):
             told=tuple(self._told),
             sky=self.sky.now,
             horizon=self.horizon.state,
+            clock=self.clock_watch.now,
         )
 
     def paint(self) -> None:
@@ -234,7 +243,12 @@ class Shell(Surface):
 
     @on(SkyChanged)
     def _see(self, message: SkyChanged) -> None:
-        self.sky.now = message.sky
+        first, self.sky.now = self.sky.now is None, message.sky
+        if first or message.sky.searched != 1.0:
+            self._changed()  # else the next frame is soon enough: one comes every second
+
+    def _hear_clock(self, told: ClockTold) -> None:
+        self.clock_watch.now = told
         self._changed()
 
     def on_resize(self, event: events.Resize) -> None:

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from birdcage.sky.geostationary import arc
-from birdcage.sky.horizon import HorizonMask
 
 from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.panes.polar import Polar
 from birdcage_tui.view import View
+
+if TYPE_CHECKING:
+    from birdcage.sky.horizon import HorizonMask
 
 QUIET = ("faint", "line", "dim")
 """Dots that a name may cover."""

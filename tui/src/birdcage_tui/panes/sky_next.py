@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import heapq
+from typing import TYPE_CHECKING
 
 from birdcage_tui.canvas import Cells
-from birdcage_tui.passes.model import Row
 from birdcage_tui.passes.words import count_text, fit, length_text
 from birdcage_tui.view import View
+
+if TYPE_CHECKING:
+    from birdcage_tui.passes.model import Row
 
 MOST = 8
 

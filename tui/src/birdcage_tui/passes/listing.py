@@ -13,7 +13,7 @@ from birdcage_tui.pane import Pane
 from birdcage_tui.passes.desk import Desk
 from birdcage_tui.passes.empty import GET_ELEMENTS, empty_words
 from birdcage_tui.passes.model import Row
-from birdcage_tui.passes.spark import draw_spark
+from birdcage_tui.passes.spark import Sparks
 from birdcage_tui.passes.words import count_text, fit, reach_sign, reach_text
 from birdcage_tui.view import View
 
@@ -39,6 +39,7 @@ class PassList(Pane, can_focus=True):
         super().__init__(id=id)
         self.border_title = "Passes"
         self._desk = desk
+        self._sparks = Sparks()
         self._top = 0
         self._shown: list[Row] = []
 
@@ -132,7 +133,7 @@ class PassList(Pane, can_focus=True):
         cells.right(x + 6, y, reach_text(row), text if reachable else dim)
         cells.right(x + 11, y, f"{row.max_el_deg:.0f}°", dim)
         if curve:
-            draw_spark(cells, x + 12, y, curve, row, dim, text if lit else "target")
+            self._sparks.draw(cells, x + 12, y, curve, row, dim, text if lit else "target")
         sign, ink, words = reach_sign(row.reach)
         x = cells.put(x + 13 + curve, y, sign, text if lit else ink)
         if why > 3 and words:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from datetime import UTC, datetime
+from typing import TYPE_CHECKING
 
-from birdcage_tui.passes.model import InReach, Row
+if TYPE_CHECKING:  # the dashboard needs these words for its first frame, and no passes yet
+    from birdcage_tui.passes.model import InReach, Row
 
 EDGES = ("floor", "horizon")
 """What lies between the geometric horizon and reach at both ends of a pass."""
