@@ -29,6 +29,7 @@ SCREENS = {
     "setup": ("8",),
     "passes": ("7",),
     "passes, not now": ("7", "right_square_bracket"),
+    "passes, the world": ("7", "w"),
     "passes, filter": ("7", "slash", "m"),
     "a page to come": ("6",),
     "jump": ("semicolon",),

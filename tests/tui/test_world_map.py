@@ -265,6 +265,30 @@ def test_keys_choose_another_pass_on_the_map_and_go_back():
     assert "Passes" in text
 
 
+def test_a_frame_in_which_the_world_is_the_same_costs_nothing():
+    async def look(app, pilot):
+        pane, drawn = app.query_one(PassWorld), []
+        draw = pane.draw
+        pane.draw = lambda cells, view: (drawn.append(cells), draw(cells, view))
+        for _ in range(5):
+            app.paint()
+            await pilot.pause()
+        same = len(drawn)
+        await pilot.resize_terminal(120, 36)
+        await pilot.pause()
+        resized = len(drawn)
+        await pilot.press("right_square_bracket")
+        await pilot.pause()
+        app.paint()
+        await pilot.pause()
+        return same, resized, len(drawn), drawn[-1].width
+
+    same, resized, later, width = on_map(look)
+    assert same == 0
+    assert later > resized > same
+    assert width > 100
+
+
 def test_hidden_it_asks_for_nothing():
     async def look(app, pilot):
         app.paint()

@@ -38,6 +38,17 @@ class WorldMapPane(Pane, can_focus=True):
         self.border_title = "World  ━ ahead  ┄ behind  ○ in view  · night  ☼ Sun overhead"
         self.world: WorldView | None = None
         self._layers = Layers()
+        self._drawn: tuple[WorldView | None, str] | None = None
+        """The world that stands there, and the sign of the dish on it."""
+
+    def show(self, view: View) -> None:
+        """Draw the world, unless that one stands there already: it changes once a second, and frames are many."""
+        now = (self.world, view.pointer)
+        if self._cells is not None and self._drawn == now:
+            self.view = view
+            return
+        self._drawn = now
+        super().show(view)
 
     def look_down(self, world: WorldView | None) -> None:
         """Show the world as it is at another moment; None for nothing that is known."""

@@ -119,5 +119,5 @@ def _night(canvas: Braille, chart: Chart, sun: SubSolar) -> None:
             if start <= y < end:
                 canvas.dot(x, y, "faint")
     meridians = [step * 360.0 / chart.width - 180.0 for step in range(chart.width + 1)]
-    for x, y in chart.along([(sun.terminator_deg(each), each) for each in meridians], 2.0):
-        canvas.dot(x, y, "line")
+    for dot in chart.along([(sun.terminator_deg(each), each) for each in meridians], 2.0):
+        canvas.dot(*dot, "line")
