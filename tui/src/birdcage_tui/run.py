@@ -22,6 +22,7 @@ from birdcage.station.ring import owners_folder
 from birdcage.station.session import Session
 
 from birdcage_tui.app import BirdcageApp
+from birdcage_tui.clock_watch import make_check
 from birdcage_tui.control.horizon_file import ConfigHorizon
 from birdcage_tui.glyphs import fitting
 from birdcage_tui.settings import AppSettings, Place
@@ -140,6 +141,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSetti
         setup=make_setup,
         sky=make_sky(settings, paths, clock, demo=options.demo),
         horizon=ConfigHorizon(paths, settings, load_again),
+        clock_check=make_check(clock, paths),
         first_page=begin,
     )
 

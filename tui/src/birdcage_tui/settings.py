@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Protocol
 if TYPE_CHECKING:
     from birdcage.sky.horizon import HorizonMask
 
+    from birdcage_tui.clock_told import ClockTold
     from birdcage_tui.setup.engine import SetupEngine
     from birdcage_tui.sky_feed import MakeSky
 
@@ -64,5 +65,7 @@ class AppSettings:
     """Makes what watches the sky, after the first frame; None: nothing does."""
     horizon: HorizonFile | None = field(default=None, compare=False)
     """Where the line of trees and roofs is kept; None: nowhere."""
+    clock_check: Callable[[], ClockTold] | None = field(default=None, compare=False)
+    """Finds out how good this machine's clock is, on a thread after the first frame; None: nothing does."""
     first_page: str = "dashboard"
     """The page that the app opens with."""

@@ -12,6 +12,7 @@ from birdcage.base.presets import Preset
 from birdcage.station.raw import CONSOLE
 from birdcage.station.state import Activity, Link, StationState
 
+from birdcage_tui.clock_told import ClockTold
 from birdcage_tui.control.horizon_state import HorizonState
 from birdcage_tui.settings import AppSettings
 
@@ -78,6 +79,8 @@ class View:
     """What is up, and which passes come; None before it was first worked out."""
     horizon: HorizonState = field(default_factory=HorizonState)
     """The line of trees and roofs, as it counts now."""
+    clock: ClockTold | None = None
+    """How good this machine's clock is; None before it was checked."""
 
     @property
     def position_age_s(self) -> float | None:

@@ -228,6 +228,9 @@ def _standing(view: View) -> str:
         parts.append(f"offset az {state.az_offset_deg:+.2f}° el {state.el_offset_deg:+.2f}°")
     if place is not None and place.name:
         parts.append(place.name)
+    if view.clock is not None:
+        mark = f"{view.clock.glyph} " if view.clock.ink == "warn" else ""
+        parts.append(f"{mark}clock {view.clock.words}")
     return "  ".join(parts)
 
 
@@ -276,6 +279,9 @@ def next_steps(view: View) -> list[tuple[str, str]]:
         steps.append(("text", "Any key ends the tour. Then g goes to a direction, arrows step 1°."))
     elif not view.moving:
         steps.append(("text", f"Next: g goes to a direction, arrows step {view.step_deg:g}°."))
+    if view.clock is not None and view.clock.ink == "warn":
+        steps.append((view.clock.ink, f"{view.clock.glyph} {view.clock.doubt}"))
+        steps.append(("text", view.clock.cost))
     steps.append(("dim", "? keys   : commands   1-0 pages"))
     return steps
 

@@ -35,7 +35,7 @@ def draw_skyline(canvas: Braille, compass: Compass, mask: HorizonMask) -> None:
             canvas.line(*compass.dot(az_deg, 1.0), *here, "faint", every=3)
         before, was_deg = here, el_deg
     if compass.radius >= CLEAR:
-        for az_deg, el_deg in mask.points:
-            x, y = compass.dot(az_deg, part_of(el_deg))
+        for point in mask.points:
+            x, y = compass.dot(point[0], part_of(point[1]))
             for dx, dy in ((0, 0), (1, 0), (0, 1), (1, 1)):
                 canvas.dot(x + dx - 0.5, y + dy - 0.5, "text")

@@ -14,7 +14,7 @@ from birdcage_tui.panes.sky import SkyPane
 from birdcage_tui.skew import SkewPane, has_skew
 from birdcage_tui.view import View
 
-LEAST_FOR_HEALTH = 30
+LEAST_FOR_HEALTH = 31
 """Rows from which there is one for everything."""
 
 

@@ -57,6 +57,8 @@ class HealthPane(Pane):
         by_itself = state.dish is not None and state.dish.homing_s is None
         homed += ", at power-up, by itself" if by_itself else ""
         search = SEARCH[state.search].removeprefix("TV search ")
+        clock = view.clock
+        told = (_UNKNOWN, "clock", "--") if clock is None else ((clock.glyph, clock.ink), "clock", clock.words)
         return [
             (_OK if up else _NO, "link", f"{LINK[link.state][1]}, {trip}{noise}"),
             (_OK if up else _UNKNOWN, "port", f"{state.port.split('?')[0] or '--'}{heard}"),
@@ -66,6 +68,7 @@ class HealthPane(Pane):
                 "TV search",
                 search + (f" (NVS 20 {nvs.value})" if nvs is not None else _search_hint(view)),
             ),
+            told,
             (_OK if state.el_min_deg is not None else _UNKNOWN, "limits", limits),
             (_UNKNOWN, "firmware", state.firmware_version or "--"),
             (
