@@ -137,7 +137,7 @@ def test_a_dish_that_is_not_read_after_the_jog_gives_no_point():
         await pilot.press("M", "right")
         app.under_way.clear()
         for _ in range(3):
-            app.session.clock.advance(0.6)  # the position stays the one from before
+            app.session.clock.advance(0.55)  # the position stays the one from before
             await settled(app, pilot)
         return app.horizon.mask
 
