@@ -128,7 +128,7 @@ def _marks(cells: Cells, chart: Chart, left: int, top: int, world: WorldView, vi
     for one in sorted(world.satellites, key=lambda one: (not one.favourite, one.name))[:room]:
         spot = at(one.latitude_deg, one.longitude_deg)
         if one.favourite:
-            _name(cells, chart, left, one.name, *spot, "text", CALM)
+            _name(cells, chart, left, one.name, *spot, "text", CALM, rows=1)
         else:
             _name(cells, chart, left, one.name, *spot, "dim", ("faint",), rows=1)
 
