@@ -114,6 +114,10 @@ def test_a_favourite_is_shown_at_once_and_kept(stage):
         assert catalogue.entry(row.norad_id).favourite
     again = stage.step(30.0)
     assert all(one.favourite for one in again.rows if one.norad_id == row.norad_id)
+    with Catalogue(stage.paths.catalogue) as catalogue:
+        catalogue.set_favourite(row.norad_id, False)
+    other = stage.step(30.0)
+    assert not any(one.favourite for one in other.rows if one.norad_id == row.norad_id), "another program's word counts"
 
 
 def test_passes_are_written_as_three_files(stage):

@@ -94,10 +94,14 @@ class Converter:
 
     def _rows_of(self, sky: SkyNow, observer: Observer) -> tuple[Row, ...]:
         kept: dict[int, tuple[PassRow, Row]] = {}
+        told: dict[int | str, bool] = {}
         for found in sky.passes:
             known = self._rows.get(id(found))
             passing = found.passing
             favourite = self._favourite(passing.norad_id, passing.name, found.favourite)
+            satellite = passing.norad_id or passing.name
+            if satellite in self.favourites:
+                told[satellite] = told.get(satellite, True) and found.favourite == favourite
             groups = self.groups.get(key_of(found.elements), ())
             hears = None if self.hears is None else self.hears(passing.norad_id, passing.name)
             old = None if known is None or known[0] is not found else known[1]
@@ -110,6 +114,9 @@ class Converter:
             else:
                 kept[id(found)] = (found, _row(found, observer, favourite, groups, hears))
         self._rows = kept
+        for satellite, known_now in told.items():
+            if known_now:  # from here on the catalogue's word counts again, whoever changes it
+                self.favourites.pop(satellite, None)
         table = tuple(row for _, row in kept.values())
         if len(table) != len(self._table) or any(a is not b for a, b in zip(table, self._table, strict=True)):
             self._table = table  # else the old one: what was made of it is kept, too

@@ -61,7 +61,7 @@ class PassStrip(Pane):
     def _top(row: Row, high: float | None) -> float:
         """Return the upper end of the scale: the pass fits, and the ceiling too where it is near."""
         need = row.max_el_deg + 4.0
-        if high is not None and high > row.max_el_deg > high - 25.0:
+        if high is not None and high > row.max_el_deg > high - 12.0:
             need = max(need, high + 4.0)
         return min(max(need, 24.0), 90.0)
 

@@ -55,12 +55,12 @@ class Timeline(Pane):
                       "text" if favourite else "dim")  # fmt: skip
             for row in passes:
                 self._bar(cells, y, row, width)
-        self._scale(cells, width)
         self._line(cells, now_s, "line", "┆", width)
         self._line(cells, t_s, "accent-strong" if self._desk.machine.is_now else "warn-strong", "│", width)
         for y, (_, passes, _) in enumerate(rows, 1):
             for row in passes:
                 self._height(cells, y, row, width)
+        self._scale(cells, width)
 
     def _from(self, now_s: float, t_s: float, width: int) -> float:
         """Return the left end: a little before now, in steps of ten columns; it follows a moment that lies beyond."""
@@ -75,10 +75,7 @@ class Timeline(Pane):
         """Return the rows: favourites; where there are none, satellites whose passes come next in reach."""
         sky, chosen = self._desk.sky(view), self._desk.chosen(view)
         any_favourite = any(row.favourite for row in sky.rows)
-        if any(row.favourite for row in sky.rows):
-            title = "Timeline of favourites"
-        else:
-            title = "Timeline of what comes next   * makes a favourite"
+        title = "Timeline of favourites" if any_favourite else "Timeline of what comes next   * makes a favourite"
         if title != self.border_title:
             self.border_title = title
         lanes: dict[tuple[int, str], list[Row]] = {}
@@ -108,8 +105,10 @@ class Timeline(Pane):
         )
         at_s = floor(self._start_s / every + 1.0) * every
         while (column := self._column(at_s)) < width:
-            if column + 5 <= width:
-                cells.put(NAME + column, 0, f"╷{clock_text(at_s, seconds=False)}", "dim")
+            if column + 6 <= width and cells.free(NAME + column + 1, 0, 5):
+                cells.put(NAME + column + 1, 0, clock_text(at_s, seconds=False), "dim")
+            if cells.free(NAME + column, 0, 1):
+                cells.put(NAME + column, 0, "╷", "dim")
             for y in range(1, cells.height):
                 if cells.free(NAME + column, y, 1):
                     cells.put(NAME + column, y, "╎", "faint")
