@@ -143,6 +143,14 @@ def test_a_no_go_sector_changes_the_rose():
     assert rows != other
 
 
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_a_no_go_sector_says_why_on_the_rose(size):
+    rows = run(read, size=size, state={"no_go_sectors": (NoGoSector(20.0, 60.0, 35.0, "mast"),)}).splitlines()
+    assert any("mast" in row.split("│")[1] for row in rows if row.startswith("│"))
+    if size[1] >= 36:
+        assert any("mast below 35°" in row.split("│")[1] for row in rows if row.startswith("│"))
+
+
 def test_an_offset_shows_a_second_needle_with_its_angle():
     text = run(read, size=(120, 36), state={"az_offset_deg": 12.4})
     assert "dish 189.2°" in text

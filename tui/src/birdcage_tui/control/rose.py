@@ -59,6 +59,7 @@ class RosePane(Pane, can_focus=True):
         canvas.onto(cells, 0, 0)
         self._letters(cells, compass)
         self._rim(cells, compass, view)
+        self._sectors(cells, compass, view)
         self._marks(cells, compass, view)
         self._words(cells, compass, view)
         draw_tape(
@@ -132,6 +133,20 @@ class RosePane(Pane, can_focus=True):
             az_deg, el_deg = sun(view.utc, place.latitude_deg, place.longitude_deg)
             if el_deg > 0:
                 cells.put(*compass.cell(az_deg), "☼", "target-strong")
+
+    @staticmethod
+    def _sectors(cells: Cells, compass: Compass, view: View) -> None:
+        """Say beside each no-go sector why it is one, and below which elevation, as far as there is room."""
+        for low, high, below, reason in view.state.no_go_sectors:
+            middle = low + (high - low) % 360.0 / 2
+            limit = f"below {below:.0f}°"
+            for words in (f"{reason} {limit}".strip(), reason, limit):
+                places = [compass.cell(middle, part) for part in (0.5, 0.42, 0.34)] if words else []
+                starts = [(x - len(words) // 2, y) for x, y in places]
+                spot = next(((x, y) for x, y in starts if cells.free(x - 1, y, len(words) + 2, *QUIET)), None)
+                if spot is not None:
+                    cells.put(*spot, words, "warn")
+                    break
 
     @staticmethod
     def _marks(cells: Cells, compass: Compass, view: View) -> None:

@@ -1,0 +1,66 @@
+"""The horizon on a real station and a simulated dish: what is recorded is where the dish really rests."""
+
+import pytest
+from birdcage.sky.horizon import HorizonMask
+from birdcage_tui.control.horizon_book import HorizonBook
+from horizon_stand_in import File
+from test_end_to_end import House, played, press, type_direction
+
+
+@pytest.fixture(params=["g2", "hal205"])
+def house(request):
+    house = House(f"{request.param}?seed=1")
+    house.app.horizon = HorizonBook(File(HorizonMask()))
+    return house
+
+
+async def rest(house):
+    """Let it arrive, and stand a while."""
+    for _ in range(24):
+        await house.step(0.5)
+
+
+def truth(house):
+    found = house.device.truth()
+    return pytest.approx((found.az_deg % 360, found.el_deg), abs=0.13)
+
+
+@played
+async def test_jogging_along_the_tree_line_records_it_and_nothing_else(house):
+    async with house.app.run_test(size=(120, 36)) as house.pilot:
+        await house.step(3)
+        await press(house, "f2")
+        await type_direction(house, 220, 40)
+        for _ in range(3 if house.app.station.state.dish.skew else 1):
+            await rest(house)
+        await press(house, "M")
+        await rest(house)
+        assert house.app.horizon.mask.points == (), "where it was sent by a go-to is no tree"
+        where = []
+        for keys in ("lll", "jj", "ll"):
+            await press(house, *keys)
+            assert "● recording" in house.text()
+            await rest(house)
+            where.append(truth(house))
+        points = house.app.horizon.mask.points
+        assert len(points) == 2, "the second measured the first azimuth again"
+        assert points[0] == where[1]
+        assert points[1] == where[2]
+        before = house.clock.monotonic()
+        await press(house, "M", "m", "z", "Z", "y", "z")
+        await rest(house)
+        assert house.moves(before) == [], "the horizon moves nothing"
+        assert house.app.horizon.mask.points == points
+
+
+@played
+async def test_a_slew_gives_no_point(house):
+    async with house.app.run_test(size=(120, 36)) as house.pilot:
+        await house.step(3)
+        await press(house, "f2")
+        await type_direction(house, 220, 40)
+        await house.step(0.6)
+        await press(house, "m")
+        await house.step(0.1)
+        assert house.app.horizon.mask.points == ()
+        assert "moves" in house.text() or "not read" in house.text()
