@@ -9,7 +9,7 @@ def test_without_an_address_nobody_is_asked(run, monkeypatch):
     def ask(*_args, **_more):
         raise AssertionError("somebody was asked")
 
-    monkeypatch.setattr("birdcage.sky.update.fetch.fetch", ask)
+    monkeypatch.setattr("birdcage.sky.update.craft.Craft", ask)
     for words in (("search", "moon"), ("up",), ("passes", "iss")):
         result = run("craft", *words)
         assert result.exit_code == exits.USAGE

@@ -125,7 +125,7 @@ def test_check_tells_epoch_age_and_damage_and_takes_nothing_in(elements, tle, as
     assert "ISS (ZARYA)  2008-09-20 12:25:40" in result.stdout
     told = as_json(elements("check", tle, "--json"))
     (satellite,) = told["satellites"]
-    assert satellite["epoch"] == "2008-09-20T12:25:40.104192Z"
+    assert satellite["epoch"] == "2008-09-20T12:25:40.104Z"
     assert satellite["age_s"] > 5e8
     (complaint,) = told["complaints"]
     assert (complaint["source"], complaint["line"]) == (str(tle), 6)
@@ -160,7 +160,7 @@ def test_update_from_the_users_own_mirror(elements, server, as_json):
     (group, failed) = sorted(as_json(elements("list", "--json")), key=lambda each: -each["satellites"])
     assert (group["group"], group["satellites"], group["problem"]) == ("weather", 3, None)
     assert 0 <= group["age_s"] < 600
-    assert group["median_epoch"] == "2026-07-01T12:00:00Z"
+    assert group["median_epoch"] == "2026-07-01T12:00:00.000Z"
     assert "404" in failed["problem"]
     (again,) = as_json(elements("update", "weather", "--json", env=env))
     assert (again["status"], again["added"]) == ("updated", {"new": 0, "newer": 0, "kept": 3})

@@ -148,7 +148,7 @@ def test_without_elements_those_that_ship_are_used_and_said_to_be_old(passes):
     result = passes(elements=None)
     assert result.exit_code == 0
     assert "frozen elements" in result.stderr
-    assert "no dish finds a satellite by them" in result.stderr
+    assert "do not point a dish by them" in result.stderr
 
 
 def test_the_catalogue_is_used_where_there_is_one(passes, as_json, iss, run):
@@ -187,3 +187,26 @@ def test_a_satellite_that_comes_ten_seconds_later_rises_ten_seconds_later(run, p
     for one, other in zip(late, before, strict=True):
         apart = datetime.fromisoformat(one["aos"]) - datetime.fromisoformat(other["aos"])
         assert apart.total_seconds() == pytest.approx(10.0, abs=2.5), "but for what the Earth turns meanwhile"
+
+
+def test_a_narrow_terminal_gets_fewer_columns_and_is_told_which(passes, monkeypatch):
+    monkeypatch.setattr("birdcage.cli.table.room", lambda: 80)
+    result = passes()
+    lines = result.stdout.splitlines()
+    assert max(map(len, lines)) <= 80
+    assert lines[0].split() == ["AOS", "(UTC)", "LOS", "NAME", "MAX", "AZIMUTHS", "REACH", "ERROR"]
+    assert "No room for FROM, BEST, NOT WHERE, SUN, AGE: a wider terminal" in result.stderr
+
+
+def test_a_table_ends_after_forty_and_says_how_many_there_are(run, as_json, tmp_path):
+    words = ("passes", *PLACE, "--start", "2018-01-21", "--hours", 48)
+    everything = as_json(run(*words, "--json"))
+    result = run(*words)
+    assert len(result.stdout.splitlines()) == 1 + 40
+    assert f"{len(everything) - 40} more are not listed" in result.stderr
+    assert len(run(*words, "--limit", 50).stdout.splitlines()) == 1 + 50
+
+
+def test_a_file_that_was_written_is_named(passes, tmp_path):
+    assert f"1 pass written to {tmp_path / 'one.ics'}" in passes("--ics", tmp_path / "one.ics", "--limit", 1).stderr
+    assert (tmp_path / "one.ics").read_bytes().startswith(b"BEGIN:VCALENDAR")

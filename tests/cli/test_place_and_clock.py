@@ -77,6 +77,11 @@ class TestPlace:
         assert run("place", "remove", "Town").exit_code == 0
         assert len(run("place", "list").stdout.splitlines()) == 1
 
+    def test_the_first_one_is_told_how_to_make_it_count(self, run, home):
+        assert "`birdcage place use 'My field'` makes it" in run("place", "add", "My field", "JO21jv").stderr
+        run("place", "use", "My field")
+        assert "No place counts" not in run("place", "add", "Other", "JO22jv").stderr
+
     def test_shown(self, run, home):
         assert run("place", "show").exit_code == 2
         run(*HILL, "--use")

@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+import io
+import sys
+
 
 def main() -> None:
     """Run `birdcage` with the arguments of this process; ends it with one of `birdcage.cli.exits`."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):  # a terminal without a degree sign is no reason to tell nothing
+            stream.reconfigure(errors="replace")
     try:
         from birdcage.cli.app import cli
 

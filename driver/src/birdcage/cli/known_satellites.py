@@ -53,7 +53,7 @@ def frozen_warning(elements: Iterable[ElementSet]) -> str | None:
     epochs = sorted(each.epoch for each in elements if each.source == SOURCE)
     if not epochs:
         return None
-    dates = f"{epochs[0]:%Y-%m-%d}" if len(epochs) == 1 else f"{epochs[0]:%Y-%m-%d} to {epochs[-1]:%Y-%m-%d}"
+    dates = " to ".join(dict.fromkeys((f"{epochs[0]:%Y-%m-%d}", f"{epochs[-1]:%Y-%m-%d}")))
     return (
         f"Warning: frozen elements, which ship with birdcage for a first look (epoch {dates}). Where a satellite "
         "stands now cannot be told from them: do not point a dish by them. `birdcage elements update` fetches new ones."

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from datetime import datetime
 from typing import TYPE_CHECKING
 
-from birdcage.cli.say import tell
+from birdcage.cli.table import cut, tell_table, whole_width, widths_of
 from birdcage.sky.age import expected_error
 from birdcage.sky.age_words import degrees
 from birdcage.sky.doppler import doppler_hz
@@ -16,21 +16,48 @@ if TYPE_CHECKING:
 
 HEAD = ("AOS (UTC)", "LOS", "NAME", "MAX", "AZIMUTHS", "REACH", "FROM", "BEST", "NOT WHERE", "SUN", "AGE", "ERROR")
 RIGHT = frozenset({"MAX", "REACH", "BEST", "AGE", "DOPPLER"})
+SPARED = ("AGE", "SUN", "BEST", "NOT WHERE", "FROM", "ERROR")
+"""What a narrow terminal goes without, the first one first."""
+SHORTEST_NAME = 16
 
 
-def tell_passes(rows: Sequence[PassRow], start: datetime, freq_hz: float | None = None) -> None:
-    """Print passes, one a line. The date stands where it changes; `-` is nothing, or not known."""
+def tell_passes(
+    rows: Sequence[PassRow], start: datetime, freq_hz: float | None = None, width: int | None = None
+) -> tuple[str, ...]:  # fmt: skip
+    """Print passes, one a line, at most `width` wide. The date stands where it changes; `-` is nothing, or not known.
+
+    Return the columns that there was no room for.
+    """
     if not rows:
-        return
+        return ()
     head = HEAD if freq_hz is None else (*HEAD, "DOPPLER")
-    lines = [head, *(_cells(row, start, freq_hz) for row in rows)]
-    widths = [max(len(line[column]) for line in lines) for column in range(len(head))]
-    for line in lines:
-        cells = (
-            cell.rjust(width) if name in RIGHT else cell.ljust(width)
-            for cell, width, name in zip(line, widths, head, strict=True)
-        )
-        tell("  ".join(cells).rstrip())
+    lines = [_cells(row, start, freq_hz) for row in rows]
+    shown, name_width = _fitting(head, widths_of(head, lines), width)
+    name = head.index("NAME")
+    lines = [(*line[:name], cut(line[name], name_width), *line[name + 1 :]) for line in lines]
+    tell_table(
+        [head[column] for column in shown],
+        [[line[column] for column in shown] for line in lines],
+        "".join("r" if head[column] in RIGHT else " " for column in shown),
+    )
+    return tuple(name for column, name in enumerate(head) if column not in shown)
+
+
+def _fitting(head: Sequence[str], widths: Sequence[int], width: int | None) -> tuple[list[int], int]:
+    """Return which columns there is room for, and how wide names may be."""
+    shown, name = list(range(len(head))), head.index("NAME")
+    if width is None:
+        return shown, widths[name]
+    shortest = min(widths[name], SHORTEST_NAME)
+
+    def without_name() -> int:
+        return whole_width([widths[column] for column in shown]) - widths[name]
+
+    for spared in SPARED:
+        if without_name() + shortest <= width:
+            break
+        shown.remove(head.index(spared))
+    return shown, min(widths[name], max(width - without_name(), shortest))
 
 
 def _cells(row: PassRow, start: datetime, freq_hz: float | None) -> tuple[str, ...]:

@@ -6,6 +6,7 @@ import contextlib
 import json
 import sys
 from collections.abc import Mapping, Sequence
+from datetime import UTC, datetime
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -24,8 +25,14 @@ def tell(line: str) -> None:
 
 
 def tell_json(value: Mapping[str, object] | Sequence[object]) -> None:
-    """Print data as one line of JSON."""
-    tell(json.dumps(value, ensure_ascii=False))
+    """Print data as one line of JSON, escaped where stdout has no letters for it."""
+    utf8 = (sys.stdout.encoding or "").lower().replace("-", "") == "utf8"
+    tell(json.dumps(value, ensure_ascii=not utf8))
+
+
+def iso(moment: datetime | None) -> str | None:
+    """Return a time for JSON, UTC to the millisecond; None stays None."""
+    return None if moment is None else f"{moment.astimezone(UTC):%Y-%m-%dT%H:%M:%S}.{moment.microsecond // 1000:03}Z"
 
 
 def position_lines(position: Pointing) -> str:

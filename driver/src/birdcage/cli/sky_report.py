@@ -7,7 +7,9 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import TYPE_CHECKING
 
-from birdcage.cli.where_report import iso, rounded
+from birdcage.cli.say import iso
+from birdcage.cli.table import cut
+from birdcage.cli.where_report import rounded
 
 if TYPE_CHECKING:
     from birdcage.cli.options import Wanted
@@ -134,8 +136,7 @@ def table(rows: Sequence[Row], when: datetime) -> Iterator[str]:
     if rows:
         yield f"{'EL':>6}  {'AZ':>6}  {'NAME':{NAME_WIDTH}}  {'RANGE KM':>13}  NOTES"
     for row in rows:
-        name = row.target.name
-        name = name if len(name) <= NAME_WIDTH else f"{name[: NAME_WIDTH - 1]}…"
+        name = cut(row.target.name, NAME_WIDTH)
         far = "-" if row.seen.range_km is None else f"{row.seen.range_km:,.0f}"
         az_deg = round(row.seen.az_deg, 2) % 360.0
         yield f"{row.seen.el_deg:6.2f}  {az_deg:6.2f}  {name:{NAME_WIDTH}}  {far:>13}  {_notes(row, when)}".rstrip()

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING
 
+from birdcage.cli.say import iso
+
 if TYPE_CHECKING:
     from pathlib import Path
 
@@ -192,11 +194,6 @@ class Report:
             later = "later" if self.time_offset_s > 0.0 else "earlier"
             words += f", comes {abs(self.time_offset_s):g} s {later} than computed"
         return words
-
-
-def iso(when: datetime) -> str:
-    """Return a time for JSON, to the millisecond."""
-    return when.astimezone(UTC).isoformat(timespec="milliseconds").replace("+00:00", "Z")
 
 
 def rounded(value: float | None, digits: int) -> float | None:

@@ -78,6 +78,7 @@ def _by_gps(receiver: str) -> ClockVerdict:
 
 
 def _values(verdict: ClockVerdict, rate_deg_s: float) -> dict[str, object]:
+    from birdcage.cli.say import iso
     from birdcage.gps.verdict import cost_deg
 
     worst_s = verdict.worst_s
@@ -86,7 +87,7 @@ def _values(verdict: ClockVerdict, rate_deg_s: float) -> dict[str, object]:
         "doubt": verdict.doubt or None,
         "source": verdict.source,
         "kind": verdict.kind,
-        "checked_at": verdict.checked_at.isoformat(),
+        "checked_at": iso(verdict.checked_at),
         "offset_s": verdict.offset_s,
         "precision_s": verdict.precision_s,
         "rate_deg_s": rate_deg_s,

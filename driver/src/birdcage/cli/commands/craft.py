@@ -74,8 +74,8 @@ def _service() -> Craft:
 def _tell(context: click.Context, found: Sequence[object], columns: Sequence[str]) -> None:
     from dataclasses import fields
 
-    from birdcage.cli.commands.elements_common import iso, tell_table
-    from birdcage.cli.say import say, tell_json
+    from birdcage.cli.say import iso, say, tell_json
+    from birdcage.cli.table import tell_table
 
     def plain(value: object) -> object:
         return iso(value) if isinstance(value, datetime) else value

@@ -80,7 +80,7 @@ def _values(each: Downlink, heard: Hearing | None) -> dict[str, object]:
 
 
 def _tell(rows: list[tuple[Downlink, Hearing | None]]) -> None:
-    from birdcage.cli.commands.elements_common import tell_table
+    from birdcage.cli.table import tell_table
 
     cells = [
         (

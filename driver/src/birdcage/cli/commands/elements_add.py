@@ -43,9 +43,10 @@ def add(context: click.Context, paths: tuple[str, ...], group: str | None) -> No
         tell_json({**added._asdict(), "groups": groups, "complaints": complaints})
     else:
         grouped = f" {len(harvest.groups)} groups." if harvest.groups else ""
-        tell(f"{added.new} new, {added.newer} with newer elements, {added.kept} known as well or better.{grouped}")
-        if not harvest.elements and not harvest.complaints and not harvest.groups:
-            say("There are no elements in it.")
+        if harvest.elements or harvest.groups:
+            tell(f"{added.new} new, {added.newer} with newer elements, {added.kept} known as well or better.{grouped}")
+        else:
+            say("There are no elements in it: the catalogue is as it was.")
     if harvest.complaints or not (harvest.elements or harvest.groups):
         context.exit(NOT_DONE)
 

@@ -71,7 +71,7 @@ _OF_OURS = ("fetched", "groups", "tags", "favourite", "priority", "time_offset_s
 
 
 def _tell(entries: Sequence[Entry], now: datetime) -> None:
-    from birdcage.cli.commands.elements_common import tell_table
+    from birdcage.cli.table import tell_table
     from birdcage.sky.age import expected_error
     from birdcage.sky.catalogue.words import age
 
@@ -95,13 +95,18 @@ def _off(found: ExpectedError) -> str:
 
 
 def _sum_up(entries: Sequence[Entry], complaints: Sequence[Complaint], now: datetime) -> str:
-    from birdcage.sky.catalogue.words import age
-
     epochs = sorted(each.elements.epoch for each in entries)
     bad = f" {len(complaints)} damaged, named above and skipped." if complaints else ""
     if not epochs:
         return f"No satellites.{bad}"
     if len(epochs) == 1:
-        return f"One satellite, its epoch {age(epochs[0], now)} ago.{bad}"
-    ages = f"the newest {age(epochs[-1], now)} old, half of them {age(epochs[len(epochs) // 2], now)} at most"
-    return f"{len(epochs)} satellites: {ages}, the oldest {age(epochs[0], now)}.{bad}"
+        return f"One satellite, {_old(epochs[0], now)}.{bad}"
+    newest, half, oldest = (_old(epoch, now) for epoch in (epochs[-1], epochs[len(epochs) // 2], epochs[0]))
+    return f"{len(epochs)} satellites: the newest {newest}, half of them {half} at most, the oldest {oldest}.{bad}"
+
+
+def _old(epoch: datetime, now: datetime) -> str:
+    from birdcage.sky.catalogue.words import span
+
+    seconds = (now - epoch).total_seconds()
+    return f"{span(seconds)} old" if seconds >= 0 else f"{span(-seconds)} ahead"

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from datetime import UTC, datetime
+from datetime import datetime
 from typing import TYPE_CHECKING
+
+from birdcage.cli.say import iso
 
 if TYPE_CHECKING:
     from birdcage.base.config import ElementsSettings
@@ -40,11 +42,6 @@ def elements_settings() -> ElementsSettings:
     return settings.elements
 
 
-def iso(moment: datetime | None) -> str | None:
-    """Return a time for JSON."""
-    return None if moment is None else moment.astimezone(UTC).isoformat().replace("+00:00", "Z")
-
-
 def entry_values(entry: Entry, now: datetime) -> dict[str, object]:
     """Return a satellite for JSON."""
     return {
@@ -68,21 +65,9 @@ def complaint_values(complaint: Complaint) -> dict[str, object]:
     return {"source": complaint.source, "line": complaint.line or None, "why": complaint.why}
 
 
-def tell_table(head: Sequence[str], rows: Sequence[Sequence[str]], right: str = "") -> None:
-    """Print rows in columns as wide as they need; `right` has an `r` for each column that is flush right."""
-    from birdcage.cli.say import tell
-
-    widths = [max(len(row[column]) for row in (head, *rows)) for column in range(len(head))]
-    for row in (head, *rows):
-        cells = (
-            cell.rjust(width) if right[column : column + 1] == "r" else cell.ljust(width)
-            for column, (cell, width) in enumerate(zip(row, widths, strict=True))
-        )
-        tell("  ".join(cells).rstrip())
-
-
 def tell_entries(entries: Sequence[Entry], now: datetime) -> None:
     """Print satellites, one a line."""
+    from birdcage.cli.table import tell_table
     from birdcage.sky.catalogue.words import age
 
     head = ("", "NUMBER", "NAME", "EPOCH (UTC)", "AGE", "GROUPS, TAGS", "NOTES")

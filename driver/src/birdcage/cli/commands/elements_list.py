@@ -81,8 +81,8 @@ def _tell_satellites(entries: Sequence[Entry], now: datetime) -> None:
 
 
 def _tell_groups(groups: Sequence[Group], entries: Sequence[Entry], now: datetime, *, fetchable: bool) -> None:
-    from birdcage.cli.commands.elements_common import tell_table
     from birdcage.cli.say import tell, tell_json
+    from birdcage.cli.table import tell_table
     from birdcage.sky.catalogue import Group
     from birdcage.sky.catalogue.words import age, at
     from birdcage.sky.update.sources import GROUPS
@@ -111,7 +111,7 @@ def _tell_groups(groups: Sequence[Group], entries: Sequence[Entry], now: datetim
 
 
 def _group_values(group: Group, epochs: Sequence[datetime], now: datetime) -> dict[str, object]:
-    from birdcage.cli.commands.elements_common import iso
+    from birdcage.cli.say import iso
 
     return {
         "group": group.name,

@@ -62,7 +62,8 @@ def _tell(outcome: Outcome) -> None:
 
 
 def _values(outcome: Outcome) -> dict[str, object]:
-    from birdcage.cli.commands.elements_common import complaint_values, iso
+    from birdcage.cli.commands.elements_common import complaint_values
+    from birdcage.cli.say import iso
 
     return {
         "group": outcome.name,

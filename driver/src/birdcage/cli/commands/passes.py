@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     from birdcage.sky.reach_limits import ReachLimits
     from birdcage.sky.watch_source import Watched
 
+SHOWN = 40
+"""Rows of the table unless `--limit` says otherwise."""
+
 
 @click.command("passes", epilog=exits.EPILOG)
 @elements_option
@@ -41,7 +44,12 @@ if TYPE_CHECKING:
     "--sort", type=click.Choice(("aos", "max", "reach")), default="aos", show_default=True,
     help="By rise, by highest elevation, or by how long this dish can follow.",
 )  # fmt: skip
-@click.option("--limit", type=click.IntRange(1), metavar="N", help="The first N of them.")
+@click.option(
+    "--limit",
+    type=click.IntRange(1),
+    metavar="N",
+    help=f"The first N.  [default: {SHOWN}; all with --json, --csv, --ics]",
+)
 @click.option("--freq", type=click.FloatRange(0.0, min_open=True), metavar="MHZ", help="Add the Doppler shift there.")
 @click.option("--csv", "csv_file", type=click.Path(path_type=Path), metavar="FILE", help="Write CSV; `-` is stdout.")
 @click.option("--ics", "ics_file", type=click.Path(path_type=Path), metavar="FILE", help="Write a calendar.")
@@ -67,24 +75,32 @@ def command(
     watched = _heard(_named(find_elements(wants.paths, elements, say), name), wants, hearable, bool(name))
     limits = _limits(wants)
     begin = start if start is not None else datetime.now(UTC)
-    rows = _rows(watched, observer, limits, begin, hours, min_elevation, sort, limit)
+    table_wanted = csv_file is None and ics_file is None and not flags().json
+    rows, count = _rows(
+        watched, observer, limits, begin, hours, min_elevation, sort, SHOWN if limit is None and table_wanted else limit
+    )
     freq_hz = None if freq is None else freq * 1e6
     if csv_file is not None:
         from birdcage.sky.export.as_csv import passes_csv
 
-        _write(csv_file, passes_csv(rows, freq_hz).encode())
+        _write(csv_file, passes_csv(rows, freq_hz).encode(), len(rows))
     if ics_file is not None:
         from birdcage.sky.export.as_ics import passes_ics
 
-        _write(ics_file, passes_ics(rows, observer, datetime.now(UTC), watched.note))
+        _write(ics_file, passes_ics(rows, observer, datetime.now(UTC), watched.note), len(rows))
     if flags().json:
         tell_json([values_of(row, freq_hz) for row in rows])
-    elif csv_file is None and ics_file is None:
+    elif table_wanted:
         from birdcage.cli.pass_table import tell_passes
+        from birdcage.cli.table import room
 
-        tell_passes(rows, begin, freq_hz)
-        if not rows:
-            say(f"Nothing rises above {min_elevation:g}° within {hours:g} hours.")
+        missing = tell_passes(rows, begin, freq_hz, room())
+        if missing:
+            say(f"No room for {', '.join(missing)}: a wider terminal, --csv or --json has all.")
+        if count > len(rows) and limit is None:
+            say(f"{count - len(rows)} more are not listed: --limit N shows them, --name or --min-elevation narrows.")
+    if not count:
+        say(f"Nothing rises above {min_elevation:g}° within {hours:g} hours.")
 
 
 def _named(watched: Watched, name: str | None) -> Watched:
@@ -140,11 +156,11 @@ def _limits(wants: Wanted) -> ReachLimits:
 def _rows(
     watched: Watched, observer: Observer, limits: ReachLimits, start: datetime, hours: float, least_deg: float,
     sort: str, limit: int | None,
-) -> list[PassRow]:  # fmt: skip
-    """Search, work out what is asked for, sort and cut."""
+) -> tuple[list[PassRow], int]:  # fmt: skip
+    """Search, sort and cut. Return what is left, worked out, and how many passes there are in all."""
     import numpy as np
 
-    from birdcage.cli.say import say
+    from birdcage.cli.say import Progress, say
     from birdcage.sky.pass_row import ORDERS, rows_of
     from birdcage.sky.passes.search import search
     from birdcage.sky.propagate import Fleet
@@ -152,18 +168,25 @@ def _rows(
     table = search(Fleet(watched.elements), observer, start, hours, least_deg, watched.time_offsets)
     for failure in table.failed:
         say(f"{failure.name} ({failure.norad_id or '-'}): no position, {failure.why}.")
+    count = len(table)
     # Only reach has to be worked out for all of them before it can sort.
-    which = np.argsort(-table.max_elevation_deg, kind="stable") if sort == "max" else np.arange(len(table))
-    some: list[int] = which[:limit].tolist()
-    if sort == "reach":
-        return sorted(rows_of(table, watched, observer, limits), key=ORDERS[sort])[:limit]
-    return list(rows_of(table, watched, observer, limits, some))
+    which = np.argsort(-table.max_elevation_deg, kind="stable") if sort == "max" else np.arange(count)
+    some: list[int] = (which if sort == "reach" else which[:limit]).tolist()
+    rows: list[PassRow] = []
+    progress = Progress()
+    for row in rows_of(table, watched, observer, limits, some):
+        if len(rows) % 100 == 0:
+            progress.show(f"{len(rows)} of {len(some)} passes …")
+        rows.append(row)
+    progress.clear()
+    return (sorted(rows, key=ORDERS[sort])[:limit] if sort == "reach" else rows), count
 
 
-def _write(file: Path, data: bytes) -> None:
-    """Write a file, or stdout for `-`. ConfigError if that can't be done."""
+def _write(file: Path, data: bytes, count: int) -> None:
+    """Write a file, or stdout for `-`, and say so. ConfigError if that can't be done."""
     from birdcage.base.errors import ConfigError
     from birdcage.base.paths import write_aside_and_rename
+    from birdcage.cli.say import say
 
     if str(file) == "-":
         click.echo(data, nl=False)
@@ -172,3 +195,4 @@ def _write(file: Path, data: bytes) -> None:
         write_aside_and_rename(file, data)
     except OSError as error:
         raise ConfigError(f"{file} cannot be written: {error.strerror}.") from error
+    say(f"{count} {'pass' if count == 1 else 'passes'} written to {file}.")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from pathlib import Path
 
 import click
@@ -63,7 +64,7 @@ def show() -> None:
         tell(place_line(place))
 
 
-@command.command("add", epilog=DATA_EPILOG)
+@command.command("add", short_help="Save a place: by name and city, locator or angles.", epilog=DATA_EPILOG)
 @click.argument("name")
 @click.argument("where", nargs=-1)
 @click.option(
@@ -83,7 +84,7 @@ def add(
     """
     from birdcage.base.config import edit
     from birdcage.base.places import add_place, checked_place, place_settings
-    from birdcage.cli.place_words import find_place, place_line, read_mask
+    from birdcage.cli.place_words import find_place, place_in_use, place_line, read_mask
     from birdcage.cli.say import say
 
     paths = find_paths()
@@ -99,9 +100,11 @@ def add(
     if use_it:
         edit(paths.config_file, place_settings(place))
         say(f"{place.name} is the place that counts now.")
+    elif place_in_use(load_settings(paths).place) is None:
+        say(f"No place counts yet: `birdcage place use {shlex.quote(place.name)}` makes it this one.")
 
 
-@command.command("use", epilog=DATA_EPILOG)
+@command.command("use", short_help="Make a saved place the one that counts.", epilog=DATA_EPILOG)
 @click.argument("name")
 @global_options("config", "json", "verbose")
 def use(name: str) -> None:

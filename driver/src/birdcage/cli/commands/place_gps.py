@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from birdcage.gps.fix import GpsFix
 
 
-@click.command("gps", epilog=EPILOG)
+@click.command("gps", short_help="Ask a GPS receiver where this is.", epilog=EPILOG)
 @click.argument("receiver", required=False)
 @click.option("--use", "use_it", is_flag=True, help="Make it the place that counts.")
 @click.option("--name", help="What to call it, with --use.")
@@ -29,7 +29,7 @@ def gps(receiver: str | None, use_it: bool, name: str | None, gps_baud: int | No
     from birdcage.base.clock import RealClock
     from birdcage.base.places import Place
     from birdcage.cli.place_words import place_line
-    from birdcage.cli.say import say, tell, tell_json
+    from birdcage.cli.say import iso, say, tell, tell_json
     from birdcage.gps.clock_check import remember
     from birdcage.gps.locate import locate
     from birdcage.gps.verdict import by_gps
@@ -42,7 +42,7 @@ def gps(receiver: str | None, use_it: bool, name: str | None, gps_baud: int | No
     if flags().json:
         tell_json({
             "latitude_deg": fix.latitude_deg, "longitude_deg": fix.longitude_deg, "height_m": fix.height_m,
-            "utc": None if fix.utc is None else fix.utc.isoformat(), "satellites": fix.satellites, "hdop": fix.hdop,
+            "utc": iso(fix.utc), "satellites": fix.satellites, "hdop": fix.hdop,
             "clock_offset_s": None if verdict is None else verdict.offset_s, "source": fix.source,
         })  # fmt: skip
     else:

@@ -20,7 +20,7 @@ def horizon() -> None:
     """Keep the line of trees and roofs at the place that counts. It tells what is heard; it refuses no motion."""
 
 
-@horizon.command("show", epilog=DATA_EPILOG)
+@horizon.command("show", short_help="Print its points.", epilog=DATA_EPILOG)
 @global_options("config", "json", "verbose")
 def show() -> None:
     """Print its points, azimuth and elevation a line, as `import` reads them."""
@@ -62,7 +62,7 @@ def add(az_deg: float, el_deg: float) -> None:
     _keep(HorizonMask(load_settings(find_paths()).place.horizon).insert(az_deg, el_deg))
 
 
-@horizon.command("record", epilog=EPILOG)
+@horizon.command("record", short_help="Add the point at which the dish looks now.", epilog=EPILOG)
 @global_options()
 def record() -> None:
     """Add the point at which the dish looks now: jog it along the tree line, and record at each corner.
