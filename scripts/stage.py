@@ -14,12 +14,13 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "tui"))
 import picture
 import stand_in
 from birdcage.base.clock import VirtualClock
-from birdcage.base.config import PlaceSettings, Settings
+from birdcage.base.config import PlaceSettings, Settings, load
 from birdcage.base.paths import throw_away_paths
 from birdcage.setup.engine import Setup
 from birdcage.station.build import open_session
 from birdcage.station.known import SystemFacts
 from birdcage_tui.app import BirdcageApp
+from birdcage_tui.control.horizon_file import ConfigHorizon
 from birdcage_tui.run import DEMO_PLACE, demo_port
 from birdcage_tui.settings import AppSettings
 from birdcage_tui.sky_feed import make_sky
@@ -99,6 +100,7 @@ async def demo(
             presets_file=paths.presets_file,
             setup=lambda: Setup(session, HERE, paths, environ={}, ports=list, system=SystemFacts),
             sky=make_sky(HERE, paths, clock, demo=True, threads=False),
+            horizon=ConfigHorizon(paths, HERE, lambda: load(paths.config_file, environ={})),
         )
         app = BirdcageApp(session, settings)
         async with app.run_test(size=size) as pilot:

@@ -34,7 +34,7 @@ SIZES = [(120, 36), (160, 48), (200, 60)]
         (SLOW, "▲", "doubtful: 3.0 s slow, ±3.1° overhead"),
         (OLD, "▲", "doubtful: ±18.2 s, ±18.2° overhead"),
         (ClockVerdict("gps", "gpsd", NOW, 7200.0, 0.1, "2 h fast."), "▲", "doubtful: 2 h fast, nothing is found"),
-        (ClockVerdict("network", "chrony", NOW, doubt="No source."), "▲", "doubtful: by how much is not known"),
+        (ClockVerdict("network", "chrony", NOW, doubt="No source."), "▲", "doubtful"),
     ],
 )
 def test_a_verdict_in_words(verdict, glyph, words):
@@ -77,6 +77,24 @@ def test_row_two_has_it_at_every_size(size):
     assert "clock NTP ±0.02 s" in text.splitlines()[1]
     text, _ = run(clock_told(SLOW), size)
     assert "▲ clock doubtful: 3.0 s slow, ±3.1° overhead" in text.splitlines()[1]
+
+
+@pytest.mark.parametrize(
+    ("verdict", "row"),
+    [
+        (OLD, "▲ clock ±18.2 s, ±18.2° overhead"),
+        (SLOW, "▲ clock 3.0 s slow, ±3.1° overhead"),
+        (GOOD, "Ku LNB  beam 2.6°  EN10"),
+    ],
+)
+def test_the_pocket_view_has_only_a_doubt_and_has_it_whole(verdict, row):
+    async def show(app, pilot):
+        app._hear_clock(clock_told(verdict))
+        app.paint()
+        await pilot.pause()
+        return [each.strip() for each in stand_in.text_of(app).splitlines()]
+
+    assert row in stage.run(show, size=(40, 12))
 
 
 def test_what_to_do_and_what_it_costs_stand_under_what_next_where_there_is_room():

@@ -34,16 +34,20 @@ def clock_told(verdict: ClockVerdict) -> ClockTold:
     cost = cost_sentence(verdict, OVERHEAD_DEG_S)
     if verdict.kind == "unknown":
         return ClockTold("not known", "·", "dim", verdict.doubt, cost)
-    return ClockTold(f"doubtful: {_wrong(verdict)}", "▲", "warn", verdict.doubt, cost)
+    return ClockTold(
+        "doubtful" if verdict.worst_s is None else f"doubtful: {_wrong(verdict, verdict.worst_s)}",
+        "▲",
+        "warn",
+        verdict.doubt,
+        cost,
+    )
 
 
-def _wrong(verdict: ClockVerdict) -> str:
+def _wrong(verdict: ClockVerdict, worst_s: float) -> str:
     """Return how wrong it is or may be, and what that is on a low satellite overhead."""
     from birdcage.gps.verdict import LOST_DEG, OVERHEAD_DEG_S, cost_deg
 
-    worst_s, offset_s = verdict.worst_s, verdict.offset_s
-    if worst_s is None:
-        return "by how much is not known"
+    offset_s = verdict.offset_s
     if offset_s is not None and verdict.kind != "remembered":
         off = f"{_span(abs(offset_s))} {'fast' if offset_s > 0 else 'slow'}"
     else:

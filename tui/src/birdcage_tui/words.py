@@ -207,20 +207,23 @@ def _held(view: View) -> str:
     return f"{words}   Enter release"
 
 
-def calm(view: View) -> str:
-    """Return the line under the status when nothing is wrong; it may be empty."""
+def calm(view: View, *, brief: bool = False) -> str:
+    """Return the line under the status when nothing is wrong; it may be empty. `brief`: in some 40 columns."""
     if view.tour:
         return view.tour
     if view.state.link.state is Link.OPENING:
         detail = view.state.link.detail or f"opening {view.state.port}"
         return f"{detail[:1].upper()}{detail[1:]} …"
     told = "" if "control" in view.scopes else view.note  # the page's own last row tells it there
-    return told or view.settings.notice or _standing(view)
+    return told or view.settings.notice or _standing(view, brief=brief)
 
 
-def _standing(view: View) -> str:
-    """Return what holds all the time and is easily forgotten: feed, offsets, place."""
-    state, place = view.state, view.settings.place
+def _standing(view: View, *, brief: bool) -> str:
+    """Return what holds all the time and is easily forgotten: feed, offsets, place, clock; first a doubt."""
+    state, place, clock = view.state, view.settings.place, view.clock
+    doubt = "" if clock is None or clock.ink != "warn" else f"{clock.glyph} clock {clock.words}"
+    if doubt and brief:
+        return doubt.replace("doubtful: ", "")
     parts = [state.feed_name] if state.feed_name else []
     if state.beam_deg is not None:
         parts.append(f"beam {state.beam_deg:.1f}°")
@@ -228,9 +231,10 @@ def _standing(view: View) -> str:
         parts.append(f"offset az {state.az_offset_deg:+.2f}° el {state.el_offset_deg:+.2f}°")
     if place is not None and place.name:
         parts.append(place.name)
-    if view.clock is not None:
-        mark = f"{view.clock.glyph} " if view.clock.ink == "warn" else ""
-        parts.append(f"{mark}clock {view.clock.words}")
+    if doubt:
+        parts.insert(0, doubt)
+    elif clock is not None and not brief:
+        parts.append(f"clock {clock.words}")
     return "  ".join(parts)
 
 

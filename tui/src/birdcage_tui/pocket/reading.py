@@ -74,7 +74,7 @@ class PocketReading(Pane):
         elif y < cells.height:
             cable_gauge(cells, cable_y, view)
         if not wrong and y < cable_y:
-            said = "" if view.moving else calm(view)
+            said = "" if view.moving else calm(view, brief=True)
             cells.put(1, y, whole(said or stop_text(view), cells.width - 2), "text" if view.moving else "dim")
             y += 1
         if has_skew(view) and y < cable_y and self.digits > 1:
