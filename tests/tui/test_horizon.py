@@ -125,7 +125,7 @@ def test_each_rest_after_a_jog_is_a_point_while_recording():
         return on, kept, await settled(app, pilot)
 
     on, kept, off = run(record, file=File(HorizonMask()))
-    assert "● RECORDING  horizon flat" in on
+    assert "● RECORDING  flat" in on
     assert "● recording" in on
     assert " M end " in on
     assert kept == [(), ((200.0, 20.0),), ((200.0, 20.0),), *[((200.0, 25.0),)] * 5]

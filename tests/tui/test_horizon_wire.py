@@ -1,8 +1,13 @@
 """The horizon on a real station and a simulated dish: what is recorded is where the dish really rests."""
 
 import pytest
+import stand_in
+from birdcage.base.clock import VirtualClock
+from birdcage.base.config import PlaceSettings, Settings
+from birdcage.base.paths import Paths
 from birdcage.sky.horizon import HorizonMask
 from birdcage_tui.control.horizon_book import HorizonBook
+from birdcage_tui.sky_feed import make_sky
 from horizon_stand_in import File
 from test_end_to_end import House, played, press, type_direction
 
@@ -64,3 +69,29 @@ async def test_a_slew_gives_no_point(house):
         await house.step(0.1)
         assert house.app.horizon.mask.points == ()
         assert "moves" in house.text() or "not read" in house.text()
+
+
+def test_the_watch_of_the_sky_takes_it_over_the_settings(tmp_path):
+    clock = VirtualClock()
+    place = PlaceSettings(latitude_deg=39.1, longitude_deg=-95.7, horizon=((0.0, 5.0),))
+    shown = []
+    source = make_sky(Settings(place=place), Paths.in_folder(tmp_path), clock, demo=True, threads=False)(
+        shown.append, print
+    )
+    state = stand_in.at_rest(clock)
+    source.keep(state, None)
+    source.start()
+    source.step()
+    before = shown[-1]
+    source.keep(state, None, HorizonMask([(0.0, 64.0)]))
+    clock.advance(2.0)
+    source.step()
+    trees = shown[-1]
+    source.keep(state, None, HorizonMask())
+    clock.advance(2.0)
+    source.step()
+    source.close()
+    assert before.mask == HorizonMask([(0.0, 5.0)])
+    assert trees.mask == HorizonMask([(0.0, 64.0)])
+    assert sum(row.reach_s for row in trees.rows) < sum(row.reach_s for row in before.rows) / 4
+    assert not shown[-1].mask

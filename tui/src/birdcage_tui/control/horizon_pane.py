@@ -16,10 +16,12 @@ LEAST_WIDE = 42
 def horizon_text(view: View) -> tuple[str, str]:
     """Return the ink and the words: how many points, and how high it is where the dish looks."""
     mask, position = view.horizon.mask, view.state.position
+    if view.horizon.recording:
+        return "warn-strong", f"● RECORDING  {count_text(mask)}"
     words = f"horizon {count_text(mask)}"
     if mask and position is not None and view.link_up:
         words += f", {mask.at(position.az_deg):.1f}° here"
-    return ("warn-strong", f"● RECORDING  {words}") if view.horizon.recording else ("dim", words)
+    return "dim", words
 
 
 class HorizonPane(Pane):
