@@ -178,10 +178,20 @@ class _Work:
             edge = crossing(path, self._checks[min(before, after)], index)
             yield _Span(at, edge, self._reason(before))
             at = edge
-        yield _Span(at, end, self._reason(int(codes[-1]) if len(codes) else len(self._checks)))
+        yield _Span(at, end, self._reason(int(codes[-1])) if len(codes) else self._reason_at((start + end) / 2.0))
 
     def _reason(self, code: int) -> str:
         return self._checks[code].reason if code < len(self._checks) else "cable"
+
+    def _reason_at(self, t: float) -> str:
+        """Return why a part is lost that lies between two samples, by its middle."""
+        index = int(np.clip(np.searchsorted(self._path.t, t) - 1, 0, len(self._path) - 2))
+        az, el = self._path.between(index)(t)
+        inside = [check.of_point(az, el) for check in self._checks]
+        code = next((code for code, by in enumerate(inside) if by < 0.0), len(inside))
+        if code == len(inside) and self._limits.cable is None:  # the curve and the samples differ by a hair
+            code = inside.index(min(inside))
+        return self._reason(code)
 
     def _keyholes(self, stretches: list[_Span]) -> list[tuple[float, float]]:
         """Return when the dish cannot keep up, looked at closely only if the samples say that it may not."""
