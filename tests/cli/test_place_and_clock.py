@@ -82,6 +82,13 @@ class TestPlace:
         run("place", "use", "My field")
         assert "No place counts" not in run("place", "add", "Other", "JO22jv").stderr
 
+    def test_south_and_west_and_below_eye_level_may_be_a_minus(self, run, home):
+        assert run("place", "add", "Roof", "-33.5", "-151.25", "--use").exit_code == 0
+        assert "33.5000 S  151.2500 W" in run("place", "show").stdout
+        assert run("place", "horizon", "add", "-40", "-1.5").exit_code == 0
+        assert json.loads(run("place", "horizon", "show", "--json").stdout) == [[320.0, -1.5]]
+        assert "No such option" in run("place", "add", "Town", "--ues", "rotterdam").stderr
+
     def test_shown(self, run, home):
         assert run("place", "show").exit_code == 2
         run(*HILL, "--use")
@@ -101,7 +108,7 @@ class TestPlace:
         [
             (("add", "x", "springfield"), 2, "Which one"), (("add", "x"), 2, "No place is set"),
             (("add", "x", "JO21"), 2, "wide"), (("use", "y"), 2, 'no place "y"; saved are: none'),
-            (("remove", "y"), 2, 'no place "y"'), (("add", "x", "1", "2", "--lat", "3"), 2, "not both"),
+            (("remove", "y"), 2, 'no place "y"; saved'), (("add", "x", "1", "2", "--lat", "3"), 2, "not both"),
             (("add", " ", "1", "2"), 2, "a name has"), (("horizon", "import", "absent.txt"), 2, "can't be read"),
             (("gps", "/dev/no-such-receiver"), 3, "no-such-receiver"),
             (("gps", "gpsd://127.0.0.1:1"), 1, "No gpsd at 127.0.0.1:1"),

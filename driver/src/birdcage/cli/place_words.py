@@ -11,7 +11,7 @@ import click
 if TYPE_CHECKING:
     from birdcage.base.config import Settings
     from birdcage.base.config.sections import PlaceSettings
-    from birdcage.base.places import Place
+    from birdcage.base.places import Place, Places
     from birdcage.sky.horizon import HorizonMask
 
 
@@ -23,6 +23,15 @@ def place_in_use(settings: PlaceSettings) -> Place | None:
     if latitude is None or longitude is None:
         return None
     return Place(settings.name or "", latitude, longitude, settings.height_m, settings.horizon)
+
+
+def find_saved(places: Places, name: str) -> Place:
+    """Return the saved place of that name. UsageError when there is none."""
+    found = places.named(name)
+    if found is None:
+        known = ", ".join(each.name for each in places.entries) or "none"
+        raise click.UsageError(f'There is no place "{name}"; saved are: {known}.')
+    return found
 
 
 def place_line(place: Place) -> str:

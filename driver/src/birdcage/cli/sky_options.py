@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -35,6 +36,15 @@ class UtcTime(click.ParamType["datetime"]):
 
 
 UTC_TIME = UtcTime()
+NEGATIVE_NUMBERS = {"ignore_unknown_options": True}
+"""Settings of a command whose arguments may be such; `no_options_among` finds what is none."""
+
+
+def no_options_among(words: Iterable[str]) -> None:
+    """Raise NoSuchOption for what begins as an option and is no negative number: it is one, mistyped."""
+    for word in words:
+        if word.startswith("-") and not word.lstrip("-.")[:1].isdigit():
+            raise click.NoSuchOption(word)
 
 
 def observer_options(function: AnyCallable) -> AnyCallable:

@@ -8,6 +8,7 @@ import click
 
 from birdcage.cli.exits import DATA_EPILOG
 from birdcage.cli.options import flags, global_options
+from birdcage.cli.sky_options import NEGATIVE_NUMBERS
 
 
 @click.command("favourite", short_help="Mark favourites; set priorities and tags.", epilog=DATA_EPILOG)
@@ -50,7 +51,7 @@ def favourite(
     "offset",
     short_help="Show or set how much later than computed one comes.",
     epilog=DATA_EPILOG,
-    context_settings={"ignore_unknown_options": True},
+    context_settings=NEGATIVE_NUMBERS,
 )
 @click.argument("satellite")
 @click.argument("seconds", required=False)

@@ -175,7 +175,7 @@ def _rows(
     rows: list[PassRow] = []
     progress = Progress()
     for row in rows_of(table, watched, observer, limits, some):
-        if len(rows) % 100 == 0:
+        if rows and len(rows) % 100 == 0:
             progress.show(f"{len(rows)} of {len(some)} passes …")
         rows.append(row)
     progress.clear()

@@ -11,7 +11,7 @@ from birdcage.cli.commands.place_gps import gps
 from birdcage.cli.commands.place_horizon import horizon
 from birdcage.cli.exits import DATA_EPILOG
 from birdcage.cli.options import find_paths, flags, global_options, load_settings
-from birdcage.cli.sky_options import observer_options
+from birdcage.cli.sky_options import NEGATIVE_NUMBERS, no_options_among, observer_options
 
 
 @click.group("place", epilog=DATA_EPILOG)
@@ -64,7 +64,8 @@ def show() -> None:
         tell(place_line(place))
 
 
-@command.command("add", short_help="Save a place: by name and city, locator or angles.", epilog=DATA_EPILOG)
+@command.command("add", short_help="Save a place: a city, a locator, or two angles.", epilog=DATA_EPILOG,
+                 context_settings=NEGATIVE_NUMBERS)  # fmt: skip
 @click.argument("name")
 @click.argument("where", nargs=-1)
 @click.option(
@@ -80,13 +81,14 @@ def add(
     """Save a place: WHERE is `51.9 4.8`, a locator such as JO21jv, or a city; without it, the place that counts.
 
     A city is known to about a kilometre, and neither it nor a locator tells the height: give --alt. South and west
-    by letters (33.5S 151.2E), or with --lat and --lon.
+    are letters or a minus (33.5S 151.2E, -33.5 151.2).
     """
     from birdcage.base.config import edit
     from birdcage.base.places import add_place, checked_place, place_settings
     from birdcage.cli.place_words import find_place, place_in_use, place_line, read_mask
     from birdcage.cli.say import say
 
+    no_options_among((name, *where))
     paths = find_paths()
     latitude, longitude, height_m, points = find_place(load_settings(paths), " ".join(where), lat, lon, alt)
     if file is not None:
@@ -111,15 +113,12 @@ def use(name: str) -> None:
     """Make a saved place the one that counts: write it into [place] of birdcage.toml."""
     from birdcage.base.config import edit
     from birdcage.base.places import is_in_use, load_places, place_settings
-    from birdcage.cli.place_words import place_in_use, place_line
+    from birdcage.cli.place_words import find_saved, place_in_use, place_line
     from birdcage.cli.say import say
 
     paths = find_paths()
     places = load_places(paths.places_file)
-    place = places.named(name)
-    if place is None:
-        known = ", ".join(each.name for each in places.entries) or "none"
-        raise click.UsageError(f'There is no place "{name}"; saved are: {known}.')
+    place = find_saved(places, name)
     here = load_settings(paths).place
     before = place_in_use(here)
     edit(paths.config_file, place_settings(place))
@@ -133,10 +132,13 @@ def use(name: str) -> None:
 @global_options("config", "json", "verbose")
 def remove(name: str) -> None:
     """Forget a saved place. The one that counts goes on to count."""
-    from birdcage.base.places import remove_place
+    from birdcage.base.places import load_places, remove_place
+    from birdcage.cli.place_words import find_saved
     from birdcage.cli.say import say
 
-    remove_place(find_paths().places_file, name)
+    file = find_paths().places_file
+    find_saved(load_places(file), name)
+    remove_place(file, name)
     say(f"{name} is forgotten.")
 
 

@@ -9,6 +9,7 @@ import click
 
 from birdcage.cli.exits import DATA_EPILOG, EPILOG
 from birdcage.cli.options import find_paths, flags, global_options, load_settings
+from birdcage.cli.sky_options import NEGATIVE_NUMBERS
 
 if TYPE_CHECKING:
     from birdcage.sky.horizon import HorizonMask
@@ -51,7 +52,7 @@ def import_(file: Path) -> None:
     _keep(read_mask(file))
 
 
-@horizon.command("add", epilog=DATA_EPILOG)
+@horizon.command("add", epilog=DATA_EPILOG, context_settings=NEGATIVE_NUMBERS)
 @click.argument("az_deg", type=click.FloatRange(-360.0, 360.0))
 @click.argument("el_deg", type=click.FloatRange(-90.0, 90.0))
 @global_options("config", "json", "verbose")

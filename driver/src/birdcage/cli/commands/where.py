@@ -8,14 +8,21 @@ import click
 
 from birdcage.cli.exits import DATA_EPILOG
 from birdcage.cli.options import flags, global_options
-from birdcage.cli.sky_options import UTC_TIME, elements_option, find_observer, observer_options
+from birdcage.cli.sky_options import (
+    NEGATIVE_NUMBERS,
+    UTC_TIME,
+    elements_option,
+    find_observer,
+    no_options_among,
+    observer_options,
+)
 
 if TYPE_CHECKING:
     from datetime import datetime
     from pathlib import Path
 
 
-@click.command("where", epilog=DATA_EPILOG, context_settings={"ignore_unknown_options": True})
+@click.command("where", epilog=DATA_EPILOG, context_settings=NEGATIVE_NUMBERS)
 @click.argument("target", nargs=-1, required=True)
 @click.option("--at", type=UTC_TIME, help="Another time than now, UTC unless it names a zone.")
 @observer_options
@@ -38,10 +45,7 @@ def command(
     from birdcage.cli.where_report import Report, look_up
     from birdcage.sky.targets import UnknownTarget
 
-    # A negative number is no option; what else begins so is one, mistyped.
-    for word in target:
-        if word.startswith("-") and not word.lstrip("-.")[:1].isdigit():
-            raise click.NoSuchOption(word)
+    no_options_among(target)
     dish = wanted()
     observer = find_observer(dish.settings, lat, lon, alt)
     try:
