@@ -198,13 +198,18 @@ def test_a_narrow_terminal_gets_fewer_columns_and_is_told_which(passes, monkeypa
     assert "No room for FROM, BEST, NOT WHERE, SUN, AGE: a wider terminal" in result.stderr
 
 
-def test_a_table_ends_after_forty_and_says_how_many_there_are(run, as_json, tmp_path):
+def test_a_table_ends_after_forty_and_says_how_many_there_are(run, as_json):
     words = ("passes", *PLACE, "--start", "2018-01-21", "--hours", 48)
     everything = as_json(run(*words, "--json"))
+    stay = [one["name"] for one in everything if one["already_up"] and one["still_up"]]
     result = run(*words)
     assert len(result.stdout.splitlines()) == 1 + 40
-    assert f"{len(everything) - 40} more are not listed" in result.stderr
+    assert f"{len(everything) - len(stay) - 40} more are not listed" in result.stderr
+    assert f"{len(stay)} are up all the time" in result.stderr
+    assert len(stay) > 1
+    assert not any(name in result.stdout for name in stay)
     assert len(run(*words, "--limit", 50).stdout.splitlines()) == 1 + 50
+    assert stay[0] in run(*words, "--name", stay[0]).stdout
 
 
 def test_a_file_that_was_written_is_named(passes, tmp_path):

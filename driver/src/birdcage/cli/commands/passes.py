@@ -14,8 +14,12 @@ from birdcage.cli.options import Wanted, flags, global_options, wanted
 from birdcage.cli.sky_options import UTC_TIME, elements_option, find_observer, observer_options
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
     from birdcage.sky.observer import Observer
     from birdcage.sky.pass_row import PassRow
+    from birdcage.sky.passes.table import PassTable
     from birdcage.sky.reach_limits import ReachLimits
     from birdcage.sky.watch_source import Watched
 
@@ -67,6 +71,8 @@ def command(
     """
     from datetime import UTC
 
+    import numpy as np
+
     from birdcage.cli.say import say, tell_json
     from birdcage.sky.export.fields import values_of
 
@@ -76,9 +82,12 @@ def command(
     limits = _limits(wants)
     begin = start if start is not None else datetime.now(UTC)
     table_wanted = csv_file is None and ics_file is None and not flags().json
-    rows, count = _rows(
-        watched, observer, limits, begin, hours, min_elevation, sort, SHOWN if limit is None and table_wanted else limit
-    )
+    found = _search(watched, observer, begin, hours, min_elevation)
+    which = np.arange(len(found))
+    if table_wanted and limit is None and name is None:
+        which = _that_move(found)
+    shown = SHOWN if limit is None and table_wanted else limit
+    rows = _rows(found, which, watched, observer, limits, sort, shown)
     freq_hz = None if freq is None else freq * 1e6
     if csv_file is not None:
         from birdcage.sky.export.as_csv import passes_csv
@@ -97,9 +106,11 @@ def command(
         missing = tell_passes(rows, begin, freq_hz, room())
         if missing:
             say(f"No room for {', '.join(missing)}: a wider terminal, --csv or --json has all.")
-        if count > len(rows) and limit is None:
-            say(f"{count - len(rows)} more are not listed: --limit N shows them, --name or --min-elevation narrows.")
-    if not count:
+        if len(which) > len(rows) and limit is None:
+            say(
+                f"{len(which) - len(rows)} more are not listed: --limit N shows them, --name or --min-elevation narrows."
+            )
+    if not len(found):
         say(f"Nothing rises above {min_elevation:g}° within {hours:g} hours.")
 
 
@@ -153,33 +164,52 @@ def _limits(wants: Wanted) -> ReachLimits:
     return limits
 
 
-def _rows(
-    watched: Watched, observer: Observer, limits: ReachLimits, start: datetime, hours: float, least_deg: float,
-    sort: str, limit: int | None,
-) -> tuple[list[PassRow], int]:  # fmt: skip
-    """Search, sort and cut. Return what is left, worked out, and how many passes there are in all."""
-    import numpy as np
-
-    from birdcage.cli.say import Progress, say
-    from birdcage.sky.pass_row import ORDERS, rows_of
+def _search(watched: Watched, observer: Observer, start: datetime, hours: float, least_deg: float) -> PassTable:
+    """Return all passes, and say of whom nothing is known."""
+    from birdcage.cli.say import say
     from birdcage.sky.passes.search import search
     from birdcage.sky.propagate import Fleet
 
-    table = search(Fleet(watched.elements), observer, start, hours, least_deg, watched.time_offsets)
-    for failure in table.failed:
+    found = search(Fleet(watched.elements), observer, start, hours, least_deg, watched.time_offsets)
+    for failure in found.failed:
         say(f"{failure.name} ({failure.norad_id or '-'}): no position, {failure.why}.")
-    count = len(table)
+    return found
+
+
+def _that_move(found: PassTable) -> NDArray[np.intp]:
+    """Return which passes begin or end within the time, and say how many satellites stay up all through it."""
+    import numpy as np
+
+    from birdcage.cli.say import say
+
+    stays = found.already_up & found.still_up
+    if stays.any():
+        say(f"{np.count_nonzero(stays)} are up all the time, as the geostationary ones: `birdcage sky` lists them.")
+    return np.flatnonzero(~stays)
+
+
+def _rows(
+    found: PassTable, which: NDArray[np.intp], watched: Watched, observer: Observer, limits: ReachLimits, sort: str,
+    limit: int | None,
+) -> list[PassRow]:  # fmt: skip
+    """Sort some passes, cut, and work out what is left."""
+    import numpy as np
+
+    from birdcage.cli.say import Progress
+    from birdcage.sky.pass_row import ORDERS, rows_of
+
+    if sort == "max":
+        which = which[np.argsort(-found.max_elevation_deg[which], kind="stable")]
     # Only reach has to be worked out for all of them before it can sort.
-    which = np.argsort(-table.max_elevation_deg, kind="stable") if sort == "max" else np.arange(count)
     some: list[int] = (which if sort == "reach" else which[:limit]).tolist()
     rows: list[PassRow] = []
     progress = Progress()
-    for row in rows_of(table, watched, observer, limits, some):
+    for row in rows_of(found, watched, observer, limits, some):
         if rows and len(rows) % 100 == 0:
             progress.show(f"{len(rows)} of {len(some)} passes …")
         rows.append(row)
     progress.clear()
-    return (sorted(rows, key=ORDERS[sort])[:limit] if sort == "reach" else rows), count
+    return sorted(rows, key=ORDERS[sort])[:limit] if sort == "reach" else rows
 
 
 def _write(file: Path, data: bytes, count: int) -> None:
