@@ -67,7 +67,7 @@ def command(
 
     AOS and LOS are of the satellite; *reach* is what of the pass the dish can point at: its floor and ceiling, the
     horizon and no-go sectors of birdcage.toml, the cable, and its speed near the zenith. `<` was up
-    before, `>` stays up.
+    before, `>` stays up. Without --name the table leaves out what is up all the time.
     """
     from datetime import UTC
 
@@ -84,7 +84,7 @@ def command(
     table_wanted = csv_file is None and ics_file is None and not flags().json
     found = _search(watched, observer, begin, hours, min_elevation)
     which = np.arange(len(found))
-    if table_wanted and limit is None and name is None:
+    if table_wanted and name is None:
         which = _that_move(found)
     shown = SHOWN if limit is None and table_wanted else limit
     rows = _rows(found, which, watched, observer, limits, sort, shown)
@@ -107,9 +107,8 @@ def command(
         if missing:
             say(f"No room for {', '.join(missing)}: a wider terminal, --csv or --json has all.")
         if len(which) > len(rows) and limit is None:
-            say(
-                f"{len(which) - len(rows)} more are not listed: --limit N shows them, --name or --min-elevation narrows."
-            )
+            more = len(which) - len(rows)
+            say(f"{more} more are not listed: --limit N shows them; --name or --min-elevation narrows.")
     if not len(found):
         say(f"Nothing rises above {min_elevation:g}° within {hours:g} hours.")
 
@@ -184,7 +183,7 @@ def _that_move(found: PassTable) -> NDArray[np.intp]:
 
     stays = found.already_up & found.still_up
     if stays.any():
-        say(f"{np.count_nonzero(stays)} are up all the time, as the geostationary ones: `birdcage sky` lists them.")
+        say(f"Left out as up all the time, like the geostationary ones: {stays.sum()}. `birdcage sky` lists them.")
     return np.flatnonzero(~stays)
 
 
