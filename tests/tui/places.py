@@ -60,6 +60,7 @@ PLACES = (
     _page("passes", "f7", holds="PassesPage/PassList"),
     _page("passes, roomy", "f7", holds="PassesPage/PassList", size=(120, 36)),
     _page("passes, elevation", "f7", "v", holds="PassesPage/PassList"),
+    _page("passes, world", "f7", "w", holds="PassesPage/PassWorld"),
     _page("passes, filter", "f7", "slash", holds="PassesPage/PassList PassesPage/Input"),
     _page("go to, over passes", "f7", "g", holds="PassesPage/PassList GotoLine/Input"),
     _page("control", "f2", holds=HANDS),

@@ -103,7 +103,17 @@ def picture(now_s=NOON, **changes):
     ]  # fmt: skip
     up += [Up(*others) for others in OTHERS]
     sky = SkyPicture(
-        now_s, tuple(up), (171.0, 27.0), (77.0, 36.0), table, 1.0, NOON + 86400.0, 43, "demo orbits", mask=MASK, feed="helix"
+        now_s,
+        tuple(up),
+        (171.0, 27.0),
+        (77.0, 36.0),
+        table,
+        1.0,
+        NOON + 86400.0,
+        43,
+        "demo orbits",
+        mask=MASK,
+        feed="helix",
     )
     return replace(sky, **changes)
 

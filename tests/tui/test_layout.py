@@ -89,7 +89,7 @@ def test_the_geostationary_arc_names_its_slots_and_only_with_a_place():
         ("silent", ("◍ SILENT 00:04", "power off", "AZ ---.--°", "EL --.--°")),
         ("not-homed", ("▲ NOT HOMED", "H home it", "AZ ---.--°", "NOT HOMED  nobody")),
         ("fault", ("✖ FAULT Azimuth stalled at 203.1°.", "its steps", "Clear its swing", "Enter", "acknowledge")),
-        ("opening", ("Opening /dev/ttyUSB0.", "AZ ---.--°")),
+        ("opening", ("Opening /dev/ttyUSB0", "AZ ---.--°")),
     ],
 )
 @pytest.mark.parametrize("size", SIZES[:2], ids=str)

@@ -34,6 +34,8 @@ SLICE_S = 0.1
 """How long a wait goes without looking round: on Windows no signal ends it."""
 CONFIRM_S = 6.0
 """How long the end of a command waits for the dish to confirm a STOP."""
+NOTHING_MOVED_S = 1.0
+"""How long it waits when nothing was moving: to prove that a dish stands still may take longer than a person does."""
 SURVEY_S = 10.0
 """The line counts as quiet 4 s after it was opened; a survey takes less than one."""
 
@@ -160,12 +162,19 @@ class Dish:
         self.call_stop(by)
         return self.settle(called)
 
-    def settle(self, since: float) -> StopReport | None:
-        """Wait for what came of a STOP that was called at `since` or later."""
-        deadline = self.now + CONFIRM_S
-        while self.now < deadline and self.session.crash is None:
+    def settle(self, since: float, *, leaving: bool = False) -> StopReport | None:
+        """Wait for what came of a STOP that was called at `since` or later.
+
+        Who is `leaving` does not wait for the proof that a dish which nothing had moved stands still.
+        """
+        begun = self.now
+        while self.now < begun + CONFIRM_S and self.session.crash is None:
             if self.confirmed is not None and self.confirmed.at >= since:
                 return self.confirmed
+            last = self.state.last_stop
+            idle = last is not None and last.at >= since and last.means == "nothing moved"
+            if leaving and idle and self.now >= begun + NOTHING_MOVED_S:
+                return None
             self._next()
         return None
 
@@ -219,7 +228,7 @@ def _leave(dish: Dish, begun: float, error: BaseException) -> None:
         dish.call_stop("birdcage")
     stopped = dish.stop_called or dish.state.last_stop is not None
     if stopped:
-        report = dish.settle(begun) or dish.state.last_stop
+        report = dish.settle(begun, leaving=True) or dish.state.last_stop
         if report is not None:
             error.add_note(report.sentence)
     farewell = dish.close()
