@@ -42,6 +42,16 @@ def test_the_old_noaa_satellites_are_off_the_air(number, day):
     assert all(each.alive is False and each.date == day for each in found)
 
 
+def test_no_satellite_stands_in_two_places():
+    at = {plain(name): slot.longitude_deg for slot in slots() for name in (slot.name, *slot.aliases)}
+    both = 0
+    for each in shipped():
+        for name in {plain(name) for name in (each.satellite, *each.names)} & at.keys():
+            assert each.longitude_deg == pytest.approx(at[name], abs=0.25), each
+            both += 1
+    assert both >= 8
+
+
 def test_the_slots_of_the_dishes_stand_where_the_table_of_slots_has_them():
     for slot in slots():
         if slot.network in ("DISH", "Bell"):

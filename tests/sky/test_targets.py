@@ -8,6 +8,7 @@ from datetime import UTC, datetime, timedelta
 
 import pytest
 from birdcage.sky.elements import ElementSet
+from birdcage.sky.geostationary import look_at_slot
 from birdcage.sky.observer import Observer
 from birdcage.sky.targets import UnknownTarget, parse_target
 from birdcage.sky.targets.model import NoPosition, Satellite, rate
@@ -198,3 +199,11 @@ def test_the_sky_turns_fifteen_degrees_an_hour_and_slots_stand_still():
 def test_the_skew_is_told_for_linear_polarisation_only():
     assert parse_target("28.2E").skew_deg(Observer(51.5, -0.1)) == pytest.approx(-20.84, abs=0.05)
     assert parse_target("119W").skew_deg(Observer(40.0, -100.0)) is None
+
+
+def test_where_the_polarisation_is_not_known_the_skew_is_told_for_a_linear_one():
+    target = parse_target("Elektro-L 3")
+    assert target.slot.polarization is None
+    assert target.skew_deg(Observer(55.7, 37.6)) == pytest.approx(look_at_slot(Observer(55.7, 37.6), 76.0).skew_deg)
+    assert parse_target("123.4W").slot.polarization is None
+    assert parse_target("119W").skew_deg(Observer(39.1, -95.7)) is None, "it is circular"

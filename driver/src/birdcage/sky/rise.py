@@ -30,7 +30,8 @@ QUIET_SUN_K = (
 )  # fmt: skip
 """Brightness of the quiet Sun in kelvins by GHz, off figure 12 of Recommendation ITU-R P.372-14.
 
-Spots add to it: at the maximum of their cycle twice as much in L and S band, a few percent in Ku band.
+Spots add to it: at 10.7 cm the flux goes from about 65 units at the quietest to over 200 in years of many. They add
+less at shorter waves; by how much was not looked up, and nothing is allowed for it.
 """
 
 DISC_K: Mapping[str, float] = MappingProxyType(
@@ -38,17 +39,19 @@ DISC_K: Mapping[str, float] = MappingProxyType(
         "Moon": 220.0,
         "Mercury": 400.0,
         "Venus": 600.0,
-        "Mars": 200.0,
-        "Jupiter": 180.0,
-        "Saturn": 150.0,
+        "Mars": 190.0,
+        "Jupiter": 290.0,
+        "Saturn": 190.0,
         "Uranus": 200.0,
         "Neptune": 200.0,
     }
 )
 """Brightness at centimetre wavelengths in kelvins, rounded.
 
-The Moon's is a mean: it goes by 5 % with its phase at 3 cm, more at shorter waves (Krotikov and Troitskii, Soviet
-Physics Uspekhi 6 (1964) 841). No dish of this size hears a planet: tens of percent would change nothing.
+The Moon's hardly changes over a month below 10 GHz, and more and more above (radio-science-institute.eu, *Moon*). Venus,
+Mars, Jupiter and Saturn were measured at 6 cm at 630, 190, 291 and 190 K, within 30 to 60 K (*Planetary observations at
+a wavelength of 6 cm*, 1965 and 1966), Venus at 3 cm at 560 K (Mayer and others, 1956); those of Mercury, Uranus and
+Neptune are assumptions. No dish of this size hears a planet: tens of percent would change nothing.
 """
 
 

@@ -17,7 +17,8 @@ class Slot:
     """Who uses it: `DISH`, `Bell`, `amateur`, `weather`, `Inmarsat`; empty where that says nothing."""
     band: Literal["Ku", "L"] = "Ku"
     """The one that a dish is pointed there for."""
-    polarization: Literal["linear", "circular"] = "linear"
+    polarization: Literal["linear", "circular"] | None = None
+    """Of its downlink; None where it is not known."""
     aliases: tuple[str, ...] = ()
 
     @property

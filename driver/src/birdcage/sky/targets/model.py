@@ -90,7 +90,10 @@ class SlotTarget:
         return LookAngle(seen.az_deg, seen.el_deg, seen.range_km, 0.0)
 
     def skew_deg(self, observer: Observer) -> float | None:
-        """Return how far a feed is to be turned for it; None where that plays no part, the polarisation is circular."""
+        """Return how far a feed is to be turned for a linear downlink, in degrees; None where it is circular.
+
+        Where the polarisation is not known this is what a linear one would ask for.
+        """
         return (
             None if self.slot.polarization == "circular" else look_at_slot(observer, self.slot.longitude_deg).skew_deg
         )
