@@ -103,7 +103,7 @@ for name in names:
 
 What a clean import has loaded of ours was loaded cleanly: only the rest needs a child of its own.
 """
-STANDARD = ("asyncio", "email.message", "json", "logging", "sqlite3", "ssl", "subprocess", "tomllib", "xml.parsers.expat")
+STANDARD = ("asyncio", "email.message", "json", "logging", "sqlite3", "ssl", "subprocess", "tomllib")
 
 
 def brought_along(names: list[str], asked: frozenset[str], ready: tuple[str, ...] = ()) -> dict[str, list[str]]:

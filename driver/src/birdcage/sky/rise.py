@@ -48,10 +48,10 @@ DISC_K: Mapping[str, float] = MappingProxyType(
 )
 """Brightness at centimetre wavelengths in kelvins, rounded.
 
-The Moon's hardly changes over a month below 10 GHz, and more and more above (radio-science-institute.eu, *Moon*). Venus,
-Mars, Jupiter and Saturn were measured at 6 cm at 630, 190, 291 and 190 K, within 30 to 60 K (*Planetary observations at
-a wavelength of 6 cm*, 1965 and 1966), Venus at 3 cm at 560 K (Mayer and others, 1956); those of Mercury, Uranus and
-Neptune are assumptions. No dish of this size hears a planet: tens of percent would change nothing.
+The Moon's hardly changes over a month below 10 GHz, and the more the higher (radio-science-institute.eu, *Moon*).
+Venus, Mars, Jupiter and Saturn were measured at 6 cm at 630, 190, 291 and 190 K, within 30 to 60 K (*Planetary
+observations at a wavelength of 6 cm*, 1965 and 1966), Venus at 3 cm at 560 K (Mayer and others, 1956). Those of
+Mercury, Uranus and Neptune are assumptions. No dish of this size hears a planet: tens of percent would change nothing.
 """
 
 
