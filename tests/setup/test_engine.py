@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 from birdcage.base.config import edit, load
 from birdcage.base.errors import BirdcageError, ConfigError
-from birdcage.setup.engine import STEPS, Setup, is_first_run
+from birdcage.setup.engine import STEPS, Setup
+from birdcage.setup.first_run import is_first_run
 from birdcage.setup.step import NAMES, AreaNotClear, Mark, NoSuchChoice
 from birdcage.station.requests import Goto
 from birdcage.station.state import Link

@@ -14,7 +14,8 @@ from birdcage.base.config import edit, load
 from birdcage.base.geometry import shortest_turn
 from birdcage.base.paths import Paths
 from birdcage.link.link import Link
-from birdcage.setup.engine import Setup, is_first_run
+from birdcage.setup.engine import Setup
+from birdcage.setup.first_run import is_first_run
 from birdcage.setup.step import NAMES
 from birdcage.sim.almanac import sun
 from birdcage.sim.port import SimPort, open_device

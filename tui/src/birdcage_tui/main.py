@@ -3,10 +3,20 @@
 from __future__ import annotations
 
 import argparse
+import gc
 import os
 import sys
 from collections.abc import Sequence
-from importlib.metadata import version
+
+
+class _Version(argparse.Action):
+    """Prints the version; finding that out takes longer than all else here, so only when it is asked for."""
+
+    def __call__(self, parser: argparse.ArgumentParser, *_given: object) -> None:
+        from importlib.metadata import version
+
+        print(f"birdcage-tui {version('birdcage-tui')}")
+        parser.exit()
 
 
 def parser() -> argparse.ArgumentParser:
@@ -28,7 +38,7 @@ def parser() -> argparse.ArgumentParser:
     )
     parse.add_argument("--skip-init", action="store_true", help="do not wait for the dish to boot, and change nothing")
     parse.add_argument("--config", help="another birdcage.toml")
-    parse.add_argument("--version", action="version", version=f"birdcage-tui {version('birdcage-tui')}")
+    parse.add_argument("--version", action=_Version, nargs=0, help="print the version and leave")
     return parse
 
 
@@ -47,6 +57,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     # A thread that waits behind a painting one wakes within a millisecond (SEAMS, Threads).
     sys.setswitchinterval(0.001)
 
+    # What is made up to the first frame stays: looking through it for garbage would only hold that frame up.
+    gc.disable()
     from birdcage_tui.run import run
 
     return run(options)

@@ -8,17 +8,15 @@ import sys
 from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from birdcage.base.clock import Clock, RealClock, ScaledClock
 from birdcage.base.config import Settings, load
 from birdcage.base.errors import BirdcageError
 from birdcage.base.paths import Paths, throw_away_paths
-from birdcage.setup.engine import Setup, is_first_run
+from birdcage.setup.first_run import is_first_run
 from birdcage.station.build import open_session
-from birdcage.station.doorbell import Doorbell
-from birdcage.station.inhibitor import SleepInhibitor
 from birdcage.station.known import list_firmwares, list_ports
-from birdcage.station.ring import owners_folder
 from birdcage.station.session import Session
 
 from birdcage_tui.app import BirdcageApp
@@ -26,8 +24,10 @@ from birdcage_tui.clock_watch import make_check
 from birdcage_tui.control.horizon_file import ConfigHorizon
 from birdcage_tui.glyphs import fitting
 from birdcage_tui.settings import AppSettings, Place
-from birdcage_tui.setup.engine import SetupEngine
 from birdcage_tui.sky_feed import make_sky
+
+if TYPE_CHECKING:
+    from birdcage_tui.setup.engine import SetupEngine
 
 DEMO_FIRMWARE = "g2"
 """What the demo drives unless told otherwise, and what is spoken at first where nothing has told what the dish is."""
@@ -74,6 +74,10 @@ def _run_once(options: argparse.Namespace, paths: Paths, *, anew: bool) -> int |
             return _complain(wrong)
         app = BirdcageApp(session, replace(settings, first_page="setup") if anew else settings)
         if not options.demo:
+            from birdcage.station.doorbell import Doorbell
+            from birdcage.station.inhibitor import SleepInhibitor
+            from birdcage.station.ring import owners_folder
+
             # `birdcage stop` in another terminal rings here; and a suspended program stops nothing.
             stack.callback(Doorbell(session.station, owners_folder(paths)).close)
             stack.callback(SleepInhibitor(session.station).close)
@@ -129,6 +133,8 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSetti
     begin = "setup" if not options.demo and unset else "dashboard"
 
     def make_setup() -> SetupEngine:
+        from birdcage.setup.engine import Setup
+
         # The demo offers no port of this machine: a single key would open it.
         ports = list if options.demo else list_ports
         return Setup(session, settings, paths, environ={} if options.demo else None, flags=flags, ports=ports)

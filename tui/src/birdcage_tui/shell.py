@@ -138,6 +138,7 @@ class Shell(Surface):
         # What the start has made lives as long as the app: a full collection would look at it all, every other thread
         # waiting, and STOP behind it.
         gc.freeze()
+        gc.enable()  # off since `main`
         self.presets.load()
         self._unsubscribe = self.station.subscribe(self._tell)
         try:

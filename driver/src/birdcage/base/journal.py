@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-import sqlite3
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from birdcage.base.background import BackgroundWriter
 from birdcage.base.errors import StoreError
 from birdcage.base.store import open_database
+
+if TYPE_CHECKING:
+    import sqlite3
 
 MIGRATIONS = (
     (
@@ -62,6 +65,8 @@ class Journal:
             entries = [*entries, JournalEntry(datetime.now(UTC), "journal", "dropped", text)]
         if not entries:
             return
+        import sqlite3  # when there is something to keep: a face paints without it
+
         try:
             if self._connection is None:
                 self._connection = open_database(self._path, MIGRATIONS)

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-import sqlite3
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from birdcage.base.errors import StoreError
+
+if TYPE_CHECKING:
+    import sqlite3
 
 BUSY_TIMEOUT_S = 5.0
 """How long to wait for another program that is writing."""
@@ -22,6 +25,8 @@ def open_database(path: Path, migrations: Sequence[Migration]) -> sqlite3.Connec
     outside a `BEGIN` commits by itself. Raises StoreError: ``newer`` (a later version of the program made it),
     ``damaged``, ``failed`` (no permission, disk full).
     """
+    import sqlite3  # only once a database is wanted: a face paints without it
+
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         connection = sqlite3.connect(path, timeout=BUSY_TIMEOUT_S, isolation_level=None)

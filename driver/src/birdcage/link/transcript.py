@@ -29,7 +29,7 @@ class Transcript:
         self,
         folder: Path | None,
         *,
-        version: str,
+        version: str | Callable[[], str],
         file_limit: int = FILE_LIMIT,
         total_limit: int = TOTAL_LIMIT,
         queue_size: int = QUEUE_SIZE,
@@ -54,7 +54,8 @@ class Transcript:
 
     def begin(self, port: str, *, demo: bool, utc: datetime) -> None:
         """Announce that `port` was opened; from here on it stands in the first line of each file."""
-        text = f"birdcage {self._version} port {port}" + (" DEMO (simulated dish)" if demo else "")
+        version = self._version if isinstance(self._version, str) else self._version()
+        text = f"birdcage {version} port {port}" + (" DEMO (simulated dish)" if demo else "")
         self._take(Header(utc, "#", text.encode()))
 
     def record(self, direction: Direction, data: bytes, utc: datetime) -> None:

@@ -217,8 +217,3 @@ class Setup:
         """Return the first open step after `index`, else the first open one, else the last."""
         order = (*NAMES[index + 1 :], *NAMES[: index + 1])
         return next((name for name in order if self._steps[name].mark in _OPEN), NAMES[-1])
-
-
-def is_first_run(settings: Settings, paths: Paths) -> bool:
-    """Return whether nobody has set anything up here: no birdcage.toml, or neither a setup nor a port in it."""
-    return not paths.config_file.exists() or (not settings.setup.begun and settings.dish.port is None)

@@ -41,7 +41,7 @@ def open_session(
     `survey` reads identity and limits once the dish rests; `reconnect` looks for a lost port again. KeyError for a
     firmware that this version does not speak.
     """
-    transcript = Transcript(paths.transcripts if settings.link.transcript else None, version=version())
+    transcript = Transcript(paths.transcripts if settings.link.transcript else None, version=version)
     journal = Journal(paths.journal)
     rules = rules_from(settings)
 
