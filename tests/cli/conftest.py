@@ -11,7 +11,7 @@ import time
 from pathlib import Path
 
 import pytest
-from birdcage.base.clock import RealClock
+from birdcage.base.clock import ScaledClock
 from birdcage.base.wake import Wake
 from birdcage.cli.app import cli
 from birdcage.sim.port import open_device
@@ -33,8 +33,8 @@ main()
 class PtyDish:
     """A simulated dish, served to any program that opens `path`."""
 
-    def __init__(self, options: str = "seed=1", firmware: str = "g2") -> None:
-        self.device = open_device(f"{firmware}?{options}", clock=RealClock())
+    def __init__(self, options: str = "seed=1", firmware: str = "g2", speed: float = 1.0) -> None:
+        self.device = open_device(f"{firmware}?{options}", clock=ScaledClock(speed))
         self._server = Server(self.device, PtyChannel(None), f"sim:{firmware}")
         self.path = self._server.channel.path
         self._stop = Wake()
@@ -88,8 +88,9 @@ def pty_dish(request):
 
 @pytest.fixture
 def pty_travler(request):
-    """The same with a Trav'ler."""
-    dish = PtyDish(getattr(request, "param", "seed=1"), "hal205")
+    """The same with a Trav'ler; or with how much faster it is than a real one, and options."""
+    speed, options = getattr(request, "param", (1.0, "seed=1"))
+    dish = PtyDish(options, "hal205", speed)
     yield dish
     dish.close()
 

@@ -20,8 +20,9 @@ def house(request):
 
 
 async def rest(house):
-    """Let it arrive, and stand a while."""
-    for _ in range(24):
+    """Let it arrive, and stand a while, looked at as the app looks."""
+    await house.step(30 if house.app.station.state.dish.skew else 8)
+    for _ in range(4):
         await house.step(0.5)
 
 
@@ -36,8 +37,7 @@ async def test_jogging_along_the_tree_line_records_it_and_nothing_else(house):
         await house.step(3)
         await press(house, "f2")
         await type_direction(house, 220, 40)
-        for _ in range(3 if house.app.station.state.dish.skew else 1):
-            await rest(house)
+        await rest(house)
         await press(house, "M")
         await rest(house)
         assert house.app.horizon.mask.points == (), "where it was sent by a go-to is no tree"
