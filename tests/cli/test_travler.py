@@ -6,7 +6,6 @@ import signal
 
 import pytest
 
-
 FAST = 4.0
 """A dish that is so much quicker than a real one, where how long it takes is not what is looked at."""
 

@@ -93,7 +93,7 @@ class Garden:
         end = self.clock.monotonic() + seconds
         while not what():
             assert self.clock.monotonic() < end, self.text()
-            await self.step(0.4)
+            await self.step(1.0)
 
     async def press(self, *keys):
         for key in keys:
