@@ -40,9 +40,11 @@ def test_qo100_behind_a_universal_lnb(ask):
     assert "LO 9750 MHz, below the signal: not inverted" in told
     assert "QO-100 narrow band, vertical" in told
     assert "RTL-SDR (R820T, R828D) ✓ reaches it" in told
-    missed = "✗ 950 to 2150 MHz: 210.5 MHz too low; an LO of 9539.5 MHz or less would do"
-    assert f"television receiver {missed}" in told
-    assert any("made for 10700 to 11700 MHz, and not for this frequency" in line for line in told)
+    missed = told.index("television receiver ✗ 950 to 2150 MHz: 210.5 MHz too low")
+    assert told[missed + 1] == "an LO of 9539.5 MHz or less would do"
+    made_for = told.index("as in a universal LNB, low band (no tone), for 10700 to 11700 MHz")
+    assert told[made_for + 1] == "not made for this frequency: expect less, or nothing"
+    assert max(len(line) for line in result.stdout.splitlines()) <= 80
 
 
 def test_a_c_band_lnb_inverts(ask, as_json):

@@ -25,8 +25,9 @@ if TYPE_CHECKING:
 def command(utc: str | None, receiver: str | None, rate_deg_s: float | None) -> None:
     """Say whether this machine's clock can be trusted, and what an error of it costs in degrees.
 
-    Without an option the system is asked what it knows (chrony, systemd), and what was found last is recalled.
-    Nothing is sent to the network, and the clock is never set.
+    Without an option the system is asked what it knows (chrony, systemd). Where it does not vouch for the clock, what
+    was last found good counts, by whatever means, for less with every day since. A clock found to be wrong makes all of
+    that forgotten. Nothing is sent to the network, and the clock is never set.
     """
     from birdcage.base.clock import RealClock
     from birdcage.cli.say import say, tell, tell_json

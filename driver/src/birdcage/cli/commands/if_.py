@@ -105,16 +105,17 @@ def lines(conversion: Conversion, downlinks: Downlinks) -> list[str]:
         told.append(f"LO         {megahertz(conversion.lo_hz)}, {side}")
         made_for = [each for each in lnbs() if each.lo_hz == conversion.lo_hz]
         for each in made_for:
-            outside = "" if each.holds(rf_hz) else ", and not for this frequency: expect less, or nothing"
-            told.append(
-                f"           as in a {each.name}, made for {each.low_hz / 1e6:g} to {each.high_hz / 1e6:g} MHz{outside}"
-            )
+            told.append(f"           as in a {each.name}, for {each.low_hz / 1e6:g} to {each.high_hz / 1e6:g} MHz")
+            if not each.holds(rf_hz):
+                told.append("           not made for this frequency: expect less, or nothing")
     else:
         told.append("LO         none: the receiver is tuned to the signal itself")
     told.append(f"IF         {megahertz(if_hz)}")
     if conversion.image_hz is not None:
         told.append(f"           so is {megahertz(conversion.image_hz)}, its image, where no filter holds it back")
-    told += [f"{each.name:24} {_verdict(each, conversion)}" for each in receivers()]
+    for each in receivers():
+        verdict, *more = _verdict(each, conversion)
+        told += [f"{each.name:24} {verdict}", *(f"{'':27}{line}" for line in more)]
     return told
 
 
@@ -125,16 +126,18 @@ def senders(conversion: Conversion, downlinks: Downlinks) -> list[str]:
     return sorted({each.satellite for each in there})
 
 
-def _verdict(receiver: Span, conversion: Conversion) -> str:
-    """Return whether a receiver tunes there, and else by how much not, and which oscillator would do."""
+def _verdict(receiver: Span, conversion: Conversion) -> list[str]:
+    """Return whether a receiver tunes there; else by how much not, and below it which oscillator would do."""
     from birdcage.sky.band import megahertz
 
     note = f" ({receiver.note})" if receiver.note else ""
     beside_hz = receiver.beside_hz(conversion.if_hz)
     if not beside_hz:
-        return f"✓ reaches it{note}"
+        return [f"✓ reaches it{note}"]
     tunes = f"{receiver.low_hz / 1e6:g} to {receiver.high_hz / 1e6:g} MHz"
     below = beside_hz < 0
+    told = [f"✗ {tunes}: {megahertz(abs(beside_hz))} too {'low' if below else 'high'}{note}"]
     wanted_hz = conversion.rf_hz - (receiver.low_hz if below else receiver.high_hz)
-    remedy = f"; an LO of {megahertz(wanted_hz)} or {'less' if below else 'more'} would do" if wanted_hz > 0 else ""
-    return f"✗ {tunes}: {megahertz(abs(beside_hz))} too {'low' if below else 'high'}{remedy}{note}"
+    if wanted_hz > 0:
+        told.append(f"an LO of {megahertz(wanted_hz)} or {'less' if below else 'more'} would do")
+    return told

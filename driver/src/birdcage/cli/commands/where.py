@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from typing import TYPE_CHECKING
 
 import click
@@ -20,6 +21,9 @@ from birdcage.cli.sky_options import (
 if TYPE_CHECKING:
     from datetime import datetime
     from pathlib import Path
+
+TEXT_WIDTH = 72
+"""Of an error, which click begins with a word of its own: it fits on eighty columns."""
 
 
 @click.command("where", epilog=DATA_EPILOG, context_settings=NEGATIVE_NUMBERS)
@@ -51,7 +55,7 @@ def command(
     try:
         meant = look_up(" ".join(target), dish.paths, elements, say)
     except UnknownTarget as error:
-        raise click.UsageError(str(error)) from None
+        raise click.UsageError(textwrap.fill(str(error), TEXT_WIDTH)) from None
     report = Report.of(meant, observer, at or datetime.now(UTC), dish)
     warning = frozen_warning([] if report.elements is None else [report.elements])
     if warning is not None:
