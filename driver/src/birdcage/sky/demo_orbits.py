@@ -11,6 +11,7 @@ import math
 from dataclasses import dataclass
 from datetime import UTC, datetime
 
+from birdcage.sky.demo_plan import HIGH, LOW, MEDIUM, STATIONARY, High, Low, Medium
 from birdcage.sky.elements import ElementSet
 from birdcage.sky.observer import Observer
 
@@ -26,85 +27,6 @@ _SIDEREAL_DEG_S = 360.98564736629 / 86400.0
 _J2000 = datetime(2000, 1, 1, 12, tzinfo=UTC)
 
 
-@dataclass(frozen=True, slots=True)
-class _Low:
-    """A low orbit by the pass that it makes."""
-
-    kind: str
-    height_km: float
-    inclination_deg: float
-    tca_min: float
-    """Minutes from now to the closest approach."""
-    aside_deg: float
-    """How far beside the place it goes by, as an angle at the Earth's centre, positive to the right of its way."""
-    northbound: bool
-
-
-_LOW = (
-    _Low("polar", 830.0, 98.7, 1.5, 4.0, True),
-    _Low("station", 420.0, 51.6, 5.5, 2.0, True),
-    _Low("imager", 500.0, 97.4, 11.0, -5.0, False),
-    _Low("cubesat", 550.0, 64.5, 17.0, 3.0, False),
-    _Low("weather", 820.0, 98.6, 24.0, -9.0, False),
-    _Low("amateur", 680.0, 82.5, 33.0, 1.0, True),
-    _Low("cubesat", 480.0, 43.0, 42.0, -3.0, True),
-    _Low("imager", 700.0, 98.2, 51.0, 8.0, True),
-    _Low("amateur", 1330.0, 101.5, 62.0, -6.0, False),
-    _Low("polar", 850.0, 98.8, 74.0, 0.3, False),
-    _Low("cubesat", 600.0, 97.8, 86.0, 10.0, True),
-    _Low("station", 400.0, 41.5, 97.0, -4.0, True),
-    _Low("science", 520.0, 74.0, 110.0, 5.0, False),
-    _Low("weather", 835.0, 98.7, 125.0, -2.0, True),
-)
-
-
-@dataclass(frozen=True, slots=True)
-class _Medium:
-    """A navigation satellite by where it stands now."""
-
-    kind: str
-    height_km: float
-    inclination_deg: float
-    bearing_deg: float
-    """From the place to below the satellite."""
-    distance_deg: float
-    """As an angle at the Earth's centre."""
-    northbound: bool
-
-
-_MEDIUM = (
-    _Medium("GPS", 20180.0, 55.0, 20.0, 40.0, True),
-    _Medium("GPS", 20180.0, 55.0, 130.0, 25.0, False),
-    _Medium("GPS", 20180.0, 55.0, 250.0, 45.0, True),
-    _Medium("Galileo", 23222.0, 56.0, 80.0, 35.0, False),
-    _Medium("Galileo", 23222.0, 56.0, 310.0, 15.0, True),
-    _Medium("Glonass", 19130.0, 64.8, 190.0, 40.0, False),
-)
-
-
-@dataclass(frozen=True, slots=True)
-class _High:
-    """A long ellipse, with its apogee over the observer's half of the Earth."""
-
-    kind: str
-    mean_motion_rev_day: float
-    eccentricity: float
-    inclination_deg: float
-    since_apogee_min: float
-    east_deg: float
-    """Where the apogee would stand now, in degrees of longitude from the place."""
-
-
-_HIGH = (
-    _High("Molniya", 2.0063, 0.72, 63.4, 0.0, 20.0),
-    _High("Molniya", 2.0063, 0.70, 63.4, 150.0, -40.0),
-    _High("transfer", 2.27, 0.73, 26.0, 40.0, 10.0),
-)
-
-_STATIONARY = (-52, -33, -14, 2, 21, 44)
-"""Degrees of longitude from the place."""
-
-
 def demo_orbits(now: datetime, observer: Observer) -> tuple[ElementSet, ...]:
     """Return 29 made-up satellites with `now` (aware) as their epoch, laid for the sky over this place.
 
@@ -117,10 +39,10 @@ def demo_orbits(now: datetime, observer: Observer) -> tuple[ElementSet, ...]:
     days = (now - _J2000).total_seconds() / 86400.0
     greenwich_deg = (280.46061837 + 360.98564736629 * days) % 360.0
     laid = [
-        *(_low(one, number, observer, greenwich_deg) for number, one in enumerate(_LOW, 1)),
-        *(_medium(one, number, observer, greenwich_deg) for number, one in enumerate(_MEDIUM, 1)),
-        *(_high(one, number, observer, greenwich_deg) for number, one in enumerate(_HIGH, 1)),
-        *(_stationary(offset, observer, greenwich_deg) for offset in _STATIONARY),
+        *(_low(one, number, observer, greenwich_deg) for number, one in enumerate(LOW, 1)),
+        *(_medium(one, number, observer, greenwich_deg) for number, one in enumerate(MEDIUM, 1)),
+        *(_high(one, number, observer, greenwich_deg) for number, one in enumerate(HIGH, 1)),
+        *(_stationary(offset, observer, greenwich_deg) for offset in STATIONARY),
     ]
     return tuple(
         ElementSet(
@@ -190,7 +112,7 @@ def _heading(observer: Observer, inclination_deg: float, *, northbound: bool) ->
     return heading_deg if northbound else 180.0 - heading_deg
 
 
-def _low(one: _Low, number: int, observer: Observer, greenwich_deg: float) -> _Orbit:
+def _low(one: Low, number: int, observer: Observer, greenwich_deg: float) -> _Orbit:
     inclination_deg = _reaching(one.inclination_deg, observer.latitude_deg)
     heading_deg = _heading(observer, inclination_deg, northbound=one.northbound)
     latitude_deg, longitude_deg = _beside(observer, heading_deg + 90.0, one.aside_deg)
@@ -213,7 +135,7 @@ def _low(one: _Low, number: int, observer: Observer, greenwich_deg: float) -> _O
     )
 
 
-def _medium(one: _Medium, number: int, observer: Observer, greenwich_deg: float) -> _Orbit:
+def _medium(one: Medium, number: int, observer: Observer, greenwich_deg: float) -> _Orbit:
     latitude_deg, longitude_deg = _beside(observer, one.bearing_deg, one.distance_deg)
     latitude_deg = max(2.0 - one.inclination_deg, min(one.inclination_deg - 2.0, latitude_deg))
     along_deg, east_deg = _over(latitude_deg, one.inclination_deg, northbound=one.northbound)
@@ -226,7 +148,7 @@ def _medium(one: _Medium, number: int, observer: Observer, greenwich_deg: float)
     )
 
 
-def _high(one: _High, number: int, observer: Observer, greenwich_deg: float) -> _Orbit:
+def _high(one: High, number: int, observer: Observer, greenwich_deg: float) -> _Orbit:
     # The perigee lies on the other half of the Earth.
     perigee_deg, apogee_from_node_deg = (270.0, 90.0) if observer.latitude_deg >= 0.0 else (90.0, -90.0)
     return _Orbit(

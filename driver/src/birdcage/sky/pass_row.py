@@ -14,7 +14,7 @@ from birdcage.sky.reach_limits import ReachLimits
 
 if TYPE_CHECKING:
     from birdcage.sky.passes.table import PassTable
-    from birdcage.sky.reach import Reach
+    from birdcage.sky.reach_model import Reach
     from birdcage.sky.sun_crossing import SunApproach
     from birdcage.sky.watch_source import Watched
 

@@ -17,57 +17,13 @@ from birdcage.sky.passes.model import Pass
 from birdcage.sky.reach_cable import Bools, Run, runs_of
 from birdcage.sky.reach_checks import Check, Floats, SampledTrack, SkyPath, cable_check, checks_of, crossing
 from birdcage.sky.reach_limits import ReachLimits
+from birdcage.sky.reach_model import Lost, Reach, Stretch
 from birdcage.sky.reach_speed import azimuth_room, too_fast
 
 _FINE_S = 0.05
 """The grid on which the keyhole is looked for."""
 _SHORTEST_S = 1e-3
 """What is shorter is no stretch but an edge."""
-
-
-@dataclass(frozen=True, slots=True)
-class Stretch:
-    """A part of the pass in which the dish can point at the satellite."""
-
-    start: datetime
-    end: datetime
-    turn: int | None = None
-    """The cable stands at azimuth - offset + 360 turn; None where nothing winds up, or the turn is not known."""
-
-    @property
-    def duration_s(self) -> float:
-        """From start to end."""
-        return (self.end - self.start).total_seconds()
-
-
-@dataclass(frozen=True, slots=True)
-class Lost:
-    """A part of the pass in which it cannot."""
-
-    start: datetime
-    end: datetime
-    reason: str
-    """`floor`, `ceiling`, `horizon`, `no-go: mast`, `cable` or `keyhole`."""
-
-
-@dataclass(frozen=True, slots=True)
-class Reach:
-    """What of a pass this dish can follow; `intervals` and `lost` together are the whole pass, each in order."""
-
-    intervals: tuple[Stretch, ...]
-    lost: tuple[Lost, ...]
-    best_el_deg: float | None
-    """The highest elevation within the intervals; None if there are none."""
-
-    @property
-    def total_s(self) -> float:
-        """How long it can be followed in all."""
-        return sum((stretch.duration_s for stretch in self.intervals), 0.0)
-
-    @property
-    def reasons(self) -> tuple[str, ...]:
-        """Why not all of it, each reason once, in order of time."""
-        return tuple(dict.fromkeys(lost.reason for lost in self.lost))
 
 
 def reach(track: SampledTrack, limits: ReachLimits) -> Reach:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
-from dataclasses import fields, replace
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from types import TracebackType
@@ -13,13 +13,11 @@ from typing import NamedTuple, Self
 from birdcage.base.errors import BirdcageError
 from birdcage.base.store import open_database
 from birdcage.sky.catalogue.entry import Entry, key_of
-from birdcage.sky.catalogue.groups import Groups, stamp, when
+from birdcage.sky.catalogue.groups import Groups, stamp
+from birdcage.sky.catalogue.rows import COLUMNS, ELEMENTS, elements_of, read_entries, row_of
 from birdcage.sky.catalogue.schema import MIGRATIONS, told
 from birdcage.sky.catalogue.search import SearchIndex
 from birdcage.sky.elements import ElementSet
-
-_COLUMNS = tuple(field.name for field in fields(ElementSet))
-_ELEMENTS = ", ".join(f"satellite.{name}" for name in _COLUMNS)
 
 
 class Added(NamedTuple):
@@ -90,10 +88,10 @@ class Catalogue:
                 if key in old and datetime.fromisoformat(old[key]) >= each.epoch:
                     continue
                 new, newer = (new, newer + 1) if key in old else (new + 1, newer)
-                rows.append((key, *_values(_named(each, names.get(key))), stamped))
-            marks = ", ".join("?" * (len(_COLUMNS) + 2))
+                rows.append((key, *row_of(_named(each, names.get(key))), stamped))
+            marks = ", ".join("?" * (len(COLUMNS) + 2))
             self._connection.executemany(
-                f"REPLACE INTO satellite (key, {', '.join(_COLUMNS)}, fetched) VALUES ({marks})",  # noqa: S608 - ours
+                f"REPLACE INTO satellite (key, {', '.join(COLUMNS)}, fetched) VALUES ({marks})",  # noqa: S608 - ours
                 rows,
             )
             if group is not None:
@@ -123,12 +121,12 @@ class Catalogue:
 
     def all(self, group: str | None = None) -> tuple[ElementSet, ...]:
         """Return the elements of every satellite, or of those in a group, by key: the order is stable."""
-        query = f"SELECT {_ELEMENTS} FROM satellite"  # noqa: S608 - our own column names
+        query = f"SELECT {ELEMENTS} FROM satellite"  # noqa: S608 - our own column names
         if group is not None:
             query += " JOIN membership USING (key) WHERE group_name = ?"
         with told():
             found = self._connection.execute(f"{query} ORDER BY key", () if group is None else (group,))
-            return tuple(_elements(row) for row in found)
+            return tuple(elements_of(row) for row in found)
 
     def get(self, satellite: int | str) -> ElementSet | None:
         """Return the elements of a satellite by number or by its whole name (case does not count); None if unknown."""
@@ -137,11 +135,11 @@ class Catalogue:
 
     def entry(self, satellite: int | str) -> Entry | None:
         """Return all about a satellite by number or by its whole name; of several with one name the newest epoch."""
-        return next(iter(self._entries("WHERE satellite.key = ?", (self._key(satellite),))), None)
+        return next(iter(read_entries(self._connection, "WHERE satellite.key = ?", (self._key(satellite),))), None)
 
     def entries(self) -> tuple[Entry, ...]:
         """Return all about every satellite, in the order of `all`."""
-        return tuple(self._entries("", ()))
+        return tuple(read_entries(self._connection))
 
     def find(self, text: str) -> Entry:
         """Return the one satellite that a person means: its number, its name, or the only one that a search finds.
@@ -171,12 +169,12 @@ class Catalogue:
         """Return the index over all there is now. It may be handed to any thread."""
         version = self.version
         if self._index is None or self._index[0] != version:
-            self._index = version, SearchIndex(self._entries("", ()))
+            self._index = version, SearchIndex(read_entries(self._connection))
         return self._index[1]
 
     def favourites(self) -> tuple[Entry, ...]:
         """Return the favourites, those of high priority first, then by name."""
-        found = self._entries("WHERE note.favourite", ())
+        found = read_entries(self._connection, "WHERE note.favourite")
         return tuple(sorted(found, key=lambda each: (-each.priority, each.name.casefold())))
 
     def set_favourite(self, satellite: int | str, favourite: bool = True) -> None:
@@ -233,30 +231,6 @@ class Catalogue:
             ).fetchone()
         return text.casefold() if row is None else row[0]
 
-    def _entries(self, where: str, values: tuple[str, ...]) -> Iterator[Entry]:
-        with told():
-            query = f"""SELECT {_ELEMENTS}, satellite.key, satellite.fetched,
-                note.favourite, note.priority, note.time_offset_s, note.time_offset_set
-                FROM satellite LEFT JOIN note USING (key) {where} ORDER BY satellite.key"""  # noqa: S608 - ours
-            rows = self._connection.execute(query, values).fetchall()
-            groups = self._several("SELECT key, group_name FROM membership ORDER BY group_name", rows)
-            tags = self._several("SELECT key, tag FROM tag ORDER BY tag", rows)
-        for *columns, key, fetched, favourite, priority, offset_s, offset_set in rows:
-            yield Entry(
-                _elements(columns), datetime.fromisoformat(fetched), groups.get(key, ()), tags.get(key, ()),
-                bool(favourite), priority or 0, offset_s, when(offset_set),
-            )  # fmt: skip
-
-    def _several(self, query: str, rows: list[tuple[object, ...]]) -> dict[str, tuple[str, ...]]:
-        """Return the values by key, of one key alone where only one row is asked for."""
-        values: tuple[object, ...] = ()
-        if len(rows) == 1:
-            query, values = query.replace(" ORDER", " WHERE key = ? ORDER"), (rows[0][len(_COLUMNS)],)
-        found: dict[str, tuple[str, ...]] = {}
-        for key, value in self._connection.execute(query, values):
-            found[key] = (*found.get(key, ()), value)
-        return found
-
     @contextmanager
     def _change(self) -> Iterator[None]:
         """Make all changes in it one; within another one, a part of that."""
@@ -277,12 +251,3 @@ class Catalogue:
 def _named(elements: ElementSet, name: str | None) -> ElementSet:
     plain = elements.name.strip()
     return replace(elements, name=name) if name and (not plain or plain.isdigit()) else elements
-
-
-def _values(elements: ElementSet) -> tuple[object, ...]:
-    return tuple(getattr(elements, name) if name != "epoch" else stamp(elements.epoch) for name in _COLUMNS)
-
-
-def _elements(row: tuple[object, ...] | list[object]) -> ElementSet:
-    name, norad_id, epoch, *rest = row
-    return ElementSet(name, norad_id, datetime.fromisoformat(str(epoch)), *rest)  # type: ignore[arg-type]
