@@ -11,7 +11,7 @@ from birdcage.sky.horizon import HorizonMask
 from birdcage.sky.observer import Observer
 from birdcage.sky.terminator import sub_solar
 from birdcage.sky.world import Ground, WorldView
-from birdcage_tui.passes.model import Age, InReach, Lost, Path, Row, SkyPicture, Up, Way
+from birdcage_tui.passes.model import Age, Frequency, InReach, Lost, Path, Row, SkyPicture, Up, Way
 
 NOON = datetime(2026, 3, 20, 12, tzinfo=UTC).timestamp()
 MASK = HorizonMask([(0, 4), (40, 9), (70, 22), (95, 24), (110, 8), (180, 2), (250, 5), (300, 14), (330, 6)])
@@ -20,7 +20,7 @@ FLOOR, CEILING = 18.0, 65.0
 
 def path_of(start_s, length_s, from_az, to_az, top_deg):
     """A way over the sky: elevation a sine, azimuth swinging as it does."""
-    times, azimuths, elevations = [], [], []
+    times, azimuths, elevations, ranges = [], [], [], []
     turn = (to_az - from_az + 180) % 360 - 180
     for step in range(121):
         share = step / 120
@@ -28,7 +28,9 @@ def path_of(start_s, length_s, from_az, to_az, top_deg):
         times.append(start_s + length_s * share)
         azimuths.append((from_az + turn * swing) % 360)
         elevations.append(top_deg * math.sin(math.pi * share) ** 1.4)
-    return Path(tuple(times), tuple(azimuths), tuple(elevations))
+        ranges.append(math.hypot(820.0, 6.6 * length_s * (share - 0.5)))
+    rates = [6.6**2 * length_s * (step / 120 - 0.5) / km for step, km in enumerate(ranges)]
+    return Path(tuple(times), tuple(azimuths), tuple(elevations), tuple(ranges), tuple(rates))
 
 
 def reach_of(path, floor=FLOOR, ceiling=CEILING):
@@ -89,7 +91,8 @@ def rows(now_s=NOON):
         found.append(Row(
             name, number, aos, path.t_s[highest], path.t_s[-1], from_az, path.az_deg[highest], to_az, float(top),
             reach_of(path), Way(lambda path=path: path), favourite, groups, AGE,
-            hears="137.9 MHz LRPT" if name.startswith("METEOR") else "",
+            hears="137.9 MHz LRPT" if name.startswith("METEOR") else "", sunlit_share=1.0, sun=(aos + 120.0, 31.0),
+            tuned=lambda name=name: Frequency(137.9e6, "its LRPT") if name.startswith("METEOR") else None,
         ))  # fmt: skip
     return tuple(sorted(found, key=lambda row: row.aos_s))
 

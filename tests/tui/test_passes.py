@@ -184,11 +184,11 @@ def test_the_choice_of_many_passes_is_quick():
 def test_every_layout_fills_its_page(size, shown):
     width, height = size
     found = layout(width, height, shown)
-    side = found.plot_height + found.strip_height
+    side = found.plot_height + found.strip_height + found.figures_height
     if found.plot_height:
         assert side == found.list_height
         assert found.list_width < width - 25
         upper = found.list_height
     else:
-        upper = found.list_height + found.strip_height
+        upper = found.list_height + found.strip_height + found.figures_height
     assert 1 + upper + found.timeline_height == height

@@ -7,11 +7,13 @@ import pytest
 import sky_stand_in
 from birdcage.station.requests import Unwatch, Watch
 from birdcage_tui.footer import KeyBar
+from birdcage_tui.passes.figures import PassFigures, sun_lines
 from birdcage_tui.passes.head import PassHead
 from birdcage_tui.passes.listing import PassList
+from birdcage_tui.passes.model import InReach
 from birdcage_tui.passes.plot import PassSky
 from birdcage_tui.passes.strip import PassStrip
-from birdcage_tui.passes.timeline import NAME, Timeline
+from birdcage_tui.passes.timeline import WIDE_NAME, Timeline
 from birdcage_tui.status import BadDayRow, StatusLine, StopButton
 from stage import read, run
 from stand_in import text_of
@@ -40,11 +42,22 @@ async def pressed(app, pilot, *keys):
 
 
 @pytest.mark.parametrize("size", SIZES, ids=str)
-@pytest.mark.parametrize("keys", [(), ("v",), ("v", "v"), ("slash",)], ids=str)
+@pytest.mark.parametrize("keys", [(), ("v",), ("v", "v"), ("v", "v", "v"), ("slash",)], ids=str)
 def test_every_pane_lies_inside_the_screen(size, keys):
     async def regions(app, pilot):
         await pressed(app, pilot, *keys)
-        kinds = (PassHead, PassList, PassSky, PassStrip, Timeline, StatusLine, StopButton, BadDayRow, KeyBar)
+        kinds = (
+            PassHead,
+            PassList,
+            PassSky,
+            PassStrip,
+            PassFigures,
+            Timeline,
+            StatusLine,
+            StopButton,
+            BadDayRow,
+            KeyBar,
+        )
         panes = [app.query_one(kind) for kind in kinds]
         return {
             type(pane).__name__: pane.region for pane in panes if pane.display and pane.region.area
@@ -53,9 +66,9 @@ def test_every_pane_lies_inside_the_screen(size, keys):
     found, screen = on_page(regions, size)
     wanted = {"PassHead", "PassList", "StatusLine", "StopButton", "BadDayRow", "KeyBar"}
     if size[0] >= 100:
-        wanted |= {"PassSky", "PassStrip", "Timeline"}
+        wanted |= {"PassSky", "PassFigures" if keys.count("v") % 2 else "PassStrip", "Timeline"}
     else:
-        wanted |= {{(): "PassSky", ("v",): "PassStrip", ("v", "v"): "Timeline", ("slash",): "PassSky"}[keys]}
+        wanted |= {("PassSky", "PassStrip", "PassFigures", "Timeline")[keys.count("v")]}
     assert set(found) == wanted
     panes = list(found.items())
     for index, (what, region) in enumerate(panes):
@@ -231,7 +244,7 @@ def test_time_runs_faster():
 def test_the_mouse_scrubs_the_timeline():
     async def scrub(app, pilot):
         pane = app.query_one(Timeline)
-        column = NAME + 40
+        column = WIDE_NAME + 40
         await pilot.mouse_down(Timeline, offset=(column + 1, 3))
         await pilot.hover(Timeline, offset=(column + 11, 3))
         await pilot.mouse_up(Timeline, offset=(column + 11, 3))
@@ -334,3 +347,78 @@ def test_a_second_changes_only_what_counts_down():
     assert asked["PassHead"] == 1
     assert asked["PassList"] <= 8, "countdowns above an hour change once a minute"
     assert "Timeline" not in asked
+
+
+# Figures.
+
+
+@pytest.mark.parametrize(("size", "keys"), [((80, 24), ("v", "v")), ((120, 36), ("v",)), ((160, 48), ("v",))], ids=str)
+def test_range_doppler_sun_and_clock_stand_behind_a_key(size, keys):
+    async def look(app, pilot):
+        return await pressed(app, pilot, *keys)
+
+    text = on_page(look, size)
+    assert "Figures  Doppler at 137.9 MHz, its LRPT" in text
+    assert re.search(r"AOS +11:56:00 +341\.0° +2891 km +\+2\.91 kHz", text), text
+    assert re.search(r"TCA +12:03:00 +\S+° +820 km +\+0\.00 kHz", text)
+    assert re.search(r"now +12:00:00 +\S+° +1444 km", text)
+    assert re.search(r"1 s of clock error costs 0\.\d+°", text)
+    assert "Sun-lit, Sun 31° off at 11:58" in text
+
+
+def test_a_large_screen_has_the_figures_beside_the_path():
+    text = on_page(read, (160, 48))
+    for words in ("range 2891 820 2891 km", "at 137.9 MHz, its LRPT", "Sun 31° off at 11:58"):
+        assert words in text
+
+
+def test_without_a_downlink_doppler_is_told_per_100_mhz():
+    async def look(app, pilot):
+        return await pressed(app, pilot, "v", "down", "down")
+
+    assert "Doppler at 100 MHz, no downlink known" in on_page(look, (120, 36))
+
+
+def test_the_sun_in_the_beam_is_a_warning():
+    row = replace(sky_stand_in.rows()[0], sun=(sky_stand_in.NOON, 3.0))
+    assert sun_lines(row, 6.3)[-1] == ("warn", "▲ Sun in the beam 12:00:00")
+    assert sun_lines(row, 2.0)[-1] == ("text", "Sun 3° off at 12:00")
+    assert sun_lines(replace(row, sun=None, sunlit_share=0.4), 6.3) == [("text", "Sun-lit 40% of it, Sun down")]
+    assert sun_lines(replace(row, sunlit_share=None), 6.3) == []
+
+
+# What is hidden is told.
+
+
+@pytest.mark.parametrize("keys", [(), ("right_square_bracket",)], ids=str)
+def test_no_filter_hides_passes_unsaid_on_a_small_screen(keys):
+    async def hide(app, pilot):
+        await pressed(app, pilot, *keys, "r", "f", "slash", *"metop", "enter")
+        return app.query_one(PassHead)._strips[0].text
+
+    head = on_page(hide)
+    assert "3 filters" in head or all(words in head for words in ('"metop"', "in reach only", "favourites only"))
+
+
+def test_what_stays_up_is_left_out_and_counted_but_found_by_name():
+    table = sky_stand_in.rows()
+    fixed = replace(table[0], name="GEO 95W", norad_id=9, already_up=True, still_up=True)
+
+    async def find(app, pilot):
+        before = await pressed(app, pilot)
+        return before, await pressed(app, pilot, "slash", *"geo", "enter")
+
+    before, found = on_page(find, sky=sky_stand_in.make(rows=(*table, fixed)))
+    assert "43 of 43, left out: 1 up all the time" in before
+    assert "GEO 95W" not in before
+    assert re.search(r"GEO 95W", found)
+
+
+def test_the_end_of_the_search_is_no_event():
+    table = sky_stand_in.rows()
+    last = replace(table[1], still_up=True)
+    end_s = last.los_s
+    held = replace(last, reach=InReach(((last.aos_s + 60.0, end_s),), (), 40.0))
+    assert held.next_event(last.aos_s) == (last.aos_s + 60.0, "reach")
+    assert held.next_event(last.aos_s + 90.0) is None, "nobody knows when it ends"
+    assert "LOS" not in [word for _, word in held.events()]

@@ -128,7 +128,7 @@ def test_passes_are_written_as_three_files(stage):
     (words,) = stage.said
     folder = stage.paths.catalogue.parent / "passes"
     stem = folder / "passes-20260320-120000"
-    assert words == f"5 passes as .ics, .csv and .json: {stem}"
+    assert words == f"{stem}.ics, .csv, .json: 5 passes"
     values = json.loads(stem.with_suffix(".json").read_text())
     assert [each["norad_id"] for each in values] == [row.norad_id for row in rows]
     assert datetime.fromisoformat(values[0]["aos"]).timestamp() == pytest.approx(rows[0].aos_s, abs=0.01)

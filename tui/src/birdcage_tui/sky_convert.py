@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from datetime import timedelta
 from typing import TYPE_CHECKING
 
@@ -15,13 +16,13 @@ from birdcage.sky.observer import Observer
 from birdcage.sky.sun import sun
 from birdcage.sky.watch_model import SkyNow, UpNow
 
-from birdcage_tui.passes.model import Age, InReach, Lost, Path, Row, SkyPicture, Up, Way
+from birdcage_tui.passes.model import Age, Frequency, InReach, Lost, Path, Row, SkyPicture, Up, Way
 
 if TYPE_CHECKING:
     from birdcage.sky.elements import ElementSet
     from birdcage.sky.pass_row import PassRow
-    from birdcage.sky.reach import Reach
     from birdcage.sky.reach_limits import Horizon
+    from birdcage.sky.reach_model import Reach
 
 SAMPLES = 72
 """Of a path: closer than a dot of the largest picture, and half of them about the top, where azimuth sweeps."""
@@ -47,7 +48,11 @@ class Converter:
         self.feed, self.hear_first = "", False
         self.hears: Callable[[int, str], str] | None = None
         """What the feed hears of a satellite, by number and name."""
+        self.tuned: Callable[[int, str], Frequency | None] | None = None
+        """At which frequency Doppler of a satellite is told, by number and name."""
         self._rows: dict[int, tuple[PassRow, Row]] = {}
+        self._made_of: tuple[object, ...] = ()
+        """What `_table` was made of."""
         self._table: tuple[Row, ...] = ()
         self._trails: dict[tuple[int, str], tuple[tuple[float, float], ...]] = {}
 
@@ -83,6 +88,10 @@ class Converter:
     def _favourite(self, number: int, name: str, known: bool) -> bool:
         return self.favourites.get(number or name, known)
 
+    def _tuned(self, found: PassRow) -> Callable[[], Frequency | None]:
+        number, name = found.passing.norad_id, found.passing.name
+        return lambda: None if self.tuned is None else self.tuned(number, name)
+
     def _up(self, one: UpNow) -> Up:
         fixed = one.range_km > GEO_KM and abs(one.range_rate_km_s) < STILL_KM_S
         known = self._favourite(one.norad_id, one.name, one.favourite)
@@ -93,6 +102,10 @@ class Converter:
         return Up(name, one.norad_id, one.az_deg, one.el_deg, known, fixed, trail)
 
     def _rows_of(self, sky: SkyNow, observer: Observer) -> tuple[Row, ...]:
+        made_of = (sky.passes, observer, dict(self.favourites), self.groups, self.hears)
+        if made_of == self._made_of:
+            return self._table  # nearly always, once all is searched: then a thousand rows cost nothing
+        self._made_of = made_of
         kept: dict[int, tuple[PassRow, Row]] = {}
         told: dict[int | str, bool] = {}
         for found in sky.passes:
@@ -112,7 +125,10 @@ class Converter:
             ):
                 kept[id(found)] = known
             else:
-                kept[id(found)] = (found, _row(found, observer, favourite, groups, hears))
+                kept[id(found)] = (
+                    found,
+                    replace(_row(found, observer, favourite, groups, hears), tuned=self._tuned(found)),
+                )
         self._rows = kept
         for satellite, known_now in told.items():
             if known_now:  # from here on the catalogue's word counts again, whoever changes it
@@ -145,7 +161,9 @@ def _row(found: PassRow, observer: Observer, favourite: bool, groups: tuple[str,
         passing.already_up,
         passing.still_up,
         hears,
-        found,
+        found.sunlit_share,
+        None if found.sun is None else (found.sun.at.timestamp(), found.sun.separation_deg),
+        origin=found,
     )
 
 
@@ -178,4 +196,5 @@ def _path(elements: ElementSet, observer: Observer, aos_s: float, tca_s: float, 
     times = np.unique(np.concatenate([np.linspace(aos_s, los_s, SAMPLES // 2), close]))
     found = track(elements, observer, times, later_s)
     good = np.isfinite(found.el_deg)
-    return Path(tuple(found.t_s[good].tolist()), tuple(found.az_deg[good].tolist()), tuple(found.el_deg[good].tolist()))
+    kept = (found.t_s, found.az_deg, found.el_deg, found.range_km, found.range_rate_km_s)
+    return Path(*(tuple(each[good].tolist()) for each in kept))

@@ -1,4 +1,4 @@
-"""What the feed in use hears of a satellite, by the tables of downlinks."""
+"""What the feed in use hears of a satellite, by the tables of downlinks, and at which frequency to tell Doppler."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ from pathlib import Path
 from birdcage.base.config import FeedProfile
 from birdcage.sky.downlinks import load_downlinks
 from birdcage.sky.downlinks_hearing import has_band, hearable
+
+from birdcage_tui.passes.model import Frequency
 
 MOST = 3
 """Downlinks that are told of one satellite."""
@@ -26,3 +28,23 @@ def hearing_of(feed: FeedProfile, user_file: Path) -> Callable[[int, str], str] 
         return ", ".join(f"{each.downlink.center_hz / 1e6:g} MHz {each.downlink.mode}" for each in found[:MOST])
 
     return hears
+
+
+def tuning_of(feed: FeedProfile, user_file: Path) -> Callable[[int, str], Frequency | None]:
+    """Return what tells the frequency for Doppler: what the feed hears of a satellite, else what it sends at all.
+
+    Else the middle of the feed's band; None for a feed without one.
+    """
+    table = load_downlinks(user_file)
+
+    @cache
+    def tuned(norad_id: int, name: str) -> Frequency | None:
+        sent = [each for each in table.of(norad_id, name) if each.alive is not False]
+        heard = [each.downlink for each in hearable(sent, feed)]
+        for one in (*heard, *sent):
+            return Frequency(one.center_hz, f"its {one.mode}")
+        if feed.freq_min_hz is None or feed.freq_max_hz is None:
+            return None
+        return Frequency((feed.freq_min_hz + feed.freq_max_hz) / 2.0, "middle of the feed")
+
+    return tuned

@@ -22,10 +22,10 @@ from birdcage.sky.watch import SkyWatch
 from birdcage.sky.watch_model import SkyNow
 from birdcage.station.reach_limits import reach_limits_of
 
-from birdcage_tui.passes.model import Row
+from birdcage_tui.passes.model import Frequency, Row
 from birdcage_tui.settings import Place
 from birdcage_tui.sky_convert import Converter
-from birdcage_tui.sky_hearing import hearing_of
+from birdcage_tui.sky_hearing import hearing_of, tuning_of
 
 if TYPE_CHECKING:
     from birdcage.base.config import Settings
@@ -60,6 +60,8 @@ class SkySetup:
     """Whether the user has said which one that is."""
     hearing: Callable[[], Callable[[int, str], str] | None] | None = None
     """Reads what the feed hears; takes some milliseconds."""
+    tuning: Callable[[], Callable[[int, str], Frequency | None]] | None = None
+    """Reads at which frequency Doppler is told; takes some milliseconds."""
 
 
 class WatchedSky:
@@ -199,6 +201,8 @@ class WatchedSky:
 
         if self._setup.hearing is not None and self._converter.hears is None:
             self._converter.hears = self._setup.hearing()
+        if self._setup.tuning is not None and self._converter.tuned is None:
+            self._converter.tuned = self._setup.tuning()
         if not self._setup.catalogue.exists():
             return
         try:
@@ -257,5 +261,6 @@ def open_sky(
         lambda state: reach_limits_of(state, settings), demo,
         settings.feed.active, "feed.active" in settings.sources,
         lambda: hearing_of(settings.active_feed, paths.downlinks_file),
+        lambda: tuning_of(settings.active_feed, paths.downlinks_file),
     )  # fmt: skip
     return WatchedSky(setup, show, say, threads=threads)

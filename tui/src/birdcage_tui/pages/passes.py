@@ -14,6 +14,7 @@ from birdcage_tui.host import Host
 from birdcage_tui.pages.page import Page
 from birdcage_tui.pane import Pane
 from birdcage_tui.passes.desk import Desk
+from birdcage_tui.passes.figures import PassFigures
 from birdcage_tui.passes.head import PassHead
 from birdcage_tui.passes.layout import VIEWS, Layout, layout
 from birdcage_tui.passes.listing import PassList
@@ -35,7 +36,7 @@ class PassesPage(Page):
     PassesPage { layout: vertical; }
     PassesPage PassHead { height: 1; }
     PassesPage #pass-upper { height: auto; }
-    PassesPage PassList, PassesPage PassSky, PassesPage PassStrip, PassesPage Timeline,
+    PassesPage PassList, PassesPage PassSky, PassesPage PassStrip, PassesPage PassFigures, PassesPage Timeline,
     PassesPage PassWorld { border: round $line; border-title-color: $dim; border-title-style: none;
         border-subtitle-color: $dim; }
     PassesPage PassWorld { height: 1fr; }
@@ -67,6 +68,7 @@ class PassesPage(Page):
             with Vertical(id="pass-side"):
                 yield PassSky(self.desk, id="pass-sky")
                 yield PassStrip(self.desk, id="pass-strip")
+                yield PassFigures(self.desk, id="pass-figures")
         yield Timeline(self.desk, id="pass-timeline")
         world = PassWorld(self.desk, id="pass-world")
         world.display = False
@@ -91,12 +93,14 @@ class PassesPage(Page):
         listing = self.query_one(PassList)
         listing.styles.width, listing.styles.height = found.list_width, found.list_height
         upper.display = not self.desk.world
-        side.display = found.plot_height + found.strip_height > 0
-        side.styles.height = found.plot_height + found.strip_height
+        lower = found.strip_height + found.figures_height
+        side.display = found.plot_height + lower > 0
+        side.styles.height = found.plot_height + lower
+        self.query_one(PassSky).alone = not found.figures_height
         upper.styles.layout = "horizontal" if found.plot_height else "vertical"
-        upper.styles.height = found.list_height + (0 if found.plot_height else found.strip_height)
+        upper.styles.height = found.list_height + (0 if found.plot_height else lower)
         for kind, rows in ((PassSky, found.plot_height), (PassStrip, found.strip_height),
-                           (Timeline, found.timeline_height)):  # fmt: skip
+                           (PassFigures, found.figures_height), (Timeline, found.timeline_height)):  # fmt: skip
             pane = self.query_one(kind)
             pane.display = rows > 0 and not self.desk.world
             pane.styles.height = rows
@@ -186,12 +190,16 @@ class PassesPage(Page):
                 self.host.say(f"In order of {choice.next_sort()}.")
             case "pass-reachable":
                 choice.reachable_only = not choice.reachable_only
+                self._hidden(choice.reachable_only, "passes that this dish can follow")
             case "pass-hearable":
                 choice.hearable_only = not self.desk.hearable(view)
+                self._hidden(choice.hearable_only, f"what the feed {self.desk.sky(view).feed} hears")
             case "pass-favourites":
                 choice.favourites_only = not choice.favourites_only
+                self._hidden(choice.favourites_only, "favourites")
             case "pass-view" if not self.desk.world:
-                self._shown = VIEWS[(VIEWS.index(self._shown) + 1) % len(VIEWS)]
+                views = VIEWS if self._layout is None or not self._layout.roomy else ("elevation", "figures")
+                self._shown = views[(views.index(self._shown) + 1) % len(views) if self._shown in views else 1]
                 self._arrange()
             case "pass-world" | "pass-view":
                 self.desk.world = not self.desk.world
@@ -207,6 +215,9 @@ class PassesPage(Page):
                 return False
         self._moment()
         return True
+
+    def _hidden(self, only: bool, what: str) -> None:
+        self.host.say(f"{'Only' if only else 'Not only'} {what}.")
 
     def _favourite(self, command: str, view: View) -> None:
         if command == "pass-undo":

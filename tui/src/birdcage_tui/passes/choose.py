@@ -77,10 +77,12 @@ class Choice:
         return self._left[1]
 
     def _chosen(self, rows: Sequence[Row], hearable: bool) -> list[Row]:
+        """Leave out what is up all the time, too, unless it is asked for by name."""
         meant = matcher(self.filter)
         chosen = [
             row for row in rows
-            if (not self.reachable_only or row.reach_s > 0)
+            if (not row.stays or self.filter)
+            and (not self.reachable_only or row.reach_s > 0)
             and (not self.favourites_only or row.favourite)
             and (not hearable or row.hears)
             and meant(row)

@@ -15,6 +15,14 @@ if TYPE_CHECKING:
     from birdcage.sky.pass_row import PassRow
 
 
+def home_short(path: Path) -> str:
+    """Return a path as a person types it: `~/passes` for what lies in the home folder."""
+    try:
+        return f"~/{path.relative_to(Path.home())}"
+    except ValueError:
+        return str(path)
+
+
 def write_passes(rows: Sequence[PassRow], observer: Observer, now: datetime, folder: Path, note: str) -> str:
     """Write them, and return a sentence that says where. OSError if that can't be done.
 
@@ -29,4 +37,5 @@ def write_passes(rows: Sequence[PassRow], observer: Observer, now: datetime, fol
     write_aside_and_rename(stem.with_suffix(".csv"), passes_csv(rows).encode())
     values = json.dumps([values_of(row) for row in rows], indent=1, ensure_ascii=False)
     write_aside_and_rename(stem.with_suffix(".json"), f"{values}\n".encode())
-    return f"{len(rows)} passes as .ics, .csv and .json: {stem}"
+    # The path first: a narrow screen has no room for more.
+    return f"{home_short(stem)}.ics, .csv, .json: {len(rows)} passes"

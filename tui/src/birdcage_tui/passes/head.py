@@ -8,6 +8,9 @@ from birdcage_tui.passes.desk import Desk
 from birdcage_tui.passes.words import clock_text, shift_text
 from birdcage_tui.view import View
 
+WIDE = 100
+"""Columns from which on a moment that is not now leaves room for the button of the map."""
+
 
 class PassHead(Pane):
     """One row; all of it in a colour of its own while it is not now that is shown."""
@@ -18,7 +21,7 @@ class PassHead(Pane):
 
     def draw(self, cells: Cells, view: View) -> None:
         """Write the moment at the left, then the choice; what is at the right is left out where it does not fit."""
-        machine, choice, sky = self._desk.machine, self._desk.choice, self._desk.sky(view)
+        machine, sky = self._desk.machine, self._desk.sky(view)
         now_s, t_s = view.utc.timestamp(), self._desk.time(view)
         if machine.is_now:
             x = cells.put(1, 0, "now", "accent-strong")
@@ -29,23 +32,33 @@ class PassHead(Pane):
             pace = "stands still" if machine.paused else f"{machine.speed}x"
             x = cells.put(1, 0, f"▲ NOT NOW  {clock_text(t_s)}Z, {shift_text(t_s - now_s)}, {pace}", "warn-row") + 2
             x = self.button(cells, x, 0, "time-now", view, "back to now") + 1
-        x = self.button(cells, x, 0, "pass-world", view, "list" if self._desk.world else "world") + 1
+        if machine.is_now or cells.width >= WIDE or self._desk.world:
+            x = self.button(cells, x, 0, "pass-world", view, "list" if self._desk.world else "world") + 1
         quiet = "dim" if machine.is_now else "warn-row"
-        parts = [f"sort: {choice.sort}"]
-        if choice.filter:
-            parts.append(f'/ "{choice.filter}"')
-        if choice.reachable_only:
-            parts.append("in reach only")
-        if self._desk.hearable(view):
-            parts.append(f"heard by {sky.feed}")
-        if choice.favourites_only:
-            parts.append("favourites only")
-        for index, words in enumerate(parts):
-            if x + len(words) >= cells.width:
-                break
+        for words, command in self._told(view, cells.width - 1 - x):
             cells.put(x, 0, words, quiet)
-            self.heat(x, 0, len(words), "pass-sort" if not index else "pass-filter")
+            self.heat(x, 0, len(words), command)
             x += len(words) + 2
         words = f"▲ {sky.source}" if sky.note else sky.source
         if words and x + len(words) < cells.width:
             cells.right(cells.width - 1, 0, words, "warn" if sky.note and machine.is_now else quiet)
+
+    def _told(self, view: View, room: int) -> list[tuple[str, str]]:
+        """Return (words, command) of what is hidden, and the order; where that does not fit, how many filters hide.
+
+        What hides passes is told first: without it a short list looks like a quiet sky.
+        """
+        choice, sky = self._desk.choice, self._desk.sky(view)
+        filters = [(f'/ "{choice.filter}"', "pass-filter")] if choice.filter else []
+        if choice.reachable_only:
+            filters.append(("in reach only", "pass-reachable"))
+        if self._desk.hearable(view):
+            filters.append((f"heard by {sky.feed}", "pass-hearable"))
+        if choice.favourites_only:
+            filters.append(("favourites only", "pass-favourites"))
+        order = (f"sort: {choice.sort}", "pass-sort")
+        counted = [(f"{len(filters)} filter{'s' if len(filters) > 1 else ''}", "pass-filter")] if filters else []
+        for parts in ([*filters, order], filters, [*counted, order], counted):
+            if sum(len(words) + 2 for words, _ in parts) - 2 <= room:
+                return parts
+        return []

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-VIEWS = ("path", "elevation", "timeline")
-"""What a small page shows beside or under its list; `v` goes on to the next."""
+VIEWS = ("path", "elevation", "figures", "timeline")
+"""What a small page shows beside or under its list; a large one shows figures in place of elevation, or not."""
+FIGURES = 9
+"""Rows that the figures need, with their frame."""
 ROOMY = (100, 28)
 
 
@@ -19,6 +21,7 @@ class Layout:
     plot_height: int
     strip_height: int
     timeline_height: int
+    figures_height: int = 0
 
 
 def layout(width: int, height: int, shown: str) -> Layout:
@@ -28,11 +31,13 @@ def layout(width: int, height: int, shown: str) -> Layout:
         if shown == "path":
             plot = max(min(width - 50, 44), 28)
             return Layout(False, width - plot, height, height, 0, 0)
-        lower = max(height * 2 // 5, 8)
-        strip, timeline = (lower, 0) if shown == "elevation" else (0, lower)
-        return Layout(False, width, height - lower, 0, strip, timeline)
+        lower = max(height * 2 // 5, 8) if shown != "figures" else FIGURES
+        strip, figures, timeline = (lower if shown == each else 0 for each in VIEWS[1:])
+        return Layout(False, width, height - lower, 0, strip, timeline, figures)
     timeline = min(max(height // 4, 8), 14)
     upper = height - timeline
     strip = min(max(upper // 3, 8), 12)
     listing = min(max(width * 52 // 100, 58), 92)
+    if shown == "figures":
+        return Layout(True, listing, upper, upper - FIGURES, 0, timeline, FIGURES)
     return Layout(True, listing, upper, upper - strip, strip, timeline)

@@ -18,9 +18,9 @@ from birdcage_tui.passes.words import count_text, fit, reach_sign, reach_text
 from birdcage_tui.view import View
 
 LEAST_NAME, MOST_NAME = 10, 24
-FIXED = 30
+FIXED = 31
 """Columns of everything but name, curve and reason, with the gaps."""
-CURVES = ((78, 12), (56, 8), (44, 5))
+CURVES = ((78, 12), (56, 8), (52, 5))
 """From which width on the curve has how many columns."""
 WHY = 12
 LEGEND = "● yes ◍ losses ○ no"
@@ -88,7 +88,9 @@ class PassList(Pane, can_focus=True):
         if sky.searched is not None and sky.searched < 1.0:
             words = f"{len(sky.rows)} so far, {sky.searched:.0%} searched"
         else:
-            words = f"{count} of {len(sky.rows)}" if sky.rows else ""
+            stay = 0 if self._desk.choice.filter else sum(row.stays for row in sky.rows)
+            words = f"{count} of {len(sky.rows) - stay}" if sky.rows else ""
+            words += f", left out: {stay} up all the time" if stay else ""
         if words != (self.border_subtitle or ""):
             self.border_subtitle = words
 
@@ -103,8 +105,8 @@ class PassList(Pane, can_focus=True):
     @staticmethod
     def _head(cells: Cells, name: int, curve: int, why: int) -> None:
         cells.put(3, 0, "next event", "dim")
-        cells.put(16, 0, "satellite", "dim")
-        x = 16 + name
+        cells.put(17, 0, "satellite", "dim")
+        x = 17 + name
         cells.put(x + 1, 0, "reach", "dim")
         cells.right(x + 11, 0, "max", "dim")
         if curve:
@@ -127,9 +129,11 @@ class PassList(Pane, can_focus=True):
             soon = event[1] in ("out", "LOS") or event[0] - t_s < 600.0
             ink = text if lit else "target" if event[1] == "out" else text if soon else dim
             cells.put(3, y, f"{event[1]:<5}", dim)
-            cells.right(15, y, count_text(event[0] - t_s), ink)
-        cells.put(16, y, fit(row.name, width), text if reachable else dim)
-        x = 16 + width
+            cells.right(16, y, count_text(event[0] - t_s), ink)
+        else:
+            cells.put(3, y, "stays up", dim)
+        cells.put(17, y, fit(row.name, width), text if reachable else dim)
+        x = 17 + width
         cells.right(x + 6, y, reach_text(row), text if reachable else dim)
         cells.right(x + 11, y, f"{row.max_el_deg:.0f}°", dim)
         if curve:

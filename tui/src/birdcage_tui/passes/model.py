@@ -8,9 +8,10 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from birdcage.base.geometry import shortest_turn
+from birdcage.base.geometry import separation, shortest_turn
 from birdcage.sky.horizon import HorizonMask
 
 if TYPE_CHECKING:
@@ -24,6 +25,9 @@ class Path:
     t_s: tuple[float, ...]
     az_deg: tuple[float, ...]
     el_deg: tuple[float, ...]
+    range_km: tuple[float, ...] = ()
+    rate_km_s: tuple[float, ...] = ()
+    """How fast the range grows."""
 
     def at(self, t_s: float) -> tuple[float, float] | None:
         """Return azimuth and elevation at a time; None outside the pass."""
@@ -36,6 +40,31 @@ class Path:
         turn = shortest_turn(self.az_deg[before], self.az_deg[index])
         rise = self.el_deg[index] - self.el_deg[before]
         return (self.az_deg[before] + turn * share) % 360.0, self.el_deg[before] + rise * share
+
+    def distance(self, t_s: float) -> tuple[float, float] | None:
+        """Return range in km and its rate in km/s at a time; None outside the pass, or where it is not known."""
+        if not self.range_km or not self.t_s[0] <= t_s <= self.t_s[-1]:
+            return None
+        index = min(max(bisect_right(self.t_s, t_s), 1), len(self.t_s) - 1)
+        begin, end = index - 1, index
+        span = self.t_s[end] - self.t_s[begin]
+        share = 0.0 if span <= 0 else (t_s - self.t_s[begin]) / span
+        # The cubic through both ends with both rates: straight lines would be kilometres off.
+        here, there = self.range_km[begin], self.range_km[end]
+        pull, push = self.rate_km_s[begin] * span, self.rate_km_s[end] * span
+        rest = 1.0 - share
+        range_km = here * (1 + 2 * share) * rest**2 + there * (1 + 2 * rest) * share**2
+        range_km += pull * share * rest**2 - push * rest * share**2
+        return range_km, self.rate_km_s[begin] * rest + self.rate_km_s[end] * share
+
+    def fastest_deg_s(self) -> float | None:
+        """Return the greatest angular rate of the pass; None where there is no path."""
+        places = list(zip(self.t_s, self.az_deg, self.el_deg, strict=True))
+        rates = [
+            separation(*before[1:], *after[1:]) / (after[0] - before[0])
+            for before, after in pairwise(places) if after[0] - before[0] > 1e-3
+        ]  # fmt: skip
+        return max(rates, default=None)
 
 
 class Way:
@@ -101,6 +130,15 @@ class Age:
 
 
 @dataclass(frozen=True, slots=True)
+class Frequency:
+    """What Doppler is told for."""
+
+    hz: float
+    what: str
+    """`its LRPT`, `middle of the feed`."""
+
+
+@dataclass(frozen=True, slots=True)
 class Row:
     """One pass, and what this dish can have of it."""
 
@@ -125,6 +163,12 @@ class Row:
     """It was up when the search ended."""
     hears: str | None = None
     """What the feed in use hears of it, in words; empty: nothing that is known; None: nobody can say."""
+    sunlit_share: float | None = None
+    """How much of the pass the Sun shines on it, 0 to 1."""
+    sun: tuple[float, float] | None = None
+    """When it is nearest to the Sun, and how near in degrees; None while the Sun is down."""
+    tuned: Callable[[], Frequency | None] | None = field(default=None, compare=False, repr=False)
+    """Finds the frequency to tell Doppler for."""
     origin: PassRow | None = field(default=None, compare=False, repr=False)
     """What it was made of: for files."""
 
@@ -132,6 +176,11 @@ class Row:
     def key(self) -> tuple[int, str, int]:
         """The same for the same pass after another search: times move by seconds then, not by half a minute."""
         return self.norad_id, self.name, round(self.tca_s / 60.0)
+
+    @property
+    def stays(self) -> bool:
+        """Whether it is up all the time, as far as the search went: that is no pass."""
+        return self.already_up and self.still_up
 
     @property
     def path(self) -> Path | None:
@@ -148,7 +197,7 @@ class Row:
 
         Where reach begins or ends with the pass it is one event, and the one of the pass is told.
         """
-        found = [(self.los_s, "LOS")]
+        found = [] if self.still_up else [(self.los_s, "LOS")]
         if not self.already_up:
             found.append((self.aos_s, "AOS"))
         for start, end in () if self.reach is None else self.reach.intervals:
@@ -159,15 +208,18 @@ class Row:
         return sorted(found)
 
     def next_event(self, t_s: float) -> tuple[float, str] | None:
-        """Return what comes next: of reach if there is any to come, else AOS or LOS; None once it is over."""
+        """Return what comes next: of reach if there is any to come, else AOS or LOS.
+
+        None once it is over, and for what was up when the search ended: nobody has looked further.
+        """
         for start, end in () if self.reach is None else self.reach.intervals:
             if t_s < start:
                 return start, "reach"
             if t_s < end:
-                return end, "out"
+                return None if self.still_up and self.los_s - end <= 1.0 else (end, "out")
         if t_s < self.aos_s and not self.already_up:
             return self.aos_s, "AOS"
-        return (self.los_s, "LOS") if t_s < self.los_s else None
+        return (self.los_s, "LOS") if t_s < self.los_s and not self.still_up else None
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,14 +11,16 @@ from birdcage_tui.pane import Pane
 from birdcage_tui.panes.polar import Polar
 from birdcage_tui.panes.sky_ground import QUIET, Ground, rim
 from birdcage_tui.passes.desk import Desk
+from birdcage_tui.passes.figures import brief
 from birdcage_tui.passes.model import Row
-from birdcage_tui.passes.words import EVENT_WORDS, clock_text, count_text, length_text, reach_sign
+from birdcage_tui.passes.words import EDGES, EVENT_WORDS, clock_text, count_text, length_text, reach_sign
 from birdcage_tui.view import View
 
 WORDS = 25
 """Columns that the figures need beside the disc."""
 LINES = 4
 """Rows that they need under it."""
+TITLES = ("Path  N up, E right  ▨ cannot reach", "Path  ▨ cannot reach")
 STEPS = 160
 """Pieces that a path is drawn in."""
 
@@ -28,8 +30,9 @@ class PassSky(Pane):
 
     def __init__(self, desk: Desk, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
-        self.border_title = "Path  N up, E right  ▨ cannot reach"
         self._desk = desk
+        self.alone = True
+        """Whether no other pane shows the figures."""
         self._ground = Ground(with_arc=False)
 
     def disc(self, size: Size) -> tuple[Polar, bool]:
@@ -40,6 +43,9 @@ class PassSky(Pane):
 
     def draw(self, cells: Cells, view: View) -> None:
         """Draw the ground, the path, what moves on it, and the figures."""
+        title = next(words for words in TITLES if len(words) <= cells.width - 2 or words == TITLES[-1])
+        if title != self.border_title:
+            self.border_title = title
         polar, beside = self.disc(Size(cells.width, cells.height))
         if polar.width < 10 or polar.height < 5:
             return
@@ -57,9 +63,26 @@ class PassSky(Pane):
         if row is None:
             cells.put(x, y, "No pass is chosen.", "dim")
             return
-        for ink, words in self._figures(row, t_s, beside, cells.width - x)[: cells.height - y]:
-            cells.put(x, y, words[: cells.width - x], ink)
+        width, moment = cells.width - x, "now" if self._desk.machine.is_now else "then"
+        lines = _tall(row, t_s, width, moment) if beside else _low(row, t_s, width)
+        if beside:
+            lines += _losses(row, edges=False)
+            lines += [*self._more(row, view, width, cells.height - y - len(lines)), *_losses(row, edges=True)]
+        for ink, words in lines[: cells.height - y]:
+            cells.put(x, y, words[:width], ink)
             y += 1
+
+    def _more(self, row: Row, view: View, width: int, room: int) -> list[tuple[str, str]]:
+        """Return (ink, words) of range, Doppler, clock and Sun; all of it, or nothing where that has no room."""
+        if not self.alone:
+            return []
+        lines = [
+            (ink, each)
+            for ink, words in brief(row, view.state.beam_deg)
+            for each in textwrap.wrap(words, width, initial_indent=words[: len(words) - len(words.lstrip())],
+                                      subsequent_indent="  ")
+        ]  # fmt: skip
+        return lines if len(lines) <= room else []
 
     @staticmethod
     def _path(canvas: Braille, polar: Polar, row: Row, t_s: float) -> None:
@@ -112,52 +135,64 @@ class PassSky(Pane):
         if place is not None:
             cells.put(*polar.cell(*place), "✕", "target-strong")
 
-    @staticmethod
-    def _figures(row: Row, t_s: float, tall: bool, width: int) -> list[tuple[str, str]]:
-        """Return (ink, words): who, what comes next, when and where it rises and sets, what is in reach and why."""
-        name = f"{'★ ' if row.favourite else ''}{row.name}"
-        number = f"  {row.norad_id}" if row.norad_id else ""
-        lines = [("strong", f"{name}{number}" if len(name + number) <= width else name)]
-        event = row.next_event(t_s)
-        if event is not None:
-            words = f"{EVENT_WORDS[event[1]]} in {count_text(event[0] - t_s)}"
-            age = "" if row.age is None or tall else f" {row.age.glyph} {row.age.short}"
-            lines.append(("target", words + age if len(words + age) <= width else words))
-        place = None if row.path is None else row.path.at(t_s)
-        reach, why = row.reach, reach_sign(row.reach)[2]
-        if reach is None:
-            held = "reach not worked out yet"
-        elif not reach.intervals:
-            held = f"never in reach: {why}"
-        else:
-            held = f"{length_text(reach.total_s)} in reach, best {reach.best_el_deg or 0.0:.0f}°"
-        if not tall:
-            rise = "before" if row.already_up else clock_text(row.aos_s, seconds=False)
-            fall = "later" if row.still_up else clock_text(row.los_s, seconds=False)
-            lines.append(("text", held))
-            lines.append(("dim", f"{rise} {row.aos_az_deg:.0f}°  {row.max_el_deg:.0f}°  {fall} {row.los_az_deg:.0f}°"))
-            return lines
-        lines.append(("text", f"now AZ {place[0]:.1f}°  EL {place[1]:.1f}°" if place is not None else ""))
-        began = "up before" if row.already_up else f"{clock_text(row.aos_s)}  {row.aos_az_deg:5.1f}°"
-        ends = "later" if row.still_up else f"{clock_text(row.los_s)}  {row.los_az_deg:5.1f}°"
-        lines += [
-            ("dim", f"AOS  {began}"),
-            ("dim", f"TCA  {clock_text(row.tca_s)}  {row.tca_az_deg:5.1f}°"),
-            ("dim", f"LOS  {ends}"),
-            ("dim", f"highest {row.max_el_deg:.1f}°, {length_text(row.los_s - row.aos_s)} up"),
-            ("text", ""),
-            ("text", held),
-        ]
-        if reach is not None:
-            lines += [("text", f"  {clock_text(start)} to {clock_text(end)}") for start, end in reach.intervals[:3]]
-        if row.age is not None:
-            told = textwrap.wrap(f"{row.age.glyph} elements {row.age.words}", width, subsequent_indent="  ")
-            lines += [(row.age.ink, each) for each in told]
-        if row.hears:
-            lines += [("text", each) for each in textwrap.wrap(f"sends {row.hears}", width, subsequent_indent="  ")]
-        if reach is not None:
-            lines += [
-                ("dim", f"{lost.reason} {clock_text(lost.start_s)}, {length_text(lost.end_s - lost.start_s)}")
-                for lost in reach.lost if lost.end_s - lost.start_s >= 1.0
-            ]  # fmt: skip
-        return lines
+
+def _who(row: Row, t_s: float, width: int) -> list[tuple[str, str]]:
+    """Return (ink, words) of which satellite it is, and what comes next."""
+    name = f"{'★ ' if row.favourite else ''}{row.name}"
+    number = f"  {row.norad_id}" if row.norad_id else ""
+    event = row.next_event(t_s)
+    words = "stays up" if event is None else f"{EVENT_WORDS[event[1]]} in {count_text(event[0] - t_s)}"
+    return [("strong", f"{name}{number}" if len(name + number) <= width else name), ("target", words)]
+
+
+def _held(row: Row) -> str:
+    """Return how much of it is in reach, or why nothing."""
+    if row.reach is None:
+        return "reach not worked out yet"
+    if not row.reach.intervals:
+        return f"never in reach: {reach_sign(row.reach)[2]}"
+    return f"{length_text(row.reach.total_s)} in reach, best {row.reach.best_el_deg or 0.0:.0f}°"
+
+
+def _low(row: Row, t_s: float, width: int) -> list[tuple[str, str]]:
+    """Return (ink, words) for the rows under the picture."""
+    who, (ink, words) = _who(row, t_s, width)
+    age = "" if row.age is None else f" {row.age.glyph} {row.age.short}"
+    rise = "" if row.already_up else f"{clock_text(row.aos_s, seconds=False)} "
+    fall = "later" if row.still_up else clock_text(row.los_s, seconds=False)
+    span = f"up {rise}to {fall}, max {row.max_el_deg:.0f}°"
+    return [who, (ink, words + age if len(words + age) <= width else words), ("text", _held(row)), ("dim", span)]
+
+
+def _tall(row: Row, t_s: float, width: int, moment: str) -> list[tuple[str, str]]:
+    """Return (ink, words) for beside the picture: when and where it rises and sets, what is in reach."""
+    place = None if row.path is None else row.path.at(t_s)
+    began = "up before" if row.already_up else f"{clock_text(row.aos_s)}  {row.aos_az_deg:5.1f}°"
+    ends = "later" if row.still_up else f"{clock_text(row.los_s)}  {row.los_az_deg:5.1f}°"
+    lines = [
+        *_who(row, t_s, width),
+        ("text", f"{moment} AZ {place[0]:.1f}°  EL {place[1]:.1f}°" if place is not None else ""),
+        ("dim", f"AOS  {began}"),
+        ("dim", f"TCA  {clock_text(row.tca_s)}  {row.tca_az_deg:5.1f}°"),
+        ("dim", f"LOS  {ends}"),
+        ("dim", f"highest {row.max_el_deg:.1f}°, {length_text(row.los_s - row.aos_s)} up"),
+        ("text", _held(row)),
+    ]
+    if row.reach is not None:
+        lines += [("text", f"  {clock_text(start)} to {clock_text(end)}") for start, end in row.reach.intervals[:3]]
+    if row.age is not None:
+        told = textwrap.wrap(f"{row.age.glyph} elements {row.age.words}", width, subsequent_indent="  ")
+        lines += [(row.age.ink, each) for each in told]
+    if row.hears:
+        lines += [("text", each) for each in textwrap.wrap(f"sends {row.hears}", width, subsequent_indent="  ")]
+    return lines
+
+
+def _losses(row: Row, *, edges: bool) -> list[tuple[str, str]]:
+    """Return (ink, words) of each part in which the dish cannot follow; those at the ends, or the others."""
+    if row.reach is None:
+        return []
+    return [
+        ("dim", f"{lost.reason} {clock_text(lost.start_s)}, {length_text(lost.end_s - lost.start_s)}")
+        for lost in row.reach.lost if lost.end_s - lost.start_s >= 1.0 and (lost.reason in EDGES) == edges
+    ]  # fmt: skip

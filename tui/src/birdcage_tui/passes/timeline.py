@@ -14,7 +14,9 @@ from birdcage_tui.passes.model import Row
 from birdcage_tui.passes.words import clock_text, fit
 from birdcage_tui.view import View
 
-NAME = 14
+NAME, WIDE_NAME = 14, 20
+"""Columns of the names; where there is room for more."""
+ROOMY = 110
 SCALES_S = (30.0, 60.0, 120.0, 180.0, 300.0, 600.0)
 """Seconds a column, at choice."""
 TICKS_S = (900.0, 1800.0, 3600.0, 7200.0, 14400.0, 28800.0)
@@ -39,11 +41,13 @@ class Timeline(Pane):
         self.border_title = "Timeline"
         self._desk = desk
         self._start_s = self._column_s = 0.0
+        self._names = NAME
         self._held = False
 
     def draw(self, cells: Cells, view: View) -> None:
         """Draw the scale, the bars and the line."""
-        width = cells.width - NAME - 1
+        self._names = WIDE_NAME if cells.width >= ROOMY else NAME
+        width = cells.width - self._names - 1
         if width < 20 or cells.height < 3:
             return
         self._column_s = next((scale for scale in SCALES_S if scale * width >= HOURS * 3600.0), SCALES_S[-1])
@@ -51,7 +55,7 @@ class Timeline(Pane):
         self._start_s = self._from(now_s, t_s, width)
         rows = self._lanes(view, cells.height - 1)
         for y, (name, passes, favourite) in enumerate(rows, 1):
-            cells.put(0, y, fit(name, NAME - 1),
+            cells.put(0, y, fit(name, self._names - 1),
                       "text" if favourite else "dim")  # fmt: skip
             for row in passes:
                 self._bar(cells, y, row, width)
@@ -105,35 +109,35 @@ class Timeline(Pane):
         )
         at_s = floor(self._start_s / every + 1.0) * every
         while (column := self._column(at_s)) < width:
-            if column + 6 <= width and cells.free(NAME + column + 1, 0, 5):
-                cells.put(NAME + column + 1, 0, clock_text(at_s, seconds=False), "dim")
-            if cells.free(NAME + column, 0, 1):
-                cells.put(NAME + column, 0, "╷", "dim")
+            if column + 6 <= width and cells.free(self._names + column + 1, 0, 5):
+                cells.put(self._names + column + 1, 0, clock_text(at_s, seconds=False), "dim")
+            if cells.free(self._names + column, 0, 1):
+                cells.put(self._names + column, 0, "╷", "dim")
             for y in range(1, cells.height):
-                if cells.free(NAME + column, y, 1):
-                    cells.put(NAME + column, y, "╎", "faint")
+                if cells.free(self._names + column, y, 1):
+                    cells.put(self._names + column, y, "╎", "faint")
             at_s += every
 
     def _bar(self, cells: Cells, y: int, row: Row, width: int) -> None:
         first, last = self._column(row.aos_s), max(self._column(row.los_s), self._column(row.aos_s))
         for column in range(max(first, 0), min(last + 1, width)):
-            cells.put(NAME + column, y, "─", "dim")
+            cells.put(self._names + column, y, "─", "dim")
         for start, end in () if row.reach is None else row.reach.intervals:
             for column in range(max(self._column(start), 0), min(self._column(end) + 1, width)):
-                cells.put(NAME + column, y, "━", "target-strong")
+                cells.put(self._names + column, y, "━", "target-strong")
 
     def _height(self, cells: Cells, y: int, row: Row, width: int) -> None:
         """Write how high it goes behind its bar, where that lies on nothing."""
         words, after = f"{row.max_el_deg:.0f}°", max(self._column(row.los_s), self._column(row.aos_s)) + 1
-        if 0 < after <= width - len(words) and cells.free(NAME + after, y, len(words)):
-            cells.put(NAME + after, y, words, "dim")
+        if 0 < after <= width - len(words) and cells.free(self._names + after, y, len(words)):
+            cells.put(self._names + after, y, words, "dim")
 
     def _line(self, cells: Cells, at_s: float, ink: str, sign: str, width: int) -> None:
         column = self._column(at_s)
         if 0 <= column < width:
             for y in range(1, cells.height):
-                cells.put(NAME + column, y, sign, ink)
-            cells.put(NAME + column, 0, "▼", ink)
+                cells.put(self._names + column, y, sign, ink)
+            cells.put(self._names + column, 0, "▼", ink)
 
     def on_mouse_down(self, event: events.MouseDown) -> None:
         """Take hold of the line."""
@@ -154,8 +158,8 @@ class Timeline(Pane):
 
     def _scrub(self, event: events.MouseEvent) -> bool:
         offset = event.get_content_offset(self) if not self._held else event.offset - self.gutter.top_left
-        if offset is None or offset.x < NAME or not self._column_s:
+        if offset is None or offset.x < self._names or not self._column_s:
             return False
         event.stop()
-        self.post_message(self.Scrubbed(self._start_s + (offset.x - NAME + 0.5) * self._column_s))
+        self.post_message(self.Scrubbed(self._start_s + (offset.x - self._names + 0.5) * self._column_s))
         return True

@@ -22,7 +22,7 @@ def fit(name: str, width: int) -> str:
 
 
 def count_text(span_s: float) -> str:
-    """Return a countdown in six columns or fewer: `03:20`, from an hour on `2 h 05`, from a day on `3 d 4h`."""
+    """Return a countdown in seven columns or fewer: `03:20`, from an hour on `2 h 05`, from a day on `3 d 4h`."""
     minutes, seconds = divmod(int(max(span_s, 0.0)), 60)
     if minutes < 60:
         return f"{minutes:02}:{seconds:02}"

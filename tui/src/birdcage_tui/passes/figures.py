@@ -1,0 +1,126 @@
+"""What else one wants to know of the chosen pass: range, Doppler, Sun, and what an error of the clock costs."""
+
+from __future__ import annotations
+
+from birdcage.gps.verdict import cost_deg
+from birdcage.sky.doppler import doppler_hz
+
+from birdcage_tui.canvas import Cells
+from birdcage_tui.pane import Pane
+from birdcage_tui.passes.desk import Desk
+from birdcage_tui.passes.model import Frequency, Row
+from birdcage_tui.passes.words import clock_text
+from birdcage_tui.view import View
+
+PER = Frequency(100e6, "no downlink known")
+"""Without a downlink and a band Doppler is told per 100 MHz: it grows as the frequency does."""
+SUN_RADIUS_DEG = 0.27
+
+
+class PassFigures(Pane):
+    """A row for each of AOS, TCA and LOS, one for the moment shown, then the Sun and the clock."""
+
+    def __init__(self, desk: Desk, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.border_title = "Figures"
+        self._desk = desk
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Write the table."""
+        row, t_s = self._desk.chosen(view), self._desk.time(view)
+        if row is None:
+            cells.put(1, 0, "No pass is chosen.", "dim")
+            return
+        title = f"Figures  Doppler at {frequency_words(frequency_of(row))}"
+        if title != self.border_title:
+            self.border_title = title
+        cells.put(1, 0, f"     {'time':<8}{'azimuth':>10}{'range':>11}{'Doppler':>13}", "dim")
+        lines = [(words, at_s) for words, at_s in
+                 (("AOS", row.aos_s), ("TCA", row.tca_s), ("LOS", row.los_s))]  # fmt: skip
+        below = [*clock_lines(row), *_joined(sun_lines(row, view.state.beam_deg))]
+        moment = "now" if self._desk.machine.is_now else "then"
+        if row.aos_s <= t_s <= row.los_s and cells.height >= len(lines) + len(below) + 2:
+            lines.append((moment, t_s))
+        y = 1
+        for words, at_s in lines:
+            cells.put(1, y, f"{words:<4} {self._line(row, words, at_s)}", "target" if words == moment else "text")
+            y += 1
+        for ink, words in below[: cells.height - y]:
+            cells.put(1, y, words, ink)
+            y += 1
+
+    @staticmethod
+    def _line(row: Row, words: str, at_s: float) -> str:
+        if (words == "AOS" and row.already_up) or (words == "LOS" and row.still_up):
+            return "up before" if words == "AOS" else "later than was searched"
+        place = None if row.path is None else row.path.at(at_s)
+        range_text, doppler = away(row, at_s)
+        azimuth = "--" if place is None else f"{place[0]:.1f}°"
+        return f"{clock_text(at_s)}{azimuth:>10}{range_text:>11}{doppler:>13}"
+
+
+def frequency_of(row: Row) -> Frequency:
+    """Return the frequency that Doppler is told for."""
+    found = None if row.tuned is None else row.tuned()
+    return found or PER
+
+
+def frequency_words(frequency: Frequency) -> str:
+    """Return `137.9 MHz, its LRPT`."""
+    return f"{frequency.hz / 1e6:.10g} MHz, {frequency.what}"
+
+
+def away(row: Row, at_s: float) -> tuple[str, str]:
+    """Return range and Doppler at a time, with units; dashes where they are not known."""
+    found = None if row.path is None else row.path.distance(at_s)
+    if found is None:
+        return "--", "--"
+    return f"{found[0]:.0f} km", f"{_kilohertz(doppler_hz(frequency_of(row).hz, found[1]))} kHz"
+
+
+def _kilohertz(shift_hz: float) -> str:
+    digits = 1 if abs(shift_hz) >= 1e5 else 2
+    return f"{round(shift_hz / 1e3, digits) or 0.0:+.{digits}f}"  # never -0.00
+
+
+def clock_lines(row: Row) -> list[tuple[str, str]]:
+    """Return (ink, words) of what a second costs where the pass is fastest."""
+    rate = None if row.path is None else row.path.fastest_deg_s()
+    if rate is None:
+        return []
+    return [("text", f"1 s of clock error costs {cost_deg(1.0, rate):.2g}°")]
+
+
+def sun_lines(row: Row, beam_deg: float | None) -> list[tuple[str, str]]:
+    """Return (ink, words) of whether the Sun shines on it, and whether it passes before the Sun."""
+    if row.sunlit_share is None:
+        return []
+    share = row.sunlit_share
+    lit = "Sun-lit" if share > 0.99 else "in shadow" if share < 0.01 else f"Sun-lit {share:.0%} of it"
+    if row.sun is None:
+        return [("text", f"{lit}, Sun down")]
+    at_s, apart_deg = row.sun
+    crosses = apart_deg <= SUN_RADIUS_DEG + (beam_deg or 0.0) / 2.0
+    told = ("warn", f"▲ Sun in the beam {clock_text(at_s)}") if crosses else (
+        "text", f"Sun {apart_deg:.0f}° off at {clock_text(at_s, seconds=False)}")  # fmt: skip
+    return [("text", lit), told]
+
+
+def _joined(lines: list[tuple[str, str]]) -> list[tuple[str, str]]:
+    """Return lines as one, in the ink of the last."""
+    return [(lines[-1][0], ", ".join(words for _, words in lines))] if lines else []
+
+
+def brief(row: Row, beam_deg: float | None) -> list[tuple[str, str]]:
+    """Return the same in narrow lines, for beside the picture."""
+    moments = [row.aos_s, row.tca_s, row.los_s]
+    pairs = [away(row, at_s) for at_s in moments]
+    ranges = [range_text.removesuffix(" km") for range_text, _ in pairs]
+    shifts = [doppler.removesuffix(" kHz") for _, doppler in pairs]
+    return [
+        ("dim", f"range {' '.join(ranges)} km"),
+        ("dim", f"Doppler {' '.join(shifts)} kHz"),
+        ("dim", f"  at {frequency_words(frequency_of(row))}"),
+        *clock_lines(row),
+        *_joined(sun_lines(row, beam_deg)),
+    ]
