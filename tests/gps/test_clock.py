@@ -23,7 +23,7 @@ def system(**answers):
 
 def fix(ahead_s, utc=True):
     told = NOW - timedelta(seconds=ahead_s) if utc else None
-    return GpsFix(51.9, 4.8, 10.0, told, 1000.0, NOW, 8, 0.9, "gpsd at localhost:2947")
+    return GpsFix(51.9, 4.8, 10.0, told, NOW, 8, 0.9, "gpsd at localhost:2947")
 
 
 class TestMeasured:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import threading
-from datetime import UTC, datetime
+from datetime import UTC, datetime, timedelta
 
 import pytest
 from birdcage.base.clock import RealClock, VirtualClock
@@ -19,9 +19,12 @@ from .receiver import Bank, Receiver, gga, rmc, sentence
 URL = "/dev/ttyACM0"
 
 
+NOON = datetime(2026, 3, 20, 12, 0, 0, tzinfo=UTC)
+
+
 @pytest.fixture
 def clock():
-    return VirtualClock(datetime(2026, 3, 20, 12, 0, 0, tzinfo=UTC))
+    return VirtualClock(NOON)
 
 
 def read(clock, script, baud=9600, **more):
@@ -34,8 +37,8 @@ def test_a_fix_from_gga_and_rmc(clock):
     assert (fix.latitude_deg, fix.longitude_deg) == (pytest.approx(48.1173), pytest.approx(11.516667))
     assert fix.height_m == pytest.approx(545.4 + 46.9)
     assert (fix.satellites, fix.hdop) == (8, 0.9)
-    assert fix.utc == datetime(2026, 3, 20, 12, 0, 0, tzinfo=UTC)
-    assert fix.received_monotonic == pytest.approx(1000.4)
+    assert fix.utc == NOON
+    assert fix.received_utc == NOON + timedelta(seconds=0.4)
     assert fix.clock_offset_s == pytest.approx(0.4)
     assert fix.source == "/dev/ttyACM0 at 9600 baud"
     assert bank.receivers[0].closed
@@ -43,7 +46,7 @@ def test_a_fix_from_gga_and_rmc(clock):
 
 def test_place_and_date_of_different_seconds_make_no_fix(clock):
     fix, _ = read(clock, [(0.5, rmc("115959")), (0.6, gga("120000")), (0.7, rmc("120000"))])
-    assert fix.received_monotonic == pytest.approx(1000.7)
+    assert fix.received_utc == NOON + timedelta(seconds=0.7)
 
 
 def test_damaged_sentences_are_skipped(clock):

@@ -16,7 +16,7 @@ def fix(house, ahead_s, height_m):
     """Return what a receiver tells while this machine is so far ahead."""
     utc = house.clock.utc()
     told = None if ahead_s is None else utc - timedelta(seconds=ahead_s)
-    return GpsFix(39.1, -95.7, height_m, told, house.clock.monotonic(), utc, 9, 1.0, "gpsd")
+    return GpsFix(39.1, -95.7, height_m, told, utc, 9, 1.0, "gpsd")
 
 
 PLACE = {"latitude_deg": "39.1", "longitude_deg": "-95.7", "height_m": "250"}

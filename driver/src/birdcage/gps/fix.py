@@ -27,10 +27,8 @@ class GpsFix:
     """Above the ellipsoid."""
     utc: datetime | None
     """The moment that the report names."""
-    received_monotonic: float
-    """When its last byte had come, on the clock's monotonic scale."""
     received_utc: datetime
-    """What this machine's clock said then."""
+    """What this machine's clock said when its last byte had come."""
     satellites: int | None
     hdop: float | None
     """How much the satellites' places blur the position: 1 is good, above 5 is poor."""

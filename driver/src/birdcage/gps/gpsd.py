@@ -32,8 +32,8 @@ class GpsdReader:
         self.satellites: int | None = None
         self.hdop: float | None = None
 
-    def take(self, line: bytes, now: float, utc: datetime) -> GpsFix | None:
-        """Take a line that came now; return a fix when it is one."""
+    def take(self, line: bytes, utc: datetime) -> GpsFix | None:
+        """Take a line that came when this machine's clock said `utc`; return a fix when it is one."""
         try:
             report = json.loads(line)
         except (ValueError, RecursionError):
@@ -51,7 +51,7 @@ class GpsdReader:
             case "SKY":
                 self._take_sky(report)
             case "TPV":
-                return self._take_tpv(report, now, utc)
+                return self._take_tpv(report, utc)
         return None
 
     def _take_sky(self, report: dict[str, Any]) -> None:
@@ -63,7 +63,7 @@ class GpsdReader:
             self.satellites = used
         self.hdop = _number(report, "hdop") or self.hdop
 
-    def _take_tpv(self, report: dict[str, Any], now: float, utc: datetime) -> GpsFix | None:
+    def _take_tpv(self, report: dict[str, Any], utc: datetime) -> GpsFix | None:
         mode = report.get("mode")
         self.mode = mode if isinstance(mode, int) else None
         latitude, longitude = _number(report, "lat"), _number(report, "lon")
@@ -78,7 +78,7 @@ class GpsdReader:
             height_m = next((v for v in (_number(report, key) for key in ("altHAE", "altMSL", "alt")) if v is not None),
                             None)  # fmt: skip
         moment = _moment(report.get("time"))
-        return GpsFix(latitude, longitude, height_m, moment, now, utc, self.satellites, self.hdop, self.source)
+        return GpsFix(latitude, longitude, height_m, moment, utc, self.satellites, self.hdop, self.source)
 
 
 def read_gpsd(
@@ -101,7 +101,7 @@ def read_gpsd(
     try:
         link.write(WATCH)
         for line in Lines(link, clock, wake).until(until):
-            fix = reader.take(line, clock.monotonic(), clock.utc())
+            fix = reader.take(line, clock.utc())
             if fix is not None and fix.satellites is not None:
                 return fix
             if fix is not None and first is not None:

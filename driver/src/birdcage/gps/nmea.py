@@ -41,8 +41,8 @@ class NmeaReader:
     _alone: int = 0
     """How many places came in a row from one kind of sentence: above 0 from GGA, below from RMC."""
 
-    def take(self, line: bytes, now: float, utc: datetime) -> GpsFix | None:
-        """Take a line that came now; return a fix when one is whole."""
+    def take(self, line: bytes, utc: datetime) -> GpsFix | None:
+        """Take a line that came when this machine's clock said `utc`; return a fix when one is whole."""
         message = self._parsed(line)
         if message is None:
             return None
@@ -52,7 +52,7 @@ class NmeaReader:
             self._take_rmc(message)
         else:
             return None
-        return self._fix(now, utc)
+        return self._fix(utc)
 
     def _parsed(self, line: bytes) -> Any:  # noqa: ANN401 - the library makes its attributes as it parses
         from pynmeagps import NMEAReader, exceptions  # type: ignore[import-untyped]
@@ -95,15 +95,15 @@ class NmeaReader:
         if isinstance(day, date) and isinstance(moment, time):
             self._moment = datetime.combine(day, moment, UTC)
 
-    def _fix(self, now: float, utc: datetime) -> GpsFix | None:
+    def _fix(self, utc: datetime) -> GpsFix | None:
         if self._place is not None and self._moment is not None and self._place[0] == self._moment.time():
             _time, latitude, longitude, height_m, hdop = self._place
-            return GpsFix(latitude, longitude, height_m, self._moment, now, utc, self.satellites, hdop, self.source)
+            return GpsFix(latitude, longitude, height_m, self._moment, utc, self.satellites, hdop, self.source)
         if self._place is not None and self._alone >= ALONE:
             _time, latitude, longitude, height_m, hdop = self._place
-            return GpsFix(latitude, longitude, height_m, None, now, utc, self.satellites, hdop, self.source)
+            return GpsFix(latitude, longitude, height_m, None, utc, self.satellites, hdop, self.source)
         if self._place_in_rmc is not None and self._alone <= -ALONE:
-            return GpsFix(*self._place_in_rmc, None, self._moment, now, utc, self.satellites, None, self.source)
+            return GpsFix(*self._place_in_rmc, None, self._moment, utc, self.satellites, None, self.source)
         return None
 
 
@@ -145,7 +145,7 @@ def _listen(reader: NmeaReader, coming: Lines, clock: Clock, until: float, first
     """Listen until a fix; only until `first_until` while nothing that came is a sentence."""
     while True:
         for line in coming.until(until if reader.good else first_until):
-            fix = reader.take(line, clock.monotonic(), clock.utc())
+            fix = reader.take(line, clock.utc())
             if fix is not None:
                 return fix
             if reader.good == 1:

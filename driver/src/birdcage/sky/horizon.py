@@ -6,13 +6,8 @@ import bisect
 import math
 from collections.abc import Iterable
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from birdcage.base.geometry import wrap_360
-
-if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
 
 SAME_AZ_DEG = 0.05
 """Two points closer than this are one that was measured again."""
@@ -67,22 +62,6 @@ class HorizonMask:
         low, high = index - 1, index
         share = (az_deg - azimuths[low]) / (azimuths[high] - azimuths[low])
         return elevations[low] + share * (elevations[high] - elevations[low])
-
-    def many(self, az_deg: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the same for an array of azimuths."""
-        import numpy as np
-
-        azimuths = np.asarray(az_deg, dtype=np.float64)
-        if not self._points:
-            return np.zeros_like(azimuths)
-        folded = azimuths % 360.0
-        folded = np.where(folded == 360.0, 0.0, folded)
-        xs, ys = (np.asarray(each) for each in self._round)
-        found = np.interp(folded, xs, ys)
-        steps = [(x, max(ys[xs == x])) for x in np.unique(xs) if np.count_nonzero(xs == x) > 1]
-        for x, top in steps:
-            found = np.where(folded == x, top, found)
-        return np.asarray(found, dtype=np.float64)
 
     def insert(self, az_deg: float, el_deg: float) -> HorizonMask:
         """Return a mask with one more point: a point at the same azimuth was measured again and is replaced."""
