@@ -9,7 +9,6 @@ from __future__ import annotations
 import json
 import math
 import os
-import random
 import re
 import statistics
 import subprocess
@@ -28,6 +27,7 @@ from birdcage.sky.elements import ElementSet
 from birdcage.sky.observer import Observer
 from birdcage.sky.passes.search import search, search_in_parts
 from birdcage.sky.propagate import Fleet
+from made_up import made_up
 from sgp4.api import Satrec, SatrecArray
 from skyfield.api import EarthSatellite, load, wgs84
 from skyfield.timelib import Timescale
@@ -75,29 +75,6 @@ def elements_of(name: str, line1: str, line2: str) -> ElementSet:
         mean_motion_rev_day=record.no_kozai * 720.0 / math.pi,
         bstar=record.bstar,
     )
-
-
-def made_up(count: int, seed: int = 5) -> list[ElementSet]:
-    """Return orbits in the mixture of a catalogue of today: mostly low, some distant, some eccentric."""
-    dice = random.Random(seed)
-
-    def orbit(number: int) -> ElementSet:
-        where = dice.random()
-        if where < 0.90:
-            motion, eccentricity = dice.uniform(13.5, 15.6), dice.uniform(0.0, 0.004)
-            inclination = dice.choice((43.0, 53.0, 51.6, 70.0, 86.4, 97.6, 98.2))
-        elif where < 0.94:
-            motion, eccentricity, inclination = dice.uniform(1.9, 2.2), dice.uniform(0.0, 0.02), 55.5
-        elif where < 0.97:
-            motion, eccentricity, inclination = dice.uniform(2.0, 6.0), dice.uniform(0.3, 0.74), 63.4
-        else:
-            motion, eccentricity, inclination = 1.0027, dice.uniform(0.0, 0.001), dice.uniform(0.0, 8.0)
-        return ElementSet(
-            f"MADE UP {number}", number, START - timedelta(hours=dice.uniform(0.0, 72.0)), inclination,
-            dice.uniform(0.0, 360.0), eccentricity, dice.uniform(0.0, 360.0), dice.uniform(0.0, 360.0), motion, 1e-5,
-        )  # fmt: skip
-
-    return [orbit(number) for number in range(1, count + 1)]
 
 
 Call = tuple[Any, np.ndarray, np.ndarray]
@@ -150,8 +127,8 @@ def main() -> None:
     # As many states as the search asks for, with no call for a single satellite: the strictest floor.
     grid = np.full(round(states / len(fleet)), 2458140.5), np.linspace(0.0, 1.0, round(states / len(fleet)))
     array = SatrecArray(list(fleet.satrecs))
-    one, many = Fleet([elements_of("ISS", *ISS)]), Fleet(made_up(10_000))
-    catalogue = Fleet(made_up(6_000, seed=6))
+    one, many = Fleet([elements_of("ISS", *ISS)]), Fleet(made_up(10_000, START))
+    catalogue = Fleet(made_up(6_000, START, seed=6))
     jobs: dict[str, Callable[[], Any]] = {
         f"birdcage, {len(fleet)} satellites": lambda: search(fleet, OBSERVER, START, HOURS),
         "the bare SGP4 calls of it": lambda: bare(calls),

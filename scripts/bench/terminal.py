@@ -20,14 +20,19 @@ from pathlib import Path
 
 KEPT = 100_000
 """Bytes of output that are kept: more than two full frames."""
+PLACE = '[place]\nname = "Bench"\nlatitude_deg = 47.0\nlongitude_deg = 8.0\n'
 
 
-def settle(port: str) -> None:
-    """Give the programs that follow a settings folder of their own that knows this port: else the setup would open."""
+def settle(port: str) -> Path:
+    """Give the programs that follow a settings folder of their own that knows this port: else the setup would open.
+
+    Return it.
+    """
     home = Path(tempfile.mkdtemp(prefix="birdcage-bench-"))
     atexit.register(shutil.rmtree, home, ignore_errors=True)
-    home.joinpath("birdcage.toml").write_text(f'[dish]\nport = "{port}"\nfirmware = "g2"\n')
+    home.joinpath("birdcage.toml").write_text(f'[dish]\nport = "{port}"\nfirmware = "g2"\n{PLACE}')
     os.environ["BIRDCAGE_HOME"] = str(home)
+    return home
 
 
 class Terminal:

@@ -49,6 +49,8 @@ if TYPE_CHECKING:
 
     from birdcage_tui.console.overlay import ConsoleOverlay
 
+FRESH_S = 0.6
+"""A frame younger than this has the time and the ages on it: no other is drawn for them alone."""
 LISTEN_S = 0.4
 """Between two looks at how long the dish has been silent."""
 KEPT_SAMPLES = 2000
@@ -130,7 +132,7 @@ class Shell(Surface):
         """Show a first frame; the session begins only after it has been painted."""
         self.theme_changed_signal.subscribe(self, self._recolour)
         self._frames = self.set_interval(self._frame_s, self._tick, pause=True)
-        self.set_interval(1.0, self._tick)
+        self.set_interval(1.0, self._second)
         self.set_interval(LISTEN_S, self._listen)
         self.call_after_refresh(self._begin)
 
@@ -222,15 +224,26 @@ class Shell(Surface):
 
     def _listen(self) -> None:
         """Draw at once when the dish begins to owe an answer, or has given it."""
-        late = self.view().late
+        late = View(self.station.state, self.session.clock.monotonic(), self.session.clock.utc(), self.settings,
+                    watched=self._watching is not None).late  # fmt: skip
         if late != self._late:
             self._late = late
             self.paint()
 
+    def _second(self) -> None:
+        """Tick, unless the dish's answers make for frames often enough: at rest each costs what nobody sees."""
+        if self._tour.running or self._loop_time() - self._painted >= FRESH_S:
+            self._tick()
+        else:
+            self._keep_sky()
+
+    def _keep_sky(self) -> None:
+        self.sky.keep(self.station.state, self.settings.place, self.horizon.known)
+
     def _tick(self) -> None:
         """Move the tour on and draw: ages and the time have changed."""
         self._tour_says = self._tour.step(self.view())
-        self.sky.keep(self.station.state, self.settings.place, self.horizon.known)
+        self._keep_sky()
         self._changed()
 
     @on(StationEvent)
