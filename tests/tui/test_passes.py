@@ -6,7 +6,7 @@ from birdcage_tui.passes.choose import SORTS, Choice, matcher
 from birdcage_tui.passes.layout import VIEWS, layout
 from birdcage_tui.passes.machine import SPEEDS, TimeMachine
 from birdcage_tui.passes.model import InReach, Lost, Path, Row
-from birdcage_tui.passes.words import count_text, length_text, reach_sign, shift_text
+from birdcage_tui.passes.words import count_text, length_text, reach_sign, reasons_text, shift_text
 
 T = sky_stand_in.NOON
 ROWS = sky_stand_in.rows()
@@ -192,3 +192,10 @@ def test_every_layout_fills_its_page(size, shown):
     else:
         upper = found.list_height + found.strip_height + found.figures_height
     assert 1 + upper + found.timeline_height == height
+
+
+@pytest.mark.parametrize(
+    ("width", "words"), [(21, "ceiling, cable, floor"), (20, "ceiling +2"), (10, "ceiling +2"), (9, "")]
+)
+def test_no_reason_is_cut(width, words):
+    assert reasons_text("ceiling, cable, floor", width) == words

@@ -7,7 +7,7 @@ import pytest
 import sky_stand_in
 from birdcage.station.requests import Unwatch, Watch
 from birdcage_tui.footer import KeyBar
-from birdcage_tui.passes.figures import PassFigures, sun_lines
+from birdcage_tui.passes.figures import PassFigures
 from birdcage_tui.passes.head import PassHead
 from birdcage_tui.passes.listing import PassList
 from birdcage_tui.passes.model import InReach
@@ -347,44 +347,6 @@ def test_a_second_changes_only_what_counts_down():
     assert asked["PassHead"] == 1
     assert asked["PassList"] <= 8, "countdowns above an hour change once a minute"
     assert "Timeline" not in asked
-
-
-# Figures.
-
-
-@pytest.mark.parametrize(("size", "keys"), [((80, 24), ("v", "v")), ((120, 36), ("v",)), ((160, 48), ("v",))], ids=str)
-def test_range_doppler_sun_and_clock_stand_behind_a_key(size, keys):
-    async def look(app, pilot):
-        return await pressed(app, pilot, *keys)
-
-    text = on_page(look, size)
-    assert "Figures  Doppler at 137.9 MHz, its LRPT" in text
-    assert re.search(r"AOS +11:56:00 +341\.0° +2891 km +\+2\.91 kHz", text), text
-    assert re.search(r"TCA +12:03:00 +\S+° +820 km +\+0\.00 kHz", text)
-    assert re.search(r"now +12:00:00 +\S+° +1444 km", text)
-    assert re.search(r"1 s of clock error costs 0\.\d+°", text)
-    assert "Sun-lit, Sun 31° off at 11:58" in text
-
-
-def test_a_large_screen_has_the_figures_beside_the_path():
-    text = on_page(read, (160, 48))
-    for words in ("range 2891 820 2891 km", "at 137.9 MHz, its LRPT", "Sun 31° off at 11:58"):
-        assert words in text
-
-
-def test_without_a_downlink_doppler_is_told_per_100_mhz():
-    async def look(app, pilot):
-        return await pressed(app, pilot, "v", "down", "down")
-
-    assert "Doppler at 100 MHz, no downlink known" in on_page(look, (120, 36))
-
-
-def test_the_sun_in_the_beam_is_a_warning():
-    row = replace(sky_stand_in.rows()[0], sun=(sky_stand_in.NOON, 3.0))
-    assert sun_lines(row, 6.3)[-1] == ("warn", "▲ Sun in the beam 12:00:00")
-    assert sun_lines(row, 2.0)[-1] == ("text", "Sun 3° off at 12:00")
-    assert sun_lines(replace(row, sun=None, sunlit_share=0.4), 6.3) == [("text", "Sun-lit 40% of it, Sun down")]
-    assert sun_lines(replace(row, sunlit_share=None), 6.3) == []
 
 
 # What is hidden is told.

@@ -39,7 +39,7 @@ PASSES = (
             where=HERE),
     Command("pass-filter", ("slash",), "/", "Filter", "Type parts of names, numbers or groups.", "Passes", where=HERE,
             footer="filter"),
-    _pass("pass-sort", ("s",), "s", "Order", "By what comes next, by minutes in reach, or by highest elevation.",
+    _pass("pass-sort", ("s",), "s", "Order", "By what comes next, minutes in reach, highest elevation, or AOS.",
           "order"),
     _pass("pass-reachable", ("r",), "r", "In reach only", "Hide what this dish cannot point at, or show it again.",
           "in reach"),

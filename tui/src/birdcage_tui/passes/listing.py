@@ -14,7 +14,7 @@ from birdcage_tui.passes.desk import Desk
 from birdcage_tui.passes.empty import GET_ELEMENTS, empty_words
 from birdcage_tui.passes.model import Row
 from birdcage_tui.passes.spark import Sparks
-from birdcage_tui.passes.words import count_text, fit, reach_sign, reach_text
+from birdcage_tui.passes.words import count_text, fit, reach_sign, reach_text, reasons_text
 from birdcage_tui.view import View
 
 LEAST_NAME, MOST_NAME = 10, 24
@@ -140,8 +140,7 @@ class PassList(Pane, can_focus=True):
             self._sparks.draw(cells, x + 12, y, curve, row, dim, text if lit else "target")
         sign, ink, words = reach_sign(row.reach)
         x = cells.put(x + 13 + curve, y, sign, text if lit else ink)
-        if why > 3 and words:
-            cells.put(x + 1, y, words if len(words) <= why else words[: why - 1] + "…", dim)
+        cells.put(x + 1, y, reasons_text(words, why), dim)
 
     def on_focus(self) -> None:
         """Show the cursor, once Textual has taken the focus in."""

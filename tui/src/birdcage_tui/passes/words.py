@@ -63,6 +63,13 @@ def reach_sign(reach: InReach | None) -> tuple[str, str, str]:
     return ("◍", "good", ", ".join(losses)) if losses else ("●", "good", "")
 
 
+def reasons_text(reasons: str, width: int) -> str:
+    """Return reasons in so many columns, none of them cut: `ceiling, cable`, else `ceiling +1`, else nothing."""
+    first, _, rest = reasons.partition(", ")
+    shorter = f"{first} +{rest.count(', ') + 1}" if rest else first
+    return next((words for words in (reasons, shorter) if len(words) <= width), "")
+
+
 def reach_text(row: Row) -> str:
     """Return how long a pass is in reach; a dash while that is not known, and for nothing a nought."""
     if row.reach is None:
