@@ -93,9 +93,9 @@ LEARNT_SIMULATORS = [f"hal205?root_q=kill&prompts={prompts}" for prompts in ("na
 """Where prompts are learnt: decision 0010."""
 
 
-QUICK = settings(max_examples=400, derandomize=True, deadline=None, database=None)
-BRIEF = settings(QUICK, max_examples=150)
-"""The same examples every time, and few: the soak below draws new ones, a hundred thousand exchanges of them."""
+QUICK = settings(max_examples=1000, derandomize=True, deadline=None, database=None)
+BRIEF = settings(QUICK, max_examples=300)
+"""The same examples every time. Fewer of QUICK miss a `q` that goes out without its proof."""
 LONG = settings(
     max_examples=750, derandomize=False, deadline=None, database=None, suppress_health_check=list(HealthCheck),
     phases=(Phase.generate,),
