@@ -69,13 +69,28 @@ async def pocket(on: Stage) -> None:
     await on.wait(0.5)
 
 
+async def passes(on: Stage) -> None:
+    """What comes next, and a pass that the cable interrupts for some seconds."""
+    await on.wait(9)
+    await on.press("f7", "down", "down", "down", "down", "down")
+
+
+async def world(on: Stage) -> None:
+    """The world under the same pass, at the moment at which it comes into reach."""
+    await passes(on)
+    await on.press("w", "e", "e")
+    await on.wait(1)
+
+
 SCENES = (
     Scene("tui-dashboard", dashboard, ("Pointing", "Signal", "Health"), (160, 48), tour=True),
     Scene("tui-control", control, ("SLEWING", "Cable")),
     Scene("tui-console", console, ("Min: 18.00", "beyond the limit")),
     Scene("tui-setup", setup, ("TV search", "North")),
+    Scene("tui-craft-search", passes, ("Timeline of favourites", "in reach", "Doppler"), (160, 48)),
+    Scene("tui-world", world, ("Sun overhead", "seen within")),
     Scene("tui-pocket", pocket, ("S T O P",), (40, 12), "daylight"),
 )
-NOT_BUILT = ("tui-craft-search", "tui-craft-tracking", "tui-signal", "tui-system", "tui-camera")
+NOT_BUILT = ("tui-craft-tracking", "tui-signal", "tui-system", "tui-camera")
 """Pictures of the source document whose pages this version does not have."""
 COLLAGE = ("tui-dashboard", "tui-control", "tui-console", "tui-setup")

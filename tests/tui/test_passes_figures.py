@@ -87,7 +87,7 @@ def test_doppler_is_told_where_the_satellite_sends_else_for_the_feed():
     assert meteor.hz != 11.7e9
     assert meteor.what.startswith("its ")
     unknown = tuning_of(ku, none)(1, "NOBODY KNOWS IT")
-    assert (unknown.hz, unknown.what) == (11.7e9, "middle of the feed")
+    assert (unknown.hz, unknown.what) == (11.7e9, "middle of feed")
     assert tuning_of(FeedProfile(), none)(1, "NOBODY KNOWS IT") is None
     vhf = tuning_of(FeedProfile(freq_min_hz=136e6, freq_max_hz=138e6), none)(59051, "METEOR-M2 4")
     assert 136e6 < vhf.hz < 138e6, "of several the one that this feed hears"

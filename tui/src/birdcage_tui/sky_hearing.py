@@ -45,6 +45,6 @@ def tuning_of(feed: FeedProfile, user_file: Path) -> Callable[[int, str], Freque
             return Frequency(one.center_hz, f"its {one.mode}")
         if feed.freq_min_hz is None or feed.freq_max_hz is None:
             return None
-        return Frequency((feed.freq_min_hz + feed.freq_max_hz) / 2.0, "middle of the feed")
+        return Frequency((feed.freq_min_hz + feed.freq_max_hz) / 2.0, "middle of feed")
 
     return tuned

@@ -135,7 +135,7 @@ class Frequency:
 
     hz: float
     what: str
-    """`its LRPT`, `middle of the feed`."""
+    """`its LRPT`, `middle of feed`."""
 
 
 @dataclass(frozen=True, slots=True)

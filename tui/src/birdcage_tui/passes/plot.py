@@ -79,9 +79,8 @@ class PassSky(Pane):
         lines = [
             (ink, each)
             for ink, words in brief(row, view.state.beam_deg)
-            for each in textwrap.wrap(words, width, initial_indent=words[: len(words) - len(words.lstrip())],
-                                      subsequent_indent="  ")
-        ]  # fmt: skip
+            for each in textwrap.wrap(words, width, subsequent_indent="  ")
+        ]
         return lines if len(lines) <= room else []
 
     @staticmethod
