@@ -54,12 +54,27 @@ def sgp4_complaint(code: int) -> str:
     return str(SGP4_ERRORS.get(code, "SGP4 gives no position"))
 
 
+_STATES_A_CALL = 2500
+"""SGP4 states that one call works out, some 2 ms: it holds the GIL, and a STOP key would wait for its end."""
+
+
 def over_grid(records: Sequence[Record], day: Floats, part: Floats) -> tuple[Codes, Floats, Floats]:
     """Return error codes (n, times), TEME positions and velocities (n, times, 3) of satellites that share their times.
 
     Times as `frames.julian` gives them; km and km/s. A position with an error is not to be used.
     """
-    error, r, v = SatrecArray(list(records)).sgp4(day, part)
+    at_once = max(1, _STATES_A_CALL // max(len(day), 1))
+    parts = [
+        SatrecArray(list(records[begin : begin + at_once])).sgp4(day, part)
+        for begin in range(0, max(len(records), 1), at_once)
+    ]
+    return _joined(parts)
+
+
+def _joined(parts: Sequence[tuple[Codes, Floats, Floats]]) -> tuple[Codes, Floats, Floats]:
+    if len(parts) == 1:
+        return parts[0]
+    error, r, v = (np.concatenate(some) for some in zip(*parts, strict=True))
     return error, r, v
 
 
@@ -75,7 +90,10 @@ class Fleet(Sequence[ElementSet]):
     def __init__(self, elements: Iterable[ElementSet]) -> None:
         self._elements = tuple(elements)
         self.satrecs: tuple[Record, ...] = tuple(satrec(one) for one in self._elements)
-        self._array = SatrecArray(list(self.satrecs))
+        self._arrays = tuple(
+            SatrecArray(list(self.satrecs[begin : begin + _STATES_A_CALL]))
+            for begin in range(0, len(self.satrecs), _STATES_A_CALL)
+        )
 
     @overload
     def __getitem__(self, index: int) -> ElementSet: ...
@@ -104,7 +122,7 @@ class Fleet(Sequence[ElementSet]):
         if not self._elements:
             return np.empty(0, np.uint8), np.empty((0, 3)), np.empty((0, 3))
         day, part = julian([t_s])
-        errors, positions, velocities = self._array.sgp4(day, part)
+        errors, positions, velocities = _joined([some.sgp4(day, part) for some in self._arrays])
         error, position, velocity = errors[:, 0], positions[:, 0], velocities[:, 0]
         for index, later_s in (time_offsets or {}).items():
             day, part = julian(t_s - later_s)  # it is now where its elements had it before

@@ -31,6 +31,8 @@ PUBLISH_S = 0.25
 """While a search goes on, what it found is published this often."""
 LOOK_AT_FILE_S = 5.0
 """How often the file is looked at, which another program may have changed."""
+BREATH_S = 0.002
+"""Between two bites of work, so that who waits for the processor or the GIL gets it."""
 ROLL_HOURS = 6.0
 """A search is done again when it is this old."""
 
@@ -149,7 +151,7 @@ class SkyWatch:
                 self._wake.clear()
                 until = self.step()
                 if not self._closing:
-                    self._clock.wait(None, until, self._wake)
+                    self._clock.wait(None, max(until, self._clock.monotonic() + BREATH_S), self._wake)
         except BaseException as crash:  # noqa: BLE001 - a face without a sky still drives its dish
             # Kept for the face to tell: a traceback from this thread would land in the middle of its screen.
             self.crash = crash

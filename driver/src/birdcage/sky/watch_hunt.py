@@ -22,9 +22,9 @@ FAVOURITES_HOURS = 48.0
 OTHERS_HOURS = 24.0
 MOST_OTHERS = 1000
 """Reach is worked out for that many of the passes of satellites that are no favourites, the next ones first."""
-_AT_ONCE = 64
-"""Satellites to a bite of the search: 5 to 10 ms."""
-_ROWS = 6
+_AT_ONCE = 32
+"""Satellites to a bite of the search: some 5 ms."""
+_ROWS = 4
 """Rows to a bite: about as long."""
 _ROWS_EACH = 12
 """Rows that are worked out between two bites of the search."""
