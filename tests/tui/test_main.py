@@ -194,3 +194,18 @@ def test_another_dish_chosen_in_the_setup_begins_the_app_anew_over_the_old_flags
     assert pages == ["dashboard", "setup"], "it goes on where the other dish was chosen"
     assert [session.closed for session in sessions] == [1, 1]
     assert capsys.readouterr().out.count("Where the dish is") == 1
+
+
+def test_nothing_of_setup_catalogue_or_sky_is_loaded_to_build_the_app(tmp_path):
+    late = (
+        "birdcage.setup.engine", "birdcage_tui.sky_source", "birdcage_tui.sky_convert",
+        "birdcage.sky.watch", "birdcage.sky.catalogue", "sqlite3", "importlib.metadata", "numpy", "sgp4",
+    )  # fmt: skip
+    code = (
+        "import sys; from pathlib import Path; from birdcage.base.paths import Paths;"
+        "from birdcage_tui import main, run;"
+        f"run._build(main.parser().parse_args(['--demo']), Paths.in_folder(Path({str(tmp_path)!r})))[0].close();"
+        f"print([name for name in {late!r} if name in sys.modules])"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=False)
+    assert (done.stdout.strip(), done.stderr) == ("[]", ""), "each of these holds the first frame up"

@@ -10,7 +10,7 @@ from birdcage.station.requests import AcceptLimits, Goto, Home, Jog, Unwatch, Wa
 from birdcage.station.state import HeldState
 from birdcage_tui.commands import COMMANDS, PAGES, in_force
 from birdcage_tui.messages import StationEvent
-from birdcage_tui.shell import LISTEN_S
+from birdcage_tui.shell import FRESH_S, LISTEN_S
 from stage import run
 from textual.widgets import ContentSwitcher, Input
 
@@ -326,3 +326,17 @@ def test_row_1_and_its_stop_stay_alive_under_a_dialog(key):
     assert "AZ 189.16°" in first
     assert "12:00:05Z" in first
     assert stops == ["you"]
+
+
+@pytest.mark.parametrize(("age_s", "drawn"), [(FRESH_S / 2, 0), (FRESH_S * 2, 1)])
+def test_a_second_draws_only_where_the_dish_has_not_made_for_a_frame(age_s, drawn, monkeypatch):
+    async def rest(app, pilot):
+        app.end_tour()
+        await pilot.pause()
+        frames = []
+        monkeypatch.setattr(app, "_changed", lambda: frames.append(1))
+        app._painted = app._loop_time() - age_s
+        app._second()
+        assert len(frames) == drawn
+
+    run(rest, "idle")
