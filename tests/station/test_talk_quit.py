@@ -101,4 +101,4 @@ def test_the_running_station_stops_it_within_its_time_or_says_that_it_did_not(tm
     assert device.truth().moving == (CUT in farewell)
     if latency_s > 0.05:
         assert CUT in farewell  # two readings alone take longer than quitting may
-    assert took_s < 0.5  # generous: other tests share the machine
+    assert took_s < 5.0  # it does not wait for the end of the motion

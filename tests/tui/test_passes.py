@@ -165,20 +165,6 @@ def test_what_is_over_goes_and_what_cannot_be_reached_can_be_hidden():
     assert {each.name for each in choice.of(ROWS, T)} == {"METEOR-M2 4", "ISS (ZARYA)", "METOP-C", "METEOR-M2 3"}
 
 
-def test_the_choice_of_many_passes_is_quick():
-    """Ten thousand passes: a keystroke and a second pass unnoticed."""
-    from time import perf_counter
-
-    many = ROWS * 233
-    choice = Choice()
-    choice.of(many, T)
-    start = perf_counter()
-    for typed in ("m", "me", "met"):
-        choice.filter = typed
-        choice.of(many, T)
-    assert (perf_counter() - start) / 3 < 0.1
-
-
 @pytest.mark.parametrize("size", [(80, 20), (100, 30), (120, 33), (160, 45), (200, 57)])
 @pytest.mark.parametrize("shown", VIEWS)
 def test_every_layout_fills_its_page(size, shown):

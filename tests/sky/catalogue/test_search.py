@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import random
-import time
 from datetime import UTC, datetime
 
 import pytest
@@ -75,19 +73,3 @@ def test_an_empty_text_shows_favourites_first_and_a_limit_counts(index):
     assert names(index, " - ", limit=2) == ["QO-100 (ES'HAIL 2)", "CAPSULE OF NOAA"]
     assert names(index, "iss", limit=1) == ["ISS (ZARYA)"]
     assert names(index, "iss", limit=0) == []
-
-
-def test_a_keystroke_over_ten_thousand_takes_less_than_ten_milliseconds(sat):
-    chance = random.Random(5)
-    words = ["STARLINK", "COSMOS", "ONEWEB", "FENGYUN 1C DEB", "LEMUR 2", "METEOR", "YAOGAN"]
-    index = SearchIndex(
-        Entry(sat(f"{chance.choice(words)}-{number}", 10_000 + number), NOW, ("active",)) for number in range(10_000)
-    )
-    took = {}
-    for text in ("starlink-99 deb", "cosmos 77", "nowhere", "xq zz yy", "activ e", "12345"):
-        for end in range(1, len(text) + 1):
-            begun = time.thread_time()
-            index.search(text[:end])
-            took[text[:end]] = time.thread_time() - begun
-    # What this thread took of a core, and of the typical keystroke: the cores may be busy with other tests.
-    assert sorted(took.values())[len(took) * 3 // 4] < 0.010, took
