@@ -24,7 +24,7 @@ class Scene:
 
 async def dashboard(on: Stage) -> None:
     """The demo's tour, a minute after its start, in the middle of a slew along the arc."""
-    await on.wait(62.5)
+    await on.wait(62.3)
 
 
 async def control(on: Stage) -> None:
@@ -83,7 +83,7 @@ async def world(on: Stage) -> None:
 
 
 SCENES = (
-    Scene("tui-dashboard", dashboard, ("SLEWING", "Signal", "Health"), (160, 48), tour=True),
+    Scene("tui-dashboard", dashboard, ("2.3° to go", "Signal", "Health"), (160, 48), tour=True),
     Scene("tui-control", control, ("SLEWING", "Cable")),
     Scene("tui-console", console, ("Min: 18.00", "beyond the limit")),
     Scene("tui-setup", setup, ("TV search", "North")),
