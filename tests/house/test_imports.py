@@ -28,6 +28,7 @@ WITH_ARRAYS = (
     "birdcage.sky.sun_crossing",
     "birdcage.sky.sun_vectors",
     "birdcage.sky.watch_hunt",
+    "birdcage.tracking.",
 )
 """Where whole catalogues are computed. Whoever uses them imports them inside a function: see the test below."""
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from enum import Enum
 
+from birdcage.station.pursuit import Pursuit, Sample
 from birdcage.station.state import Activity, Fault, HeldState, LinkState, Motion, Pointing, StopReport
 
 
@@ -126,6 +127,22 @@ class TranscriptLine(Event):
 
     direction: str
     text: str
+
+
+@dataclass(frozen=True, slots=True)
+class PursuitChanged(Event):
+    """A pursuit began, is in another phase, or has another plan."""
+
+    pursuit: Pursuit
+
+
+@dataclass(frozen=True, slots=True)
+class Followed(Event):
+    """How well the dish points, about once a second while it follows."""
+
+    number: int
+    """Of the pursuit."""
+    sample: Sample
 
 
 @dataclass(frozen=True, slots=True)

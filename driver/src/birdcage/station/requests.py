@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from birdcage.base.config import Settings
 from birdcage.protocol.hazard import Grade
+from birdcage.station.pursuit import PursuitOptions
+
+if TYPE_CHECKING:
+    from birdcage.tracking.plan import Plan
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,6 +32,29 @@ class Follow:
     el_deg: float
     holder: str
     leapfrog: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Pursue:
+    """Carry out a plan: pre-position, wait, follow, and what `options.at_end` says.
+
+    Its future resolves when the pursuit is taken on, with its number; `StationState.pursuit` tells the rest. A plan for
+    the same target and pass as the pursuit under way replaces its plan, and nothing begins anew: so a refined share or
+    another time offset comes in. Any other ends the one under way.
+    """
+
+    plan: Plan
+    holder: str
+    options: PursuitOptions = field(default_factory=PursuitOptions)
+    asked: bool = True
+    """Whether a person has asked for it just now; if not, even its first motion counts down."""
+
+
+@dataclass(frozen=True, slots=True)
+class EndPursuit:
+    """End the pursuit; the dish stays where it is, and comes to rest. Nothing happens when there is none."""
+
+    by: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -206,6 +234,8 @@ class AcceptLimits:
 Request = (
     Goto
     | Follow
+    | Pursue
+    | EndPursuit
     | Jog
     | TurnSkew
     | Stop

@@ -10,6 +10,7 @@ from types import MappingProxyType
 
 from birdcage.base.config.sections import NoGoSector
 from birdcage.protocol.model import DishModel, Turn
+from birdcage.station.pursuit import Pursuit
 
 
 class Link(Enum):
@@ -34,10 +35,21 @@ class Activity(Enum):
     HOMING = "homing"
     STOWING = "stowing"
     INITIALIZING = "initializing"
+    FOLLOWING = "following"
+    """Kept on a target by a pursuit."""
     MOVING_UNASKED = "moving unasked"
 
 
-MOVING = frozenset({Activity.SLEWING, Activity.STOPPING, Activity.HOMING, Activity.STOWING, Activity.MOVING_UNASKED})
+MOVING = frozenset(
+    {
+        Activity.SLEWING,
+        Activity.FOLLOWING,
+        Activity.STOPPING,
+        Activity.HOMING,
+        Activity.STOWING,
+        Activity.MOVING_UNASKED,
+    }
+)
 """What a dish does that is not at rest."""
 
 
@@ -237,6 +249,8 @@ class StationState:
     """Why no motion is taken at all (unreadable settings), else None."""
     surveyed: bool = False
     """Whether the dish was asked for its identity, limits and settings since the link came up."""
+    pursuit: Pursuit | None = None
+    """The present one, or the last one until another begins."""
     readings: Mapping[str, Reading] = field(default_factory=lambda: MappingProxyType({}))
     """By feature: `rssi`, `rssi_peak`, `nvs.20`, `antenna_id`, `speed.0` (deg/s, in force until it restarts), …"""
 

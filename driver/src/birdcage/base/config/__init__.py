@@ -17,15 +17,18 @@ from birdcage.base.config.sections import (
 )
 from birdcage.base.config.settings import Problem, Settings
 from birdcage.base.config.sky_sections import ElementsSettings
+from birdcage.base.config.tracking_sections import AutotrackSettings, HookSettings, RadioSettings, TrackingSettings
 
 __all__ = [
     "STOCK_FEED",
     "AlignmentSettings",
     "AppSettings",
+    "AutotrackSettings",
     "DishSettings",
     "ElementsSettings",
     "FeedProfile",
     "FeedSettings",
+    "HookSettings",
     "HorizonPoint",
     "Kept",
     "LinkSettings",
@@ -33,9 +36,11 @@ __all__ = [
     "NoGoSector",
     "PlaceSettings",
     "Problem",
+    "RadioSettings",
     "Row",
     "Settings",
     "SetupSettings",
+    "TrackingSettings",
     "edit",
     "load",
     "rows",

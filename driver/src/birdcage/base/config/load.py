@@ -24,6 +24,7 @@ from birdcage.base.config.sections import (
 )
 from birdcage.base.config.settings import Problem, Settings, Source
 from birdcage.base.config.sky_sections import ElementsSettings
+from birdcage.base.config.tracking_sections import AutotrackSettings, HookSettings, RadioSettings, TrackingSettings
 from birdcage.base.config.value import BadValue, did_you_mean, from_text, from_toml, nearest
 
 S = TypeVar("S", bound=Section)
@@ -70,6 +71,10 @@ class _Reader:
             feed=feed,
             feeds=feeds,
             elements=self._plain(ElementsSettings),
+            tracking=self._plain(TrackingSettings),
+            autotrack=self._plain(AutotrackSettings),
+            hooks=self._plain(HookSettings),
+            radio=self._plain(RadioSettings),
             app=self._plain(AppSettings),
             setup=self._plain(SetupSettings),
             problems=tuple(self._problems),

@@ -21,6 +21,7 @@ from birdcage.base.config.sections import (
     PlaceSettings,
 )
 from birdcage.base.config.sky_sections import ElementsSettings
+from birdcage.base.config.tracking_sections import AutotrackSettings, HookSettings, RadioSettings, TrackingSettings
 
 SECTIONS: tuple[type[Section], ...] = (
     DishSettings,
@@ -31,12 +32,16 @@ SECTIONS: tuple[type[Section], ...] = (
     FeedSettings,
     FeedProfile,
     ElementsSettings,
+    TrackingSettings,
+    AutotrackSettings,
+    HookSettings,
+    RadioSettings,
     AppSettings,
     SetupSettings,
 )
 """In the order in which they are shown."""
 
-_UNITS = {"_deg_s": "deg/s", "_deg": "deg", "_hz": "Hz", "_s": "s", "_m": "m", "_k": "K"}
+_UNITS = {"_deg_s": "deg/s", "_deg": "deg", "_hz": "Hz", "_s": "s", "_m": "m", "_k": "K", "_db": "dB"}
 
 Kind = Literal["text", "whole number", "number", "true or false", "choice", "sectors", "points"]
 

@@ -19,6 +19,7 @@ from birdcage.base.config.sections import (
     PlaceSettings,
 )
 from birdcage.base.config.sky_sections import ElementsSettings
+from birdcage.base.config.tracking_sections import AutotrackSettings, HookSettings, RadioSettings, TrackingSettings
 
 Source = Literal["file", "environment", "flag"]
 
@@ -58,6 +59,10 @@ class Settings:
     feeds: Mapping[str, FeedProfile] = field(default_factory=lambda: BUILT_IN)
     """Every profile by name, the built-in ones among them."""
     elements: ElementsSettings = field(default_factory=ElementsSettings)
+    tracking: TrackingSettings = field(default_factory=TrackingSettings)
+    autotrack: AutotrackSettings = field(default_factory=AutotrackSettings)
+    hooks: HookSettings = field(default_factory=HookSettings)
+    radio: RadioSettings = field(default_factory=RadioSettings)
     app: AppSettings = field(default_factory=AppSettings)
     setup: SetupSettings = field(default_factory=SetupSettings)
     problems: tuple[Problem, ...] = ()

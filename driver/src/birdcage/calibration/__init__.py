@@ -1,0 +1,1 @@
+"""How the dish really stands: a pointing model fitted from peaks on what is where it is known to be."""

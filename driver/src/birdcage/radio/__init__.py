@@ -1,0 +1,1 @@
+"""A receiver beside the dish: tuned by Doppler over Hamlib's network protocol, told when to record."""

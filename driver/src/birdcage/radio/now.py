@@ -1,0 +1,42 @@
+"""What is known of the receiver at one moment."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+
+class RadioState(Enum):
+    """How it stands with the receiver."""
+
+    OFF = "off"
+    """No address is set, or nothing is followed that has a frequency."""
+    CONNECTING = "connecting"
+    TUNED = "tuned"
+    LOST = "lost"
+    """It does not answer; it is tried again, and the pass goes on without it."""
+    REFUSED = "refused"
+    """It answers and does not do what it is asked; `sentence` says what."""
+
+
+@dataclass(frozen=True, slots=True)
+class RadioNow:
+    """The receiver, as shown. What is not known is None."""
+
+    state: RadioState = RadioState.OFF
+    address: str = ""
+    name: str = ""
+    """Of the satellite."""
+    downlink_hz: float | None = None
+    """As sent."""
+    doppler_hz: float | None = None
+    """Added to it at the receiver's place."""
+    tuned_hz: float | None = None
+    """What the receiver was last told, after the LO was subtracted."""
+    read_back_hz: float | None = None
+    """What it says that it is tuned to."""
+    strength_db: float | None = None
+    """`l STRENGTH`: dB, over S9 with a real radio, over full scale with an SDR."""
+    recording: bool | None = None
+    """Whether it was told AOS and not LOS yet, and took it; None where it does not know these words."""
+    sentence: str = ""

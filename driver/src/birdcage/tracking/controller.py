@@ -1,0 +1,37 @@
+"""What every controller is: what makes a generator that keeps the dish on a course while a leg lasts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from birdcage.protocol.model import DishModel
+from birdcage.tracking.curve import Curve
+from birdcage.tracking.steps import Activity
+
+
+@dataclass(slots=True)
+class Helm:
+    """What a controller steers by. The course may be replaced while it steers: it is read anew for each command."""
+
+    course: Callable[[], Curve]
+    model: DishModel
+    """With the speeds in force."""
+    start_az_deg: float
+    """Where the dish stands, or was sent last, as the course counts it."""
+    start_el_deg: float
+    now_s: float
+    until_s: float
+    """When the leg ends."""
+    latency_s: float = 0.06
+    """From the first byte of a command until it acts: at first a guess, then what the controller has measured."""
+    dead_band_steps: float = 0.5
+    dead_band_deg: float = 0.0
+    """An axis that would move by less than this, or by less than `dead_band_steps` of its steps, is left alone."""
+    look_every_s: float = 1.0
+    """How often the position is read."""
+
+
+Controller: TypeAlias = Callable[[Helm], Activity]
+"""Keeps the dish on its course until the leg ends, or it is closed."""

@@ -1,0 +1,131 @@
+"""A plan: a plain value that says what a dish will do during one pass, made before it moves."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from datetime import datetime
+from enum import Enum
+
+from birdcage.sky.passes.model import Pass
+from birdcage.sky.reach_model import Reach
+from birdcage.tracking.curve import Curve, Floats
+
+
+@dataclass(frozen=True, slots=True)
+class Aim:
+    """Whom the plan follows."""
+
+    name: str
+    kind: str
+    """As `birdcage.sky.targets`: `satellite`, `slot`, `body`, `star`, `fixed`."""
+    norad_id: int | None = None
+    frequency_hz: float | None = None
+    """Of its downlink; decibels and Doppler are told at it."""
+    time_offset_s: float = 0.0
+    """How much later than computed it comes."""
+
+
+class Part(Enum):
+    """What the dish does during a stretch of the plan."""
+
+    FOLLOW = "follow"
+    REWIND = "rewind"
+    """Turning the cable back to another turn; the target is lost meanwhile."""
+
+
+@dataclass(frozen=True, slots=True)
+class Leg:
+    """A stretch of the plan; legs follow each other in time, with gaps where the target cannot be reached."""
+
+    part: Part
+    start_s: float
+    end_s: float
+    from_az_deg: float
+    """The dish's own azimuth at the start: the turn of the cable where that is known."""
+    to_az_deg: float
+    turn: int | None = None
+    """Cable = dish azimuth + 360 turn; None where nothing winds up, or the turn is not known."""
+
+
+@dataclass(frozen=True, slots=True)
+class Preposition:
+    """Where the dish waits for the first leg, and when it has to leave for it."""
+
+    az_deg: float
+    """The dish's own azimuth, as in `Leg`."""
+    el_deg: float
+    true_az_deg: float
+    true_el_deg: float
+    waypoints: tuple[tuple[float, float], ...]
+    """Dish azimuth and elevation of every stop on the way, the last one too: no step of azimuth is half a turn or
+    more, so that the dish cannot choose another way round than was planned, and none cuts a no-go sector."""
+    leave_s: float
+    """The latest time to leave, in POSIX seconds."""
+    slew_s: float
+
+
+@dataclass(frozen=True, slots=True)
+class Keyhole:
+    """Where the target goes through faster than the dish can turn."""
+
+    start_s: float
+    end_s: float
+    max_error_deg: float
+    """The greatest error to be expected of this plan."""
+    limit_deg: float
+    """The least that is possible with both axes at once at their greatest speeds."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Forecast:
+    """The pointing error to expect while the dish follows, perfect elements and clock given."""
+
+    t_s: Floats
+    error_deg: Floats
+    loss_db: Floats | None
+    """For the beam of the feed: 12 (error / beam width)^2 dB (reference `tracking.md` section 5); None without one."""
+    rms_deg: float
+    max_deg: float
+
+
+@dataclass(frozen=True, slots=True)
+class Incident:
+    """Something that will happen, to be written on the time axis before it does."""
+
+    at_s: float
+    what: str
+    """`aos`, `reach`, `tca`, `keyhole`, `rewind`, `unreach`, `los`."""
+    text: str
+    """For a person: `65° ceiling`, `cable turns back, 5.7 s`."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Plan:
+    """What will be done, and how well. Nothing in it changes; another plan replaces it."""
+
+    aim: Aim
+    made_at: datetime
+    passing: Pass | None
+    """None for what does not pass: slots, stars, fixed directions, and bodies."""
+    reach: Reach
+    sky: Curve
+    """Where the target stands, from AOS to LOS: true degrees, lifted by refraction."""
+    course: Curve | None
+    """Where the dish is to stand, in its own degrees, azimuth unrolled as in `Leg`, from the first leg to the last;
+    None where nothing can be reached."""
+    legs: tuple[Leg, ...]
+    preposition: Preposition | None
+    keyholes: tuple[Keyhole, ...]
+    forecast: Forecast | None
+    incidents: tuple[Incident, ...]
+    notes: tuple[str, ...] = ()
+    """Sentences for a person: what will be missed and why, what was not known."""
+    share: float | None = None
+    """For axes that move in turn: what part of its time the azimuth was given. None for axes that move together."""
+    refined: bool = True
+    """Whether `share` was chosen by simulating the pass; False: 0.9 was taken, and a better one may follow."""
+
+    @property
+    def rewinds(self) -> tuple[Leg, ...]:
+        """The announced rewinds."""
+        return tuple(leg for leg in self.legs if leg.part is Part.REWIND)

@@ -1,0 +1,68 @@
+"""What an activity asks of whoever drives it: requests and waits, one at a time (SEAMS *Threads*).
+
+An activity is a generator. It yields a step, the station carries it out on its own thread between exchanges, and sends
+an `Answer` back. Times are POSIX seconds of the clock's UTC, so that a scaled clock scales them all; azimuths are the
+dish's own, unrolled: the turn of the cable where that is known.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+from dataclasses import dataclass
+from typing import TypeAlias
+
+
+@dataclass(frozen=True, slots=True)
+class Wait:
+    """Go on at a time. Other work of the station is done meanwhile."""
+
+    until_s: float
+
+
+@dataclass(frozen=True, slots=True)
+class Send:
+    """Send one axis to an angle, through the gate, and go on when the dish has taken it."""
+
+    axis: int
+    """Motor number."""
+    deg: float
+
+
+@dataclass(frozen=True, slots=True)
+class Slew:
+    """Send both axes along way points, the usual way, and go on at rest at the last one."""
+
+    waypoints: tuple[tuple[float, float], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Look:
+    """Read where the dish is."""
+
+
+@dataclass(frozen=True, slots=True)
+class Limit:
+    """Set the greatest speed of an axis, for velocity-matched moves; whoever drives restores it on every way out."""
+
+    axis: int
+    speed_deg_s: float
+
+
+Step: TypeAlias = Wait | Send | Slew | Look | Limit
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """What came of a step."""
+
+    now_s: float
+    sent_s: float | None = None
+    """When the line of a `Send` or `Limit` began to go out."""
+    az_deg: float | None = None
+    """Of a `Look` or `Slew`: where the dish was; None where that is not known."""
+    el_deg: float | None = None
+    seen_s: float | None = None
+    """When it was there, as well as can be told: in the middle of the exchange."""
+
+
+Activity: TypeAlias = Generator[Step, Answer, None]
