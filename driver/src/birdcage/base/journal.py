@@ -9,19 +9,11 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.background import BackgroundWriter
 from birdcage.base.errors import StoreError
+from birdcage.base.journal_schema import MIGRATIONS
 from birdcage.base.store import open_database
 
 if TYPE_CHECKING:
     import sqlite3
-
-MIGRATIONS = (
-    (
-        """CREATE TABLE fault (
-            id INTEGER PRIMARY KEY, utc TEXT NOT NULL, kind TEXT NOT NULL, reason TEXT NOT NULL, sentence TEXT NOT NULL
-        )""",
-        "CREATE INDEX fault_by_utc ON fault (utc)",
-    ),
-)
 
 
 @dataclass(frozen=True, slots=True)
