@@ -38,7 +38,13 @@ def rules_from(settings: Settings) -> Rules:
     """Derive the rules from what `birdcage.toml` says."""
     feed, motion, alignment = settings.active_feed, settings.motion, settings.alignment
     return Rules(
-        alignment=Alignment(alignment.az_offset_deg + feed.az_offset_deg, alignment.el_offset_deg + feed.el_offset_deg),
+        alignment=Alignment(
+            alignment.az_offset_deg + feed.az_offset_deg,
+            alignment.el_offset_deg + feed.el_offset_deg,
+            alignment.ca_deg,
+            alignment.an_deg,
+            alignment.aw_deg,
+        ),
         min_elevation_deg=motion.min_elevation_deg,
         max_elevation_deg=motion.max_elevation_deg,
         cable_min_deg=motion.cable_min_deg,

@@ -102,21 +102,27 @@ class MotionSettings(Section):
 
 @dataclass(frozen=True, slots=True)
 class AlignmentSettings(Section):
-    """How the base stands in the world: true = the dish's own + offset."""
+    """How the base stands in the world: true = the dish's own + offset, then the beam's aside and the axis's lean."""
 
     section: ClassVar[str] = "alignment"
     limits_motion: ClassVar[bool] = True
 
+    active: str | None = setting(None, "Name of the set of alignments.toml that these terms were taken from.")
     az_offset_deg: float = setting(0.0, "Added to the dish's azimuth.", minimum=-360.0, maximum=360.0)
     el_offset_deg: float = setting(0.0, "Added to the dish's elevation.", minimum=-90.0, maximum=90.0)
+    ca_deg: float = setting(
+        0.0, "Collimation: how far the beam looks to the left, at every elevation.", minimum=-10.0, maximum=10.0
+    )
+    an_deg: float = setting(0.0, "How far the azimuth axis leans to the north.", minimum=-20.0, maximum=20.0)
+    aw_deg: float = setting(0.0, "How far the azimuth axis leans to the west.", minimum=-20.0, maximum=20.0)
     pitch_deg: float | None = setting(
         None,
-        "How far the base leans back, its front up. Kept; pointing does not use it yet.",
+        "How far the base leans back, its front (the dish's azimuth 0) up; a calibration begins from it.",
         minimum=-45.0,
         maximum=45.0,
     )
     roll_deg: float | None = setting(
-        None, "How far its right side is down. Kept; pointing does not use it yet.", minimum=-45.0, maximum=45.0
+        None, "How far its right side is down; a calibration begins from it.", minimum=-45.0, maximum=45.0
     )
 
 
