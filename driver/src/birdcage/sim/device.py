@@ -12,6 +12,7 @@ from birdcage.sim.firmware import Firmware, Host
 from birdcage.sim.machine import Machine
 from birdcage.sim.settings import Settings
 from birdcage.sim.shell import Shell
+from birdcage.sim.stance import Stance
 from birdcage.sim.wire import Wire
 
 
@@ -30,6 +31,7 @@ class Device:
         self.firmware = build(self)
         self.board = self.firmware.board
         self.dish = self.firmware.dish
+        self.stance = Stance(settings)
         self.wire = Wire(settings, self.firmware.baud)
         self.shell = Shell(self.machine, settings, self.firmware.menus, self._send, self._echo)
         if settings.boot:
@@ -42,8 +44,9 @@ class Device:
         with self.lock:
             self.machine.run()
             return self.dish.look(
-                self.machine.dish_s, shell_alive=self.shell.alive, powered=self.powered, menu=self.shell.menu
-            )
+                self.machine.dish_s, self.stance, shell_alive=self.shell.alive, powered=self.powered,
+                menu=self.shell.menu,
+            )  # fmt: skip
 
     def receive(self, data: bytes) -> None:
         """Take bytes that the program sends."""

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from birdcage.base.geometry import wrap_360
 from birdcage.sim.axis import Axis
+from birdcage.sim.stance import Stance
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,6 +32,10 @@ class Truth:
     shell_alive: bool
     powered: bool
     menu: str
+    beam_az_deg: float
+    """True azimuth of the beam, 0..360: after heading, tilt and collimation."""
+    beam_el_deg: float
+    """True elevation of the beam."""
 
 
 class Dish:
@@ -52,10 +57,11 @@ class Dish:
         """Whether any motor turns."""
         return any(axis.moving(now_s) for axis in self.axes)
 
-    def look(self, now_s: float, *, shell_alive: bool, powered: bool, menu: str) -> Truth:
+    def look(self, now_s: float, stance: Stance, *, shell_alive: bool, powered: bool, menu: str) -> Truth:
         """Put the truth together."""
         az, el = self.axes[:2]
         az_deg, el_deg = self.shafts(now_s)
+        beam_az_deg, beam_el_deg = stance.beam(az_deg, el_deg)
         return Truth(
             az_deg=az_deg,
             el_deg=el_deg,
@@ -70,6 +76,8 @@ class Dish:
             shell_alive=shell_alive,
             powered=powered,
             menu=menu,
+            beam_az_deg=beam_az_deg,
+            beam_el_deg=beam_el_deg,
         )
 
     def power_on(self, now_s: float) -> None:

@@ -47,7 +47,13 @@ class Settings:
     lon: float = -95.7
     """Longitude of the dish in degrees east."""
     heading: float = 0.0
-    """True azimuth that the dish's own azimuth 0 points at; it is level."""
+    """True azimuth that the dish's own azimuth 0 points at."""
+    tilt_north: float = 0.0
+    """How far its azimuth axis leans to the north; 0 with `tilt_east` for a level base."""
+    tilt_east: float = 0.0
+    """How far it leans to the east."""
+    collimation: float = 0.0
+    """How far the beam looks to the left of where the dish points."""
     az: float = 0.0
     """Cable angle at the start (the home position is 0). [I]"""
     el: float = 45.0

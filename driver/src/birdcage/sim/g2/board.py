@@ -14,6 +14,7 @@ from birdcage.sim.g2.sleep import Sleep
 from birdcage.sim.g2.tuner import Tuner
 from birdcage.sim.machine import Machine
 from birdcage.sim.sky import Sky
+from birdcage.sim.stance import Stance
 
 INT_MAX = 2147483647
 """What an axis reports, and `scan` aims at, until it is homed (section 7.2, [S1])."""
@@ -33,6 +34,7 @@ class Board:
         self.at_power_on: list[Callable[[], None]] = []
         """What forgets as well when the power goes: a menu that keeps something in RAM puts its own in here."""
         self.sky = Sky(settings)
+        self.stance = Stance(settings)
         self.tuner = Tuner(self)
         self._adc_rng = seeded("adc", settings.seed)
         self.nvram = Nvram(self._own_values())
@@ -48,7 +50,7 @@ class Board:
         """Return the noise-free level in counts at an instant of dish time, with the dish at its own az and el."""
         clock = self.machine.clock
         when = clock.utc() + timedelta(seconds=dish_s - clock.monotonic() * clock.rate)
-        return self.sky.level(when, az_deg + self.settings.heading, el_deg)
+        return self.sky.level(when, *self.stance.beam(az_deg, el_deg))
 
     def adc_counts(self) -> int:
         """Return one reading of the analogue menu."""

@@ -146,7 +146,7 @@ class Tuner:
         az, el = board.dish.shafts(dish_s)
         level = board.level(dish_s, az, el)
         offset = board.settings.lnb_13v_counts if self.lnb_volts == VERTICAL_V else 0.0
-        return level + offset, level - board.sky.floor(el)
+        return level + offset, level - board.sky.floor(board.stance.beam(az, el)[1])
 
     def read(self, dish_s: float) -> Heard:
         """Look once."""
@@ -175,7 +175,7 @@ class Tuner:
         """Return the network of the strongest satellite in the beam, 0 if that sends none; None without a satellite."""
         board = self._board
         az, el = board.dish.shafts(dish_s)
-        slot = board.sky.strongest(az + board.settings.heading, el)
+        slot = board.sky.strongest(*board.stance.beam(az, el))
         return None if slot is None else NETWORKS.get(slot, 0)
 
     def _tuned(self) -> bool:

@@ -14,6 +14,7 @@ from birdcage.sim.hal.lane import Lane, Order
 from birdcage.sim.hal.mechanics import SKEW_DEG, HalDish
 from birdcage.sim.hal.memory import SAFE_MINIMUM, Memory
 from birdcage.sim.sky import Sky
+from birdcage.sim.stance import Stance
 
 
 class HalBoard:
@@ -30,6 +31,7 @@ class HalBoard:
         """Azimuth and elevation exclude each other."""
         self.skew = Lane(host.machine, (skew,), self._started)
         self._sky = Sky(settings)
+        self._stance = Stance(settings)
         self._rng = seeded("floor", settings.seed)
         for axis in dish.axes:
             axis.on_strike = self._strikes(axis)
@@ -88,7 +90,8 @@ class HalBoard:
         """Return how much more than the empty sky is heard at an instant of dish time."""
         clock = self.machine.clock
         when = clock.utc() + timedelta(seconds=dish_s - clock.monotonic() * clock.rate)
-        return self._sky.level(when, az_deg + self.settings.heading, el_deg) - self._sky.floor(el_deg)
+        beam = self._stance.beam(az_deg, el_deg)
+        return self._sky.level(when, *beam) - self._sky.floor(beam[1])
 
     def stalled(self, axis: Axis) -> None:
         """Tell of a motor that has stopped on its way, and go on with the next move."""
