@@ -1,0 +1,137 @@
+"""Which passes of the favourites are followed, when nobody chooses: autotrack's plan, as a pure function.
+
+The rules:
+
+1. What never comes within reach is no candidate. What has less than `min_duration_s` of reach left, or stays below
+   `min_elevation_deg` within it, is left out.
+2. The pass being followed stays until its end, as it was planned: nothing pre-empts it, whatever its priority.
+3. Priorities are arranged one after the other, the highest first, each in the time that those above it leave. A pass is
+   cut short for one of a higher priority if the longest piece that remains still keeps to rule 1; only that piece is
+   followed. For one of its own priority no pass is cut: it is followed whole, or not at all.
+4. Within a priority the greatest total time within reach wins; then the greatest sum of highest elevations; then
+   whatever a fixed order of the passes (start, end, number, name) finds first.
+5. The pass planned next counts `hysteresis_s` more than it has, so that a catalogue update, which shifts passes by
+   seconds, does not throw the plan over. A pass of a higher priority pre-empts it all the same: it has not begun.
+6. Between the end of one pass and the beginning of the next the dish has time to turn round.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from datetime import datetime, timedelta
+from typing import TYPE_CHECKING
+
+from birdcage.pursuit.now import Scheduled
+from birdcage.pursuit.schedule_choice import Value, best_chain
+from birdcage.pursuit.schedule_model import Candidate, Direction, Kept, Slew
+from birdcage.pursuit.schedule_piece import Piece, Turning, pieces_in, whole
+from birdcage.pursuit.schedule_words import below_minima, cut_short, left_out, overlapped
+
+if TYPE_CHECKING:
+    from birdcage.base.config.tracking_sections import AutotrackSettings
+
+__all__ = ["Candidate", "Direction", "Kept", "Scheduled", "Slew", "schedule"]
+
+SAME_PASS = timedelta(minutes=15)
+"""By how much newer elements may shift a pass that is still the same one."""
+
+
+def schedule(
+    candidates: Sequence[Candidate],
+    rules: AutotrackSettings,
+    slew_s: Slew | float,
+    now: datetime,
+    present: Kept | None = None,
+) -> tuple[Scheduled, ...]:
+    """Choose among passes; the result has each that comes within reach in the next `rules.hours`, in order of time.
+
+    `slew_s`: how long the dish takes from one direction to another, in seconds; or one time for all. `present`: see
+    rules 2 and 5; it counts for nothing when its pass is not among the candidates any more. The order of the
+    candidates makes no difference.
+    """
+    until = now + timedelta(hours=rules.hours)
+    pieces = [piece for one in candidates if (piece := whole(one, now)) is not None and piece.start < until]
+    held = _found(pieces, present)
+    turning = Turning(slew_s)
+    settled: list[Piece] = []
+    rows: list[Scheduled] = []
+    if held is not None and present is not None and present.following:
+        pieces.remove(held)
+        settled.append(_as_planned(held, present.scheduled))
+        rows.append(_row(settled[0], present.scheduled.why))
+    for priority in sorted({piece.candidate.priority for piece in pieces}, reverse=True):
+        same = [piece for piece in pieces if piece.candidate.priority == priority]
+        offered, refused = _offered(same, rules, settled, turning)
+        bonus = timedelta(seconds=rules.hysteresis_s)
+        values = [_value(each, bonus if held and each.candidate is held.candidate else timedelta()) for each in offered]
+        chosen = [offered[index] for index in best_chain(offered, values, turning)]
+        rows += refused
+        rows += [_row(each, cut_short(each, settled)) for each in chosen]
+        rows += [_row(each, overlapped(each, chosen, turning), kept=False) for each in offered if each not in chosen]
+        settled = sorted((*settled, *chosen), key=lambda piece: piece.order)
+    return tuple(sorted(rows, key=lambda row: (row.reach_start, row.reach_end, row.norad_id, row.name)))
+
+
+def _offered(
+    pieces: Sequence[Piece], rules: AutotrackSettings, settled: Sequence[Piece], turning: Turning
+) -> tuple[list[Piece], list[Scheduled]]:
+    """Return the longest piece that settled passes leave of each pass, and the rows of those of which too little is."""
+    offered: list[Piece] = []
+    refused: list[Scheduled] = []
+    for piece in pieces:
+        if why := below_minima(piece, rules):
+            refused.append(_row(piece, why, kept=False))
+            continue
+        rest = max(pieces_in(piece, settled, turning), key=lambda each: each.followed, default=None)
+        if rest is None or below_minima(rest, rules):
+            refused.append(_row(piece, left_out(piece, rest, settled), kept=False))
+        else:
+            offered.append(rest)
+    return offered, refused
+
+
+def _value(piece: Piece, bonus: timedelta) -> Value:
+    """Return what a piece is worth: microseconds and thousandths of a degree, so that sums are exact."""
+    return (piece.followed + bonus) // timedelta(microseconds=1), round(piece.best_el_deg * 1000.0)
+
+
+def _found(pieces: Sequence[Piece], present: Kept | None) -> Piece | None:
+    """Return the piece that is the present pass, maybe by newer elements."""
+    if present is None:
+        return None
+    was = present.scheduled
+
+    def shift(piece: Piece) -> timedelta:
+        return min(abs(piece.told_start - was.reach_start), abs(piece.end - was.reach_end))
+
+    near = [
+        piece for piece in pieces
+        if _is_of(piece, was)
+        and piece.told_start < was.reach_end + SAME_PASS and was.reach_start - SAME_PASS < piece.end
+    ]  # fmt: skip
+    return min(near, key=shift, default=None)
+
+
+def _is_of(piece: Piece, was: Scheduled) -> bool:
+    passing = piece.candidate.passing
+    if passing.norad_id:
+        return passing.norad_id == was.norad_id
+    return not was.norad_id and passing.name == was.name
+
+
+def _as_planned(piece: Piece, was: Scheduled) -> Piece:
+    """Return the pass that is followed: to its end by the newest elements, or to where it was to be cut short."""
+    if not was.why:
+        return piece
+    return piece.part(piece.start, was.reach_end) or piece
+
+
+def _row(piece: Piece, why: str = "", *, kept: bool = True) -> Scheduled:
+    passing, reach = piece.candidate.passing, piece.candidate.reach
+    # What was missed of a pass that has begun does not make it a lower one.
+    best_el_deg = piece.best_el_deg
+    if reach.best_el_deg is not None and not piece.late and not piece.short:
+        best_el_deg = reach.best_el_deg
+    return Scheduled(
+        passing.name, passing.norad_id, piece.told_start, piece.end, best_el_deg, piece.candidate.priority, kept, why
+    )  # fmt: skip
