@@ -1,0 +1,63 @@
+"""Where an axis is, as far as the commands that it was sent tell."""
+
+from __future__ import annotations
+
+from birdcage.antenna.motion import plan_axis
+from birdcage.base.geometry import shortest_turn
+from birdcage.kinematics import Slew
+from birdcage.protocol.model import Axis
+
+DOUBT_DEG = 0.1
+"""A reading at rest that is off by more than this, beside the overshoot of its axis, contradicts the model."""
+UNSURE_S = 0.15
+"""How much later or earlier than modelled an axis may be on its way."""
+
+
+class AxisBelief:
+    """One axis, modelled, in the dish's own degrees, unrolled. Times are POSIX seconds."""
+
+    def __init__(self, axis: Axis, at_deg: float, now_s: float) -> None:
+        self.axis = axis
+        self.goal_deg = at_deg
+        """Where it was sent last."""
+        self._slew = Slew(at_deg, ())
+        self._began_s = now_s
+
+    def at(self, t_s: float) -> tuple[float, float]:
+        """Return where it is at a time, and how fast it turns."""
+        return self._slew.at(t_s - self._began_s)
+
+    @property
+    def rests_s(self) -> float:
+        """When it comes to rest."""
+        return self._began_s + self._slew.duration_s
+
+    def planned(self, goal_deg: float, from_s: float) -> Slew:
+        """Return its way to a goal if it gets the command at `from_s`."""
+        at_deg, velocity = self.at(from_s)
+        return plan_axis(self.axis, at_deg, goal_deg, velocity)
+
+    def send(self, goal_deg: float, from_s: float) -> None:
+        """Take in that it was sent to a goal."""
+        self._slew, self._began_s = self.planned(goal_deg, from_s), from_s
+        self.goal_deg = goal_deg
+
+    def quantised(self, deg: float) -> float:
+        """Return the nearest angle that the motor can stand at."""
+        return round(deg / self.axis.step_deg) * self.axis.step_deg
+
+    def check(self, read_deg: float | None, seen_s: float) -> bool:
+        """Compare with a reading; where that contradicts, go by the reading from then on and return False.
+
+        A reading is a check only: it is older and coarser than what the commands tell.
+        """
+        if read_deg is None:
+            return True
+        at_deg, velocity = self.at(seen_s)
+        read_deg = at_deg + shortest_turn(at_deg, read_deg)
+        way_s = UNSURE_S if seen_s < self.rests_s + UNSURE_S else 0.0
+        most_deg = DOUBT_DEG + self.axis.overshoot_deg + way_s * self.axis.speed_deg_s
+        if abs(read_deg - at_deg) <= most_deg + abs(velocity) * UNSURE_S:
+            return True
+        self._slew, self._began_s, self.goal_deg = Slew(read_deg, ()), seen_s, read_deg
+        return False

@@ -1,0 +1,60 @@
+"""Which controller suits which dish."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from birdcage.base.errors import MotionRefused
+from birdcage.protocol.model import DishModel, SecondMove
+from birdcage.tracking.controller import Controller
+from birdcage.tracking.fast import fast
+from birdcage.tracking.leapfrogging import leapfrog
+from birdcage.tracking.modelled import modelled
+from birdcage.tracking.queued import queued
+
+CONTROLLERS: Mapping[str, Controller] = MappingProxyType(
+    {"fast": fast, "queued": queued, "modelled": modelled, "leapfrog": leapfrog}
+)
+"""By the names of `PursuitOptions.controller`."""
+
+
+def moves_in_turn(model: DishModel) -> bool:
+    """Whether a dish moves one axis at a time, or keeps commands until it comes to them."""
+    return model.second_move is SecondMove.QUEUE or not model.axes_together
+
+
+def suited(model: DishModel) -> str:
+    """Return the name of the controller that suits a dish. Never `leapfrog`, never `velocity`."""
+    if not model.position_reported:
+        return "modelled"
+    return "queued" if moves_in_turn(model) else "fast"
+
+
+def controller_for(model: DishModel, wanted: str = "auto", *, velocity_allowed: bool = False) -> tuple[str, Controller]:
+    """Return name and controller: the one that suits the dish (`auto`), or the one asked for.
+
+    MotionRefused (`controller`) where the dish cannot be steered so, or the owner has not allowed it; KeyError for a
+    name that no controller has.
+    """
+    name = suited(model) if wanted == "auto" else wanted
+    refusal = _against(model, name, velocity_allowed=velocity_allowed)
+    if refusal:
+        raise MotionRefused(f"{refusal} Nothing was sent.", reason="controller")
+    return name, CONTROLLERS[name]
+
+
+def _against(model: DishModel, name: str, *, velocity_allowed: bool) -> str:
+    dish = f"The {model.name}"
+    if name in ("fast", "velocity") and moves_in_turn(model):
+        return f"{dish} moves one axis at a time and would fall behind with the controller `{name}`; use `queued`."
+    if name in ("fast", "velocity", "queued", "leapfrog") and not model.position_reported:
+        return f"{dish} does not tell its position; only the controller `modelled` steers it."
+    if name == "velocity" and not model.has_speeds:
+        return f"{dish} has no command for its speeds, which the controller `velocity` needs."
+    if name == "velocity" and not velocity_allowed:
+        return (
+            "The controller `velocity` changes the greatest speed of the motors while it follows, and nobody has "
+            "confirmed on a dish that this is harmless. Set velocity_allowed = true in [tracking] to allow it."
+        )
+    return ""

@@ -1,0 +1,14 @@
+"""What is not worth a command."""
+
+from __future__ import annotations
+
+from birdcage.protocol.model import Axis
+from birdcage.tracking.controller import Helm
+
+
+def dead_band_deg(helm: Helm, axis: Axis) -> float:
+    """Return how far an axis must be off to be moved: what the helm says in steps or in degrees, whichever is more.
+
+    Never less than half a step, as no command moves it by less.
+    """
+    return max(helm.dead_band_deg, max(helm.dead_band_steps, 0.5) * axis.step_deg)

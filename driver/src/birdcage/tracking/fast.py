@@ -1,0 +1,106 @@
+"""Steers a dish whose moves are short and can be replaced on their way (reference tracking 3.5, item 3).
+
+At every prompt one axis is sent to where the target will be at arrival + half an interval + half a move, so that the
+mean of moving and standing lies on the course. What is left of the error is the saw-tooth: rate x interval / 2 sqrt(3).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from birdcage.tracking.axis_belief import AxisBelief
+from birdcage.tracking.controller import Helm
+from birdcage.tracking.dead_band import dead_band_deg
+from birdcage.tracking.latency import Interval, Latency
+from birdcage.tracking.steps import Activity, Look, Send, Wait
+
+REST_S = 0.02
+"""How long it waits where nothing has to move."""
+LONGEST_INTERVAL_S = 1.0
+"""An axis that stood still for longer was not waiting for its turn: that is no interval."""
+ROUNDS = 3
+"""Of the fixed point: how long the move takes depends on its goal, and the goal on how long it takes."""
+
+
+@dataclass(slots=True)
+class Aim:
+    """Where an axis would be sent now."""
+
+    goal_deg: float
+    off_deg: float
+    """How far that is from where it was sent last, on the sky."""
+    due: bool
+    """Whether it is beyond the dead-band."""
+
+
+class Rudder:
+    """One axis of a fast dish: when it was sent, and where to send it next."""
+
+    def __init__(self, helm: Helm, column: int) -> None:
+        self._helm = helm
+        self._column = column
+        axis = (helm.model.azimuth, helm.model.elevation)[column]
+        self.index = axis.index
+        self.belief = AxisBelief(axis, (helm.start_az_deg, helm.start_el_deg)[column], helm.now_s)
+        self.interval = Interval(2.0 * helm.latency_s)
+        self.sent_s = helm.now_s
+
+    def aim(self, acts_s: float) -> Aim:
+        """Choose a goal for a command that acts at a time."""
+        course, interval_s, column = self._helm.course(), self.interval.seconds, self._column
+        goal, ahead_s = self.belief.goal_deg, interval_s / 2.0
+        for _ in range(ROUNDS):
+            goal = course.at(min(acts_s + ahead_s, self._helm.until_s))[column]
+            move_s = self.belief.planned(goal, acts_s).duration_s
+            ahead_s = (interval_s + move_s) / 2.0 if move_s < interval_s else move_s
+        goal = self.belief.quantised(goal)
+        off = abs(goal - self.belief.goal_deg)
+        lift = math.cos(math.radians(course.at(acts_s)[1])) if column == 0 else 1.0
+        return Aim(goal, off * lift, off >= dead_band_deg(self._helm, self.belief.axis))
+
+    def sent(self, goal_deg: float, acted_s: float) -> None:
+        """Take in that the dish has acted on a command."""
+        gap_s = acted_s - self.sent_s
+        if gap_s < LONGEST_INTERVAL_S:
+            self.interval.take(gap_s)
+        self.sent_s = acted_s
+        self.belief.send(goal_deg, acted_s)
+
+    def need(self, aim: Aim, acts_s: float) -> float:
+        """Return how much this axis wants the next command: intervals as rate^-2/3 make the sum of squares least."""
+        return aim.off_deg**2 * max(acts_s - self.sent_s, 1e-3)
+
+
+def fast(helm: Helm) -> Activity:
+    """Follow as fast as the prompt returns; the position that is read serves as a check."""
+    yield from steer(helm, looks=True)
+
+
+def steer(helm: Helm, *, looks: bool) -> Activity:
+    """Follow with or without reading the position."""
+    latency = Latency(helm.model, helm.latency_s)
+    rudders = Rudder(helm, 0), Rudder(helm, 1)
+    now_s, look_s = helm.now_s, helm.now_s + helm.look_every_s
+    while now_s < helm.until_s:
+        if looks and now_s >= look_s:
+            seen = yield Look()
+            now_s, look_s = seen.now_s, max(look_s + helm.look_every_s, seen.now_s)
+            for rudder, read_deg in zip(rudders, (seen.az_deg, seen.el_deg), strict=True):
+                rudder.belief.check(read_deg, seen.now_s if seen.seen_s is None else seen.seen_s)
+            continue
+        best: tuple[float, Rudder, Aim] | None = None
+        for rudder in rudders:
+            acts_s = now_s + latency.of(rudder.index)
+            aim = rudder.aim(acts_s)
+            if aim.due and (best is None or rudder.need(aim, acts_s) > best[0]):
+                best = rudder.need(aim, acts_s), rudder, aim
+        if best is None:
+            now_s = (yield Wait(min(now_s + REST_S, helm.until_s))).now_s
+            continue
+        _, rudder, aim = best
+        move_s = rudder.belief.planned(aim.goal_deg, now_s + latency.of(rudder.index)).duration_s
+        answer = yield Send(rudder.index, aim.goal_deg)
+        acted_s = latency.measure(rudder.index, answer, move_s)
+        rudder.sent(aim.goal_deg, acted_s)
+        now_s, helm.latency_s = answer.now_s, latency.mean_s

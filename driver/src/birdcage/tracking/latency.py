@@ -1,0 +1,89 @@
+"""How long a command is on its way, and how often an axis gets one: measured at the prompt, and smoothed."""
+
+from __future__ import annotations
+
+from birdcage.protocol.model import DishModel
+from birdcage.tracking.steps import Answer
+
+SHARE = 0.15
+"""What a new measurement counts: six commands, a second or so, until a change shows."""
+WILDEST = 4.0
+"""A measurement counts as at most so many times what is known: one lost answer does not move the aim."""
+REPLY_BYTES = 30
+"""Of a move: what comes back after the dish has taken it, echo left out (reference winegard-consoles 7.4)."""
+BITS_A_BYTE = 10
+
+
+class Smoothed:
+    """A mean that follows its measurements slowly: seconds, unless it is made of something else."""
+
+    def __init__(self, first_s: float) -> None:
+        self.seconds = first_s
+
+    def take(self, measured_s: float) -> None:
+        """Take in a measurement."""
+        self.seconds += SHARE * (min(max(measured_s, 0.0), WILDEST * self.seconds) - self.seconds)
+
+
+class Interval:
+    """How long an axis waits between two commands, as a moment taken at random meets it: long ones hold more moments.
+
+    That is E[T²] / E[T], and half of it is how far ahead the mean of an interval lies.
+    """
+
+    def __init__(self, first_s: float) -> None:
+        self._mean, self._square = Smoothed(first_s), Smoothed(first_s * first_s)
+
+    @property
+    def seconds(self) -> float:
+        """The length of that interval."""
+        return self._square.seconds / self._mean.seconds
+
+    def take(self, measured_s: float) -> None:
+        """Take in a measurement."""
+        self._mean.take(measured_s)
+        self._square.take(measured_s * measured_s)
+
+
+class Latency:
+    """From the first byte of a command until the dish acts, for each axis.
+
+    The console is one thread: it answers when it has carried the command out (reference winegard-consoles section 2),
+    so a dish acts at the end of the round trip, less what the answer takes on the wire. Where the answer comes only
+    when the move is over (nobody knows it of a G2) the move is taken off as well.
+    """
+
+    def __init__(self, model: DishModel, first_s: float) -> None:
+        self._reply_s = REPLY_BYTES * BITS_A_BYTE / model.baud
+        self._both = model.azimuth.index, model.elevation.index
+        self._axes = {axis.index: Smoothed(first_s) for axis in model.axes}
+        self._waits = {True: Smoothed(first_s), False: Smoothed(first_s)}
+        self._misfit = {True: Smoothed(first_s), False: Smoothed(first_s)}
+
+    @property
+    def blocks(self) -> bool:
+        """Whether the answers fit a dish better that answers only at rest."""
+        return self._misfit[True].seconds < 0.5 * self._misfit[False].seconds
+
+    def of(self, axis: int) -> float:
+        """Return how long the next command of an axis will take to act."""
+        return self._axes[axis].seconds
+
+    @property
+    def mean_s(self) -> float:
+        """That of azimuth and elevation."""
+        return sum(self._axes[index].seconds for index in self._both) / 2.0
+
+    def measure(self, axis: int, answer: Answer, move_s: float) -> float:
+        """Take in what came of a command whose move takes `move_s`; return when the dish acted on it, POSIX seconds."""
+        if answer.sent_s is None:
+            return answer.now_s
+        trip_s = max(answer.now_s - answer.sent_s - self._reply_s, 0.0)
+        for blocking, wait_s in ((True, trip_s - move_s), (False, trip_s)):
+            # Whichever of both readings explains the answers with less scatter is the true one.
+            self._misfit[blocking].take(abs(wait_s - self._waits[blocking].seconds))
+            self._waits[blocking].take(wait_s)
+        if self.blocks:
+            trip_s = max(trip_s - move_s, 0.0)
+        self._axes[axis].take(trip_s)
+        return answer.sent_s + trip_s

@@ -1,0 +1,42 @@
+"""Steers as the earlier scripts do: once a second to where the target is now, and beyond by a fixed table.
+
+Kept by name for those who want it (document 003); measured, it makes a well-posed pass worse (reference tracking 3.4).
+"""
+
+from __future__ import annotations
+
+from birdcage.base.geometry import shortest_turn
+from birdcage.leapfrog import overshoot
+from birdcage.protocol.model import Axis
+from birdcage.tracking.controller import Helm
+from birdcage.tracking.dead_band import dead_band_deg
+from birdcage.tracking.steps import Activity, Look, Send, Wait
+
+EVERY_S = 1.0
+
+
+def leapfrog(helm: Helm) -> Activity:
+    """Read the position, then send both axes; the overshoot is reckoned from the reading, never from an assumption."""
+    model = helm.model
+    sent = {model.azimuth.index: helm.start_az_deg, model.elevation.index: helm.start_el_deg}
+    now_s = helm.now_s
+    while now_s < helm.until_s:
+        tick_s = now_s
+        seen = yield Look()
+        now_s = seen.now_s
+        target = helm.course().at(now_s)
+        for axis, wanted_deg, read_deg in zip(
+            (model.azimuth, model.elevation), target, (seen.az_deg, seen.el_deg), strict=True
+        ):
+            goal_deg = _beyond(axis, wanted_deg, read_deg, turns=axis is model.azimuth)
+            if abs(goal_deg - sent[axis.index]) >= dead_band_deg(helm, axis) and now_s < helm.until_s:
+                now_s = (yield Send(axis.index, goal_deg)).now_s
+                sent[axis.index] = goal_deg
+        now_s = (yield Wait(min(max(tick_s + EVERY_S, now_s), helm.until_s))).now_s
+
+
+def _beyond(axis: Axis, wanted_deg: float, read_deg: float | None, *, turns: bool) -> float:
+    if read_deg is None:
+        return wanted_deg
+    beyond = wanted_deg + overshoot(shortest_turn(read_deg, wanted_deg) if turns else wanted_deg - read_deg)
+    return beyond if turns else min(max(beyond, axis.min_deg), axis.max_deg)

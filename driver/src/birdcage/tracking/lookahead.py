@@ -1,0 +1,121 @@
+"""Which move an axis-by-axis dish should make next: two moves ahead (reference tracking 3.5, item 4).
+
+Every pair of moves (axis, aim) x (axis, aim) is scored by the mean-square pointing error over one common horizon; a
+horizon of each pair's own was measured to fail. The first move of the best pair counts, the second one is a promise.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from birdcage.protocol.model import Axis
+from birdcage.tracking.curve import Curve, Floats
+from birdcage.tracking.many_moves import durations, progress, ramps
+
+Whole = NDArray[np.int_]
+
+FIRST_S = (0.0, 0.1, 0.2, 0.35, 0.5, 1.0, 2.0, 4.0)
+"""How long after the end of the first move its axis may be aimed to meet the course; the first is at once."""
+SECOND_S = (0.1, 0.6, 2.0)
+"""The same of the second move."""
+ROUNDS = 3
+"""Of the fixed point between where a move ends and how long it takes."""
+MOMENTS = 17
+"""At which the error is taken over the horizon."""
+SHORTEST_S, LONGEST_S, BEYOND = 0.3, 8.0, 1.1
+"""The horizon: a little more than what the median pair takes, within these. A longer one was measured to lead a slow
+target by half of it, as nothing is planned beyond the second move."""
+
+
+@dataclass(frozen=True, slots=True)
+class Move:
+    """What should be sent."""
+
+    column: int
+    """0 azimuth, 1 elevation."""
+    goal_deg: float
+    lasts_s: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Moves:
+    """Some moves, from rest to rest, as arrays."""
+
+    column: Whole
+    goal: Floats
+    way: Floats
+    lasts: Floats
+    ramp: Floats
+
+    def taken(self, which: Whole) -> _Moves:
+        return _Moves(self.column[which], self.goal[which], self.way[which], self.lasts[which], self.ramp[which])
+
+
+class Lookahead:
+    """Chooses moves of two axes of which only one turns at a time."""
+
+    def __init__(self, axes: tuple[Axis, Axis], dead_bands_deg: tuple[float, float]) -> None:
+        self._axes = axes
+        self._dead_bands = dead_bands_deg
+
+    def choose(self, course: Curve, at_deg: tuple[float, float], start_s: float) -> Move | None:
+        """Return the best first move for a dish that stands at `at_deg` when it gets it, at `start_s`.
+
+        The second move begins as the first one ends. None where no move is worth a command.
+        """
+        first = self._aims(course, np.full(2, start_s), np.array(at_deg), FIRST_S)
+        # An axis is due when it would be off where it meets the course, not where it would run ahead of it.
+        due = np.abs(first.way[:: len(FIRST_S)]) >= np.array(self._dead_bands)
+        worth = np.flatnonzero(due[first.column] & (first.way != 0.0))
+        if not len(worth):
+            return None
+        first = first.taken(worth)
+        count = len(worth)
+        # For each first move, where both axes stand after it, and when the second can begin.
+        after = np.tile(np.array(at_deg), (count, 1))
+        after[np.arange(count), first.column] = first.goal
+        begin = start_s + first.lasts
+        second = self._aims(course, np.repeat(begin, 2), after.ravel(), SECOND_S)
+        pairs = np.repeat(np.arange(count), 2 * len(SECOND_S))
+        begins, firsts = begin[pairs], first.taken(pairs)
+        horizon_s = min(max(BEYOND * float(np.median(begins + second.lasts - start_s)), SHORTEST_S), LONGEST_S)
+        t_s = start_s + np.linspace(0.0, horizon_s, MOMENTS)
+        cost = _mean_square(course, t_s, at_deg, ((firsts, np.full(len(pairs), start_s)), (second, begins)))
+        best = int(pairs[np.argmin(cost)])
+        return Move(int(first.column[best]), float(first.goal[best]), float(first.lasts[best]))
+
+    def _aims(self, course: Curve, begin_s: Floats, at_deg: Floats, later_s: tuple[float, ...]) -> _Moves:
+        """Return the moves of each axis from each of the states; states alternate azimuth, elevation."""
+        begin, at = np.repeat(begin_s, len(later_s)), np.repeat(at_deg, len(later_s))
+        later = np.tile(later_s, len(begin_s))
+        column = np.repeat(np.arange(len(begin_s)) % 2, len(later_s))
+        goal, lasts, ramp = at.copy(), np.zeros(len(at)), np.full(len(at), 0.5)
+        for _ in range(ROUNDS):
+            both = course.sample(begin + lasts + later)
+            for index, axis in enumerate(self._axes):
+                mine = column == index
+                goal[mine] = np.round(both[index][mine] / axis.step_deg) * axis.step_deg
+                lasts[mine] = durations(axis, goal[mine] - at[mine])
+                ramp[mine] = ramps(axis, lasts[mine])
+        return _Moves(column, goal, goal - at, np.maximum(lasts, 1e-3), ramp)
+
+
+def _mean_square(
+    course: Curve, t_s: Floats, at_deg: tuple[float, float], moves: tuple[tuple[_Moves, Floats], ...]
+) -> Floats:
+    """Return the mean-square angle on the sky between the course and each row of moves."""
+    count = len(moves[0][1])
+    where = np.empty((2, count, len(t_s)))
+    where[0], where[1] = at_deg
+    for each, begin in moves:
+        gone = each.way[:, None] * progress((t_s - begin[:, None]) / each.lasts[:, None], each.ramp[:, None])
+        turns = each.column[:, None] == 0
+        where[0] += np.where(turns, gone, 0.0)
+        where[1] += np.where(turns, 0.0, gone)
+    az, el = np.radians(where)
+    course_az, course_el = np.radians(course.sample(t_s))
+    h = np.sin((el - course_el) / 2.0) ** 2 + np.cos(el) * np.cos(course_el) * np.sin((az - course_az) / 2.0) ** 2
+    return np.asarray((np.arcsin(np.sqrt(np.clip(h, 0.0, 1.0))) ** 2).mean(axis=1))

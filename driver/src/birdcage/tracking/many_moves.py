@@ -1,0 +1,35 @@
+"""Many moves at once, from rest to rest: how long each takes, and how far it has come at a time."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from birdcage.protocol.model import Axis
+from birdcage.tracking.curve import Floats
+
+
+def durations(axis: Axis, ways_deg: Floats) -> Floats:
+    """Return the seconds that an axis takes over each way, as `antenna.motion.plan_axis` has them."""
+    ways = np.abs(ways_deg)
+    if axis.times is not None:
+        return np.array([axis.times.seconds(way) for way in ways.tolist()])
+    ramps = axis.speed_deg_s / axis.acceleration_deg_s2
+    long = ways >= axis.speed_deg_s * ramps
+    return np.where(long, ways / axis.speed_deg_s + ramps, 2.0 * np.sqrt(ways / axis.acceleration_deg_s2))
+
+
+def ramps(axis: Axis, lasting_s: Floats) -> Floats:
+    """Return what part of each move is speeding up; the same part is slowing down. At most a half."""
+    if axis.times is not None:
+        return np.full(len(lasting_s), 0.5)
+    return np.minimum(axis.speed_deg_s / axis.acceleration_deg_s2 / np.maximum(lasting_s, 1e-9), 0.5)
+
+
+def progress(share: Floats, ramp: Floats) -> Floats:
+    """Return how much of its way an axis has gone after a share of its time, where `ramp` of it is speeding up."""
+    share = np.clip(share, 0.0, 1.0)
+    near = np.minimum(share, 1.0 - share)
+    speeding = near * near / (2.0 * ramp * (1.0 - ramp))
+    steady = (near - ramp / 2.0) / (1.0 - ramp)
+    gone = np.where(near < ramp, speeding, steady)
+    return np.where(share < 0.5, gone, 1.0 - gone)

@@ -1,0 +1,20 @@
+"""Steers a dish that does not tell its position (the Carryout of 2003, reference winegard-consoles section 6).
+
+Where it stands is what it was sent to: nothing is read, and nothing shows a move that was lost.
+"""
+
+from __future__ import annotations
+
+from birdcage.protocol.model import SecondMove
+from birdcage.tracking import fast, queued
+from birdcage.tracking.controller import Helm
+from birdcage.tracking.steps import Activity
+
+SENTENCE = "The dish does not tell its position: it is taken to be where it was sent."
+"""What a face shows while this steers."""
+
+
+def modelled(helm: Helm) -> Activity:
+    """Follow by the model of both axes alone."""
+    in_turn = helm.model.second_move is SecondMove.QUEUE or not helm.model.axes_together
+    yield from (queued.steer if in_turn else fast.steer)(helm, looks=False)

@@ -1,0 +1,130 @@
+"""A dish in closed form and a link with a latency, to try controllers on without any console: times are exact."""
+
+from __future__ import annotations
+
+import random
+from dataclasses import dataclass, field
+
+import numpy as np
+from birdcage.antenna.motion import plan_axis
+from birdcage.base.geometry import separation
+from birdcage.kinematics import Slew
+from birdcage.protocol.g2.model import CARRYOUT_G2
+from birdcage.tracking.controller import Helm
+from birdcage.tracking.curve import Curve
+from birdcage.tracking.steps import Answer, Limit, Look, Send, Wait
+
+
+REPLY_S = 0.0026
+"""The answer on its way, at 115200 baud."""
+
+
+def straight(az_rate, el_rate, *, seconds=120.0, az_deg=100.0, el_deg=30.0, start_s=1000.0):
+    """A course at constant rates."""
+    t = start_s + np.arange(0.0, seconds + 1.0, 1.0)
+    return Curve(t, az_deg + az_rate * (t - start_s), el_deg + el_rate * (t - start_s))
+
+
+@dataclass
+class Rig:
+    """Drives a controller. `mode`: retarget (prompt at once), blocking (prompt after the move), queue."""
+
+    course: Curve
+    model: object = CARRYOUT_G2
+    mode: str = "retarget"
+    latency: tuple[float, float] = (0.02, 0.1)
+    lost: float = 0.0
+    seed: int = 1
+    tells: bool = True
+    steps: list = field(default_factory=list)
+    """(when it was yielded, step)."""
+    largest_backlog: int = 0
+
+    def __post_init__(self):
+        self.now = self.course.start_s
+        self.random = random.Random(self.seed)
+        az, el = self.course.at(self.now)
+        self.ways = {0: [(self.now - 10.0, Slew(az, ()))], 1: [(self.now - 10.0, Slew(el, ()))]}
+        self.ends = []
+        self.speeds = {}
+
+    def helm(self, **changes):
+        az, el = self.course.at(self.now)
+        return Helm(
+            course=lambda: self.course, model=self.model, start_az_deg=az, start_el_deg=el, now_s=self.now,
+            until_s=changes.pop("until_s", self.course.end_s), **changes,
+        )  # fmt: skip
+
+    def run(self, controller, *, each=None, **changes):
+        activity = controller(self.helm(**changes))
+        answer = None
+        for _ in range(100_000):
+            try:
+                step = next(activity) if answer is None else activity.send(answer)
+            except StopIteration:
+                return self
+            self.steps.append((self.now, step))
+            if each is not None:
+                each(self, step)
+            answer = self.do(step)
+        raise AssertionError("the controller spins")
+
+    def do(self, step):
+        sent = self.now
+        if isinstance(step, Wait):
+            self.now = max(self.now, step.until_s)
+            return Answer(self.now)
+        self.now += self.random.uniform(*self.latency)
+        if isinstance(step, Look):
+            if not self.tells:
+                return Answer(self.now)
+            return Answer(self.now, az_deg=self.at(0) % 360.0, el_deg=self.at(1), seen_s=self.now)
+        if isinstance(step, Limit):
+            self.speeds[step.axis] = step.speed_deg_s
+            return Answer(self.now, sent_s=sent)
+        assert isinstance(step, Send)
+        if self.random.random() >= self.lost:
+            self.move(step)
+        if self.mode == "blocking":
+            self.now = max(self.now, self.ends[-1])
+        self.now += REPLY_S
+        return Answer(self.now, sent_s=sent)
+
+    def move(self, step):
+        axis = self.model.axis(step.axis)
+        goal = round(step.deg / axis.step_deg) * axis.step_deg
+        begin = self.now
+        if self.mode == "queue":
+            self.ends = [end for end in self.ends if end > self.now + 1e-9]
+            self.largest_backlog = max(self.largest_backlog, len(self.ends))
+            begin = max([self.now, *self.ends])
+        at, velocity = self.state(step.axis, begin)
+        slew = plan_axis(self.limited(axis), at, goal, velocity)
+        self.ways[step.axis].append((begin, slew))
+        self.ends.append(begin + slew.duration_s)
+
+    def limited(self, axis):
+        from dataclasses import replace
+
+        return replace(axis, speed_deg_s=self.speeds.get(axis.index, axis.speed_deg_s))
+
+    def state(self, axis, when):
+        began, slew = next((b, s) for b, s in reversed(self.ways[axis]) if b <= when)
+        return slew.at(when - began)
+
+    def at(self, axis, when=None):
+        return self.state(axis, self.now if when is None else when)[0]
+
+    def errors(self, *, settle_s=3.0, until_s=None):
+        """The angle on the sky between course and dish, at 20 Hz."""
+        end = self.course.end_s - 1.0 if until_s is None else until_s
+        times = np.arange(self.course.start_s + settle_s, end, 0.05)
+        return np.array([
+            separation(*self.course.at(float(t)), self.at(0, t), self.at(1, t)) for t in times
+        ])  # fmt: skip
+
+    def rms(self, **options):
+        return float(np.sqrt(np.mean(self.errors(**options) ** 2)))
+
+    def sends(self, axis=None):
+        return [(at, s) for at, s in self.steps if isinstance(s, Send) and axis in (None, s.axis)]
