@@ -25,6 +25,8 @@ class Paths:
     presets_file: Path
     places_file: Path
     """Places that were saved, each with its horizon."""
+    alignments_file: Path
+    """Sets of the alignment, each with its name."""
     downlinks_file: Path
     """What the user knows of who sends what, over the table that ships with birdcage."""
     cache: Path
@@ -83,6 +85,7 @@ class Paths:
             config_file=config / "birdcage.toml",
             presets_file=config / "presets.toml",
             places_file=config / "places.toml",
+            alignments_file=config / "alignments.toml",
             downlinks_file=config / "downlinks.toml",
             cache=cache,
             logs=logs,

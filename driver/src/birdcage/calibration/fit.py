@@ -1,0 +1,203 @@
+"""Fits the pointing model to peaks: weighted least squares with a prior on every term (reference tracking.md section 4).
+
+Imports numpy; faces import it inside functions.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from birdcage.antenna.alignment import Alignment
+from birdcage.calibration.peak import Peak
+from birdcage.calibration.terms import TERMS, Priors, terms_for
+
+Floats = NDArray[np.float64]
+
+STEP_DEG = 1e-3
+"""Of the numerical derivative."""
+TURNS_MOST = 20
+DONE_DEG = 1e-7
+ILL_CONDITIONED = 30.0
+"""Beyond it two terms do nearly the same to these peaks."""
+
+
+@dataclass(frozen=True, slots=True)
+class Residual:
+    """How far an object lay from where the fitted model has the beam, on the sky, in degrees."""
+
+    peak: Peak
+    right_deg: float
+    up_deg: float
+    alone_right_deg: float | None
+    """The same by a fit without this peak: what it says of a direction that was not measured. None for a lone peak."""
+    alone_up_deg: float | None
+
+    @property
+    def off_deg(self) -> float:
+        """How far in all."""
+        return math.hypot(self.right_deg, self.up_deg)
+
+
+@dataclass(frozen=True, slots=True)
+class Fit:
+    """What came out. Standard errors are by term, in the order of `TERMS`; those of terms that were held are None."""
+
+    alignment: Alignment
+    terms: tuple[str, ...]
+    """Those that were fitted; the others stand where they were believed to be."""
+    errors_deg: tuple[float | None, ...]
+    covariance: tuple[tuple[float, ...], ...]
+    """Of all five terms, priors included, in degrees squared."""
+    residuals: tuple[Residual, ...]
+    rms_before_deg: float
+    """Of these peaks by the alignment that was in force."""
+    rms_deg: float
+    leave_one_out_rms_deg: float | None
+    """What to expect of a direction that was not measured; None for a lone peak."""
+    condition: float | None
+    """How alike the terms are, as seen by these peaks alone; None where they do not even tell them apart."""
+    warning: str
+    """What to do about it, in a sentence; empty if nothing."""
+
+
+def fit(peaks: Sequence[Peak], priors: Priors, before: Alignment, terms: Sequence[str] | None = None) -> Fit:
+    """Fit `terms` (by default as many as these peaks carry) to the peaks. ValueError without a peak."""
+    if not peaks:
+        raise ValueError("a fit needs a peak")
+    chosen = tuple(terms or terms_for(len(peaks)))
+    free = [TERMS.index(name) for name in chosen]
+    values = _solve(peaks, priors, free)
+    alignment = Alignment(*map(float, values))
+    spread = _spread(peaks, alignment, len(chosen))
+    covariance = covariance_of(peaks, priors, alignment) * spread
+    condition = condition_of(peaks, alignment, free)
+    alone = [_alone(peaks, index, priors, free) for index in range(len(peaks))]
+    residuals = tuple(
+        Residual(peak, *peak.off(*alignment.to_true(peak.dish_az_deg, peak.dish_el_deg)), *out)
+        for peak, out in zip(peaks, alone, strict=True)
+    )
+    outside = [math.hypot(*out) for out in alone if out[0] is not None and out[1] is not None]
+    return Fit(
+        alignment=alignment,
+        terms=chosen,
+        errors_deg=tuple(
+            math.sqrt(covariance[index, index]) if index in free else None for index in range(len(TERMS))
+        ),
+        covariance=tuple(tuple(map(float, row)) for row in covariance),
+        residuals=residuals,
+        rms_before_deg=_rms([math.hypot(*off) for off in _offs(peaks, before)]),
+        rms_deg=_rms([each.off_deg for each in residuals]),
+        leave_one_out_rms_deg=_rms(outside) if outside else None,
+        condition=condition,
+        warning=_warning(len(peaks), condition),
+    )
+
+
+def jacobian(directions: Sequence[tuple[float, float]], alignment: Alignment) -> Floats:
+    """Return what a degree of each term moves the beam on the sky with the dish at these own angles.
+
+    Two rows a direction (to the right, up), five columns.
+    """
+    rows = np.zeros((2 * len(directions), len(TERMS)))
+    base = [getattr(alignment, name) for name in TERMS]
+    for column in range(len(TERMS)):
+        ends = []
+        for sign in (-1.0, 1.0):
+            values = list(base)
+            values[column] += sign * STEP_DEG
+            ends.append([Alignment(*values).to_true(*each) for each in directions])
+        for row, ((az0, el0), (az1, el1)) in enumerate(zip(*ends, strict=True)):
+            turn = (az1 - az0 + 180.0) % 360.0 - 180.0
+            rows[2 * row, column] = turn * math.cos(math.radians((el0 + el1) / 2.0)) / (2.0 * STEP_DEG)
+            rows[2 * row + 1, column] = (el1 - el0) / (2.0 * STEP_DEG)
+    return rows
+
+
+def covariance_of(peaks: Sequence[Peak], priors: Priors, alignment: Alignment) -> Floats:
+    """Return how well all five terms are known from these peaks and the priors."""
+    information = np.diag(1.0 / np.square(priors.sigma))
+    if peaks:
+        rows = jacobian([(peak.dish_az_deg, peak.dish_el_deg) for peak in peaks], alignment)
+        weights = np.repeat([peak.weight for peak in peaks], 2)
+        information = information + rows.T @ (rows * weights[:, None])
+    inverse: Floats = np.linalg.inv(information)
+    return inverse
+
+
+def condition_of(peaks: Sequence[Peak], alignment: Alignment, free: Sequence[int]) -> float | None:
+    """Return the condition number of the peaks' own equations, columns scaled to one length; None for a singular one.
+
+    Priors are left out: it tells whether the peaks are spread well enough over the sky.
+    """
+    rows = jacobian([(peak.dish_az_deg, peak.dish_el_deg) for peak in peaks], alignment)[:, free]
+    rows = rows * np.sqrt(np.repeat([peak.weight for peak in peaks], 2))[:, None]
+    lengths = np.linalg.norm(rows, axis=0)
+    if len(rows) < len(free) or not lengths.all():
+        return None
+    value = float(np.linalg.cond(rows / lengths))
+    return value if math.isfinite(value) and value < 1e9 else None
+
+
+def _solve(peaks: Sequence[Peak], priors: Priors, free: Sequence[int]) -> Floats:
+    """Return all five terms: Gauss and Newton, from what is believed."""
+    mean, values = np.array(priors.mean), np.array(priors.mean)
+    ridge = 1.0 / np.square(np.array(priors.sigma)[free])
+    weights = np.repeat([peak.weight for peak in peaks], 2)
+    dish = [(peak.dish_az_deg, peak.dish_el_deg) for peak in peaks]
+    for _ in range(TURNS_MOST):
+        alignment = Alignment(*map(float, values))
+        rows = jacobian(dish, alignment)[:, free]
+        off = np.array(_offs(peaks, alignment)).ravel()
+        matrix = rows.T @ (rows * weights[:, None]) + np.diag(ridge)
+        step = np.linalg.solve(matrix, rows.T @ (weights * off) + ridge * (mean - values)[free])
+        values[free] += step
+        if float(np.abs(step).max()) < DONE_DEG:
+            break
+    return values
+
+
+def _alone(
+    peaks: Sequence[Peak], index: int, priors: Priors, free: Sequence[int]
+) -> tuple[float, float] | tuple[None, None]:
+    """Return how far one peak lies from what the others say."""
+    others = [*peaks[:index], *peaks[index + 1 :]]
+    if not others:
+        return None, None
+    alignment = Alignment(*map(float, _solve(others, priors, free)))
+    return peaks[index].off(*alignment.to_true(peaks[index].dish_az_deg, peaks[index].dish_el_deg))
+
+
+def _offs(peaks: Sequence[Peak], alignment: Alignment) -> list[tuple[float, float]]:
+    return [peak.off(*alignment.to_true(peak.dish_az_deg, peak.dish_el_deg)) for peak in peaks]
+
+
+def _spread(peaks: Sequence[Peak], alignment: Alignment, count: int) -> float:
+    """Return by how much the peaks scatter more than they were said to; never less than 1."""
+    freedom = 2 * len(peaks) - count
+    if freedom <= 0:
+        return 1.0
+    chi2 = sum(
+        peak.weight * (right**2 + up**2)
+        for peak, (right, up) in zip(peaks, _offs(peaks, alignment), strict=True)
+    )
+    return max(1.0, chi2 / freedom)
+
+
+def _rms(values: Sequence[float]) -> float:
+    return math.sqrt(sum(value**2 for value in values) / len(values))
+
+
+def _warning(count: int, condition: float | None) -> str:
+    if count < 3:
+        return "Only the offsets are fitted: three objects show the tilt, four or more the beam's collimation too."
+    if condition is None or condition > ILL_CONDITIONED:
+        told = "These peaks do not tell all terms apart" if condition is None else (
+            f"These peaks hardly tell the terms apart (condition number {condition:.0f})"
+        )  # fmt: skip
+        return f"{told}: add one far from them, high up or on the other side of the sky, as the Sun or Moon may be."
+    return ""
