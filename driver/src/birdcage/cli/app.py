@@ -29,6 +29,7 @@ COMMANDS = {
     "where": "Print where a satellite, a body or a slot stands.",
     "sky": "List what is up now.",
     "passes": "List what comes over, and when this dish can follow it.",
+    "autotrack": "Show which passes of the favourites would be followed, and why not the others.",
     "downlinks": "List who sends what, and what your feed can hear.",
     "if": "Work out where a converter puts a frequency, and who can tune to it.",
     "ready": "Check what is missing before you leave home.",
