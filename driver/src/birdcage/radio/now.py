@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from datetime import datetime
 from enum import Enum
 
 
@@ -37,6 +38,8 @@ class RadioNow:
     """What it says that it is tuned to."""
     strength_db: float | None = None
     """`l STRENGTH`: dB, over S9 with a real radio, over full scale with an SDR."""
+    strength_at: datetime | None = None
+    """When that was read."""
     recording: bool | None = None
     """Whether it was told AOS and not LOS yet, and took it; None where it does not know these words."""
     sentence: str = ""

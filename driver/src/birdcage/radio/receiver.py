@@ -1,0 +1,209 @@
+"""The receiver at the other end: connected to, tuned, looked at, told when to record, and let go."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+
+from birdcage.base.clock import Clock
+from birdcage.base.config.tracking_sections import RadioSettings
+from birdcage.radio.errors import RadioLost, RadioRefused
+from birdcage.radio.now import RadioNow, RadioState
+from birdcage.radio.recorder import Recorder
+from birdcage.radio.rigctl import Rig
+from birdcage.radio.tuning import Tuning
+from birdcage.radio.wire import CONNECT_S, Connect
+
+TUNE_EVERY_S = 0.1
+LOOK_EVERY_S = 1.0
+"""How often its frequency and signal are read, and how soon it is asked again for what it refused."""
+BACKOFF_S = (0.5, 1.0, 2.0, 4.0, 8.0)
+OWED_S = 60.0
+"""How long after the pass a receiver that went away is called, to tell it LOS."""
+ASTRAY_HZ = 1000.0
+"""By how much what it says of itself may differ: real radios round to steps of their own."""
+
+
+class Receiver:
+    """Used on one thread, which waits for every answer. `now` is replaced, never changed: any thread may read it."""
+
+    def __init__(
+        self, settings: RadioSettings, clock: Clock, host: str, port: int, connect: Connect,
+        publish: Callable[[RadioNow], None],
+    ) -> None:  # fmt: skip
+        self._settings, self._clock, self._publish = settings, clock, publish
+        self._host, self._port, self._connect = host, port, connect
+        self._recorder = Recorder()
+        self._rig: Rig | None = None
+        self._failures = 0
+        self._call_at = self._tune_at = self._look_at = -math.inf
+        self._tuned_hz: int | None = None
+        self._has_strength = True
+        self.now = RadioNow(address=f"{host}:{port}")
+
+    def another_pass(self) -> None:
+        """What it did not know in the pass before is tried again."""
+        self._recorder.fresh()
+        self._call_at = -math.inf
+        self._failures, self._has_strength = 0, True
+
+    def work(self, tuning: Tuning, at_s: float) -> float:
+        """Do what is due while a pass is on, and return when to come again (monotonic)."""
+        if self._rig is None and not self._call(tuning):
+            return self._call_at
+        assert self._rig is not None
+        try:
+            if self._recorder.owed is not None and not tuning.is_same_pass(self._recorder.owed):
+                self._recorder.end(self._rig)
+            self._tune(self._rig, tuning, at_s)
+            if self._settings.record and at_s >= tuning.start_s:
+                self._recorder.begin(self._rig, tuning)
+            self._look(self._rig)
+        except RadioLost as error:
+            self._lost(error)
+            return self._call_at
+        self._show(recording=self._recorder.recording)
+        return self._clock.monotonic() + TUNE_EVERY_S
+
+    def rest(self, at_s: float) -> float:
+        """Tell LOS where it is owed, and hang up; return when to come again, or `inf`."""
+        owed = self._recorder.owed
+        if owed is not None and at_s > owed.end_s + OWED_S and self._rig is None:
+            self._recorder.give_up()
+            sentence = f"{self._where} was not there to be told LOS: it may still record."
+            self._show(state=RadioState.OFF, sentence=sentence, recording=None)
+            return math.inf
+        if owed is not None and self._rig is None and not self._call(owed):
+            return self._call_at
+        if self._rig is None:
+            return math.inf
+        try:
+            self._recorder.end(self._rig)
+        except RadioLost as error:
+            self._lost(error)
+            return self._call_at if self._recorder.owed is not None else math.inf
+        self._hang_up()
+        return math.inf
+
+    def finish(self) -> bool:
+        """Hang up for good, LOS first where it is owed; False where nobody knows whether that was heard."""
+        heard = self._rig is not None or self._recorder.owed is None
+        if self._rig is not None:
+            try:
+                self._recorder.end(self._rig)
+            except RadioLost:
+                heard = False
+            self._hang_up()
+        self.idle(None)
+        return heard
+
+    def idle(self, coming: Tuning | None) -> None:
+        """Show that it is left alone, and for which pass it will be taken."""
+        sentence = self.now.sentence if self.now.state is RadioState.OFF else ""
+        now = RadioNow(address=self.now.address, recording=self._recorder.recording, sentence=sentence)
+        if coming is not None:
+            now = replace(now, name=coming.name, downlink_hz=coming.downlink_hz)
+        self._put(now)
+
+    @property
+    def _where(self) -> str:
+        return self.now.address
+
+    def _call(self, tuning: Tuning) -> bool:
+        """Connect, and ask for its frequency, which whatever speaks this protocol answers."""
+        if self._clock.monotonic() < self._call_at:
+            return False
+        self._put(RadioNow(RadioState.CONNECTING, self._where, tuning.name, tuning.downlink_hz,
+                           sentence=self.now.sentence, recording=self._recorder.recording))  # fmt: skip
+        try:
+            self._rig = Rig(self._connect(self._host, self._port, CONNECT_S), self._clock.monotonic)
+            read_back_hz = _or_none(self._rig.frequency_hz)
+        except RadioLost as error:
+            self._lost(error, first=self._rig is not None)
+            return False
+        self._tuned_hz = None
+        self._tune_at = self._look_at = -math.inf
+        self._show(read_back_hz=read_back_hz)
+        return True
+
+    def _tune(self, rig: Rig, tuning: Tuning, at_s: float) -> None:
+        now = self._clock.monotonic()
+        wanted_hz, shift_hz = tuning.wanted_hz(at_s)
+        if now < self._tune_at or (
+            self._tuned_hz is not None and abs(wanted_hz - self._tuned_hz) <= self._settings.step_hz
+        ):
+            return
+        self._tune_at = now + TUNE_EVERY_S
+        freq_hz = round(wanted_hz)
+        told = {"name": tuning.name, "downlink_hz": tuning.downlink_hz, "doppler_hz": shift_hz}
+        try:
+            rig.tune(freq_hz)
+        except (RadioRefused, ValueError) as error:
+            self._tune_at = now + LOOK_EVERY_S
+            lo = f" (LO {tuning.lo_hz / 1e6:.10g} MHz)" if tuning.lo_hz else ""
+            self._show(state=RadioState.REFUSED, sentence=f"{freq_hz / 1e6:.6f} MHz{lo}: {error}", **told)
+            return
+        self._tuned_hz, self._failures = freq_hz, 0
+        sentence = "" if self.now.state is not RadioState.TUNED else self.now.sentence
+        self._show(state=RadioState.TUNED, tuned_hz=float(freq_hz), sentence=sentence, **told)
+
+    def _look(self, rig: Rig) -> None:
+        now = self._clock.monotonic()
+        if now < self._look_at:
+            return
+        self._look_at = now + LOOK_EVERY_S
+        self._show(read_back_hz=_or_none(rig.frequency_hz))
+        if self._settings.strength and self._has_strength:
+            # Not asked again where it is refused, nor where it cost the connection.
+            self._has_strength = False
+            strength_db = _or_none(rig.strength_db)
+            self._has_strength = strength_db is not None
+            self._show(strength_db=strength_db, strength_at=self._clock.utc() if self._has_strength else None)
+        if self.now.state is RadioState.TUNED:
+            self._show(sentence=self._astray())
+
+    def _astray(self) -> str:
+        read_hz, tuned_hz = self.now.read_back_hz, self.now.tuned_hz
+        if read_hz is None or tuned_hz is None or abs(read_hz - tuned_hz) <= max(self._settings.step_hz, ASTRAY_HZ):
+            return ""
+        return f"It is told {tuned_hz / 1e6:.6f} MHz and says {read_hz / 1e6:.6f}: may it be tuned from here?"
+
+    def _lost(self, error: RadioLost, *, first: bool = False) -> None:
+        """Hang up, as what comes next would be out of step, and call again later."""
+        self._hang_up()
+        wait_s = BACKOFF_S[min(self._failures, len(BACKOFF_S) - 1)]
+        self._failures += 1
+        self._call_at = self._clock.monotonic() + wait_s
+        hint = ""
+        if first and error.reason == "silent":
+            hint = " SDR++ talks to one program at a time; rigctld must run without --vfo."
+        if first and error.reason == "closed":
+            hint = " gqrx does that to hosts that are not on its list."
+        self._show(
+            state=RadioState.REFUSED if error.reason == "garbage" else RadioState.LOST,
+            sentence=f"{self._where}: {error}{hint}",
+            read_back_hz=None, strength_db=None, strength_at=None, tuned_hz=None,
+            recording=self._recorder.recording,
+        )  # fmt: skip
+
+    def _hang_up(self) -> None:
+        if self._rig is not None:
+            self._rig.close()
+            self._rig = None
+        self._recorder.disconnected()
+
+    def _show(self, **changes: object) -> None:
+        self._put(replace(self.now, **changes))  # type: ignore[arg-type]
+
+    def _put(self, now: RadioNow) -> None:
+        if now != self.now:
+            self.now = now
+            self._publish(now)
+
+
+def _or_none(ask: Callable[[], float]) -> float | None:
+    try:
+        return ask()
+    except RadioRefused:
+        return None

@@ -1,0 +1,114 @@
+"""Keeps a receiver on a satellite's frequency, on a thread of its own."""
+
+from __future__ import annotations
+
+import math
+import threading
+from collections.abc import Callable
+
+from birdcage.base.clock import Clock
+from birdcage.base.config.tracking_sections import RadioSettings
+from birdcage.base.errors import ConfigError
+from birdcage.base.wake import Wake
+from birdcage.radio.address import parse_address
+from birdcage.radio.now import RadioNow
+from birdcage.radio.receiver import Receiver
+from birdcage.radio.tuning import Tuning
+from birdcage.radio.wire import Connect, connector
+
+LEAD_S = 60.0
+"""How long before reach the receiver is taken: until then it is its owner's."""
+CLOSE_S = 0.6
+"""How long closing may wait for LOS to be heard."""
+
+
+class Tuner:
+    """`start` runs it on a daemon thread, on which `publish` is called; tests call `step` instead."""
+
+    def __init__(
+        self,
+        settings: RadioSettings,
+        clock: Clock,
+        publish: Callable[[RadioNow], None] = lambda _now: None,
+        *,
+        connect: Connect | None = None,
+    ) -> None:
+        self._clock = clock
+        self._hurry, self._wake = Wake(), Wake()
+        self._wanted: Tuning | None = None
+        self._tuning: Tuning | None = None
+        self._thread: threading.Thread | None = None
+        self._receiver: Receiver | None = None
+        self._problem = ""
+        self._heard = True
+        if settings.rigctld is None:
+            return
+        try:
+            host, port = parse_address(settings.rigctld)
+        except ConfigError as error:
+            self._problem = str(error)
+        else:
+            self._receiver = Receiver(settings, clock, host, port, connect or connector(self._hurry), publish)
+
+    @property
+    def now(self) -> RadioNow:
+        """What is known of the receiver; any thread may ask."""
+        return RadioNow(sentence=self._problem) if self._receiver is None else self._receiver.now
+
+    def follow(self, tuning: Tuning | None) -> None:
+        """Tune for this pass from a minute before it; None lets go of the receiver, and ends a recording, at once.
+
+        The same pass planned anew goes on without a break. Any thread; never waits.
+        """
+        self._wanted = tuning
+        self._wake.set()
+
+    def step(self) -> float:
+        """Do what is due, and return when to come again: monotonic seconds, `inf` for not before the next `follow`."""
+        tuning, receiver = self._wanted, self._receiver
+        if receiver is None:
+            return math.inf
+        if tuning is not self._tuning:
+            if tuning is None or self._tuning is None or not tuning.is_same_pass(self._tuning):
+                receiver.another_pass()
+            self._tuning = tuning
+        at_s = self._clock.utc().timestamp()
+        coming = tuning if tuning is not None and at_s < tuning.end_s else None
+        if coming is not None and at_s >= coming.start_s - LEAD_S:
+            return receiver.work(coming, at_s)
+        due = receiver.rest(at_s)
+        if math.isinf(due):
+            receiver.idle(coming)
+        if coming is None:
+            return due
+        # At most a second, as the time of day may be set meanwhile.
+        return min(due, self._clock.monotonic() + min((coming.start_s - LEAD_S - at_s) / self._clock.rate, 1.0))
+
+    def start(self) -> None:
+        """Run on a thread of its own."""
+        self._thread = threading.Thread(target=self._run, name="radio", daemon=True)
+        self._thread.start()
+
+    def close(self) -> bool:
+        """Tell LOS where it is owed, and hang up; False where nobody knows whether that was heard."""
+        self._hurry.set()
+        self._wake.set()
+        if self._thread is not None:
+            self._thread.join(CLOSE_S)
+            return not self._thread.is_alive() and self._heard
+        self._end()
+        return self._heard
+
+    def _run(self) -> None:
+        try:
+            while not self._hurry.is_set():
+                due = self.step()
+                self._clock.wait(None, due, self._wake)
+                self._wake.clear()
+        finally:
+            self._end()
+
+    def _end(self) -> None:
+        self._heard = self._receiver is None or self._receiver.finish()
+        self._hurry.close()
+        self._wake.close()
