@@ -1,0 +1,77 @@
+"""Autotrack: whether it is on, and what it wants followed now."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from datetime import datetime, timedelta
+from typing import TYPE_CHECKING
+
+from birdcage.pursuit.follower import IN_MID_PASS
+from birdcage.pursuit.now import Scheduled
+from birdcage.pursuit.schedule_model import Kept
+from birdcage.pursuit.timetable import Timetable
+from birdcage.station.pursuit import Phase, Pursuit
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from birdcage.pursuit.circumstances import Circumstances
+    from birdcage.sky.catalogue import Entry
+
+AGAIN_S = 15.0
+"""A pass that was not taken on is asked for again after so many monotonic seconds."""
+SAME = timedelta(minutes=15)
+"""By how much newer elements may shift a pass that is still the same one."""
+BEGUN = IN_MID_PASS | {Phase.COUNTDOWN, Phase.PREPOSITIONING, Phase.READY}
+
+
+@dataclass(slots=True)
+class Autotrack:
+    """For the desk's thread alone."""
+
+    timetable: Timetable
+    on: bool = False
+    just_on: bool = False
+    """Whether a person has switched it on and nothing was followed since: they have just asked for the first pass."""
+    row: Scheduled | None = None
+    """The pass that it has asked for last."""
+    tried_at: float = float("-inf")
+
+    def switch(self, on: bool) -> None:
+        """Switch it."""
+        self.on = self.just_on = on
+        self.row, self.tried_at = None, float("-inf")
+
+    def refresh(self, favourites: Sequence[Entry], at: Circumstances, live: Pursuit | None) -> bool:
+        """Keep the timetable; return whether it shows anything else."""
+        return self.timetable.refresh(favourites, at, self._present(live))
+
+    def wants(self, now: datetime, monotonic: float, live: Pursuit | None, *, of_person: bool) -> Scheduled | None:
+        """Return the pass that is to be asked for now; None for none.
+
+        `live` is what is being followed, `of_person` whether somebody chose that by hand: it stays then.
+        """
+        row = self.timetable.next(now)
+        if not self.on or row is None or (live is not None and of_person):
+            return None
+        if live is not None and self.row is not None and same_pass(row, self.row):
+            return None
+        if live is not None and live.phase in BEGUN and self.row is not None and now < self.row.reach_end:
+            return None  # what has begun is followed to its end
+        if self.row is not None and same_pass(row, self.row) and monotonic < self.tried_at + AGAIN_S:
+            return None
+        return row
+
+    def asked_for(self, row: Scheduled, monotonic: float) -> None:
+        """Note that a pass was asked for."""
+        self.row, self.tried_at, self.just_on = row, monotonic, False
+
+    def _present(self, live: Pursuit | None) -> Kept | None:
+        if not self.on or self.row is None or live is None:
+            return None
+        return Kept(self.row, following=live.phase in BEGUN)
+
+
+def same_pass(one: Scheduled, other: Scheduled) -> bool:
+    """Return whether two rows are of one pass."""
+    return (one.norad_id, one.name) == (other.norad_id, other.name) and abs(one.reach_start - other.reach_start) < SAME

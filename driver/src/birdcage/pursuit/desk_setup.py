@@ -1,0 +1,35 @@
+"""What a desk is given once, at its beginning."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+from birdcage.base.config import Settings
+from birdcage.base.paths import Paths
+from birdcage.sky.observer import Observer
+
+HOLDER = "tracker"
+"""Who has control while the desk follows something."""
+
+ControllerName = Literal["auto", "fast", "velocity", "queued", "modelled", "leapfrog"]
+
+
+@dataclass(frozen=True, slots=True)
+class DeskSetup:
+    """Where the satellites are, where the dish stands, and how it is to be used."""
+
+    catalogue: Path
+    settings: Callable[[], Settings]
+    """Returns those that count now; asked once at the start. `PursuitDesk.apply` brings others later."""
+    paths: Paths
+    """In its state folder is written what is being followed."""
+    observer: Observer | None = None
+    """None while no place is set."""
+    demo: bool = False
+    """Whether all of it is simulated: then nothing that was left unfinished is looked for, or kept."""
+    controller: ControllerName | None = None
+    """Counts instead of the one in the settings."""
+    holder: str = HOLDER

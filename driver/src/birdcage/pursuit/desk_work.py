@@ -1,0 +1,288 @@
+"""What the desk does, on its own thread: orders, one turn after the other, and what there is to be shown."""
+
+from __future__ import annotations
+
+import math
+from concurrent.futures import Future
+from dataclasses import replace
+from datetime import datetime
+from functools import partial
+from typing import TYPE_CHECKING
+
+from birdcage.base.clock import Clock
+from birdcage.base.errors import BirdcageError
+from birdcage.pursuit.autotrack import Autotrack
+from birdcage.pursuit.choice import Choice
+from birdcage.pursuit.circumstances import Circumstances
+from birdcage.pursuit.desk_setup import DeskSetup
+from birdcage.pursuit.follower import Follower, Post, options_of
+from birdcage.pursuit.memory import Memory
+from birdcage.pursuit.now import DeskNow, Found, Mode
+from birdcage.pursuit.sheet import Sheet
+from birdcage.pursuit.timetable import Timetable
+from birdcage.pursuit.unfinished import Keeper
+from birdcage.station.requests import Goto
+from birdcage.station.station import Station
+
+if TYPE_CHECKING:
+    from birdcage.base.config import Settings
+    from birdcage.sky.observer import Observer
+    from birdcage.sky.targets import Target
+
+LOOK_S = 1.0
+"""How often it looks round while something is chosen or followed, in monotonic seconds."""
+REST_S = 5.0
+"""How often else."""
+LOOK_AT_FILE_S = 5.0
+NO_PLACE = (
+    "No place is set: `birdcage place add home WHERE --use` sets one (a city, a locator such as JO21jv, or two angles)."
+)
+NO_CHOICE = "Choose a target first."
+NO_FAVOURITES = "Autotrack follows favourites, and there are none: make some satellites favourites."
+
+
+class DeskWork:
+    """Everything here belongs to one thread."""
+
+    def __init__(self, station: Station, clock: Clock, setup: DeskSetup, post: Post) -> None:
+        self._station, self._clock, self._setup, self._post = station, clock, setup, post
+        self._follower = Follower(station, setup.holder, post)
+        self._sheet = Sheet(station, clock, setup, self._follower)
+        self._keeper = Keeper(None if setup.demo else Memory(setup.paths.state))
+        self._auto = Autotrack(Timetable())
+        self._by_autotrack = False
+        """Whether autotrack has asked for what is followed, and not a person."""
+        self._query = ""
+        self._found: tuple[Found, ...] = ()
+        self._mode, self._problem = Mode.WATCH, ""
+        self._begun = False
+        self._file_at = self._tell_at = -math.inf
+        self._changed = True
+
+    # --- orders: `PursuitDesk` says what they are for
+
+    def search(self, text: str) -> None:
+        """Look for targets."""
+        self._query, self._changed = text, True
+        self._sheet.finder.refresh()
+        self._found = self._sheet.finder.search(text, self._clock.utc())
+
+    def choose(self, text: str, target: Target | None = None) -> bool:
+        """Choose a target; return whether there is one."""
+        self._say("")
+        self._follower.problem = ""
+        try:
+            self._sheet.choose(text, target)
+        except BirdcageError as error:
+            self._say(str(error))
+            return False
+        return True
+
+    def choose_pass(self, aos: datetime) -> None:
+        """Choose a pass."""
+        if self._sheet.choice is not None:
+            # Another one, so that the one that may be followed keeps its pass.
+            self._sheet.take(replace(self._sheet.choice, wanted_at=aos, plan=None))
+            self._changed = True
+
+    def set_time_offset(self, seconds: float) -> None:
+        """Set the time offset."""
+        choice = self._sheet.choice
+        if choice is None or choice.elements is None:
+            self._say("A time offset is for a satellite: choose one first.")
+            return
+        self._say("")
+        try:
+            self._sheet.set_time_offset(choice, seconds)
+        except (BirdcageError, ValueError) as error:
+            self._say(str(error))
+
+    def set_frequency(self, hertz: float | None) -> None:
+        """Set the frequency."""
+        if self._sheet.choice is None:
+            self._say(NO_CHOICE)
+            return
+        self._sheet.choice.wanted_hz, self._changed = hertz, True
+
+    def aim_once(self) -> None:
+        """Point where it stands."""
+        ready = self._ready()
+        if ready is None:
+            return
+        choice, at = ready
+        self._sheet.refresh(choice, at)
+        plan, now_s = choice.plan, at.now.timestamp()
+        if plan is not None and plan.sky.start_s <= now_s <= plan.sky.end_s:
+            az_deg, el_deg = plan.sky.at(now_s)
+        else:
+            look = choice.look(at)
+            if look is None:
+                return
+            az_deg, el_deg = look.az_deg, look.el_deg
+        self._mode = Mode.AIM
+        future = self._station.submit(Goto(az_deg % 360.0, el_deg, self._setup.holder))
+        future.add_done_callback(lambda done: self._post(partial(self._aimed, done)))
+
+    def follow(self, *, asked: bool = True) -> bool:
+        """Follow the choice; return whether that was asked of the station."""
+        ready = self._ready()
+        if ready is None:
+            return False
+        choice, at = ready
+        choice.forget_plan()
+        self._sheet.refresh(choice, at)
+        plan = choice.plan
+        if plan is None or plan.course is None:
+            why = choice.problem or ("" if plan is None else " ".join(plan.notes))
+            self._say(why or f"{choice.target.name} does not come into reach: there is nothing to follow.")
+            return False
+        self._sheet.followed, self._mode, self._by_autotrack = choice, Mode.FOLLOW, False
+        self._follower.follow(plan, options_of(self._sheet.settings, self._setup.controller), asked=asked)
+        return True
+
+    def leave(self) -> None:
+        """Leave what is followed."""
+        # Left on, it would begin anew at once what a person has just ended.
+        self._auto.switch(False)
+        self._mode, self._changed = Mode.WATCH, True
+        self._follower.leave(self._setup.holder)
+
+    def take_up(self, *, asked: bool) -> None:
+        """Follow what was left unfinished."""
+        found = self._keeper.found
+        if found is None or not self.choose(found.text):
+            return
+        choice = self._sheet.choice
+        assert choice is not None, "one was chosen"
+        choice.wanted_hz, choice.wanted_at, choice.time_offset_s = found.frequency_hz, found.aos, found.time_offset_s
+        if self.follow(asked=asked):
+            self.forget_unfinished()
+
+    def forget_unfinished(self) -> None:
+        """Forget what was left unfinished."""
+        self._keeper.forget()
+        self._changed = True
+
+    def set_autotrack(self, on: bool) -> None:
+        """Switch autotrack."""
+        self._auto.switch(on)
+        self._sheet.finder.refresh()
+        self._say(NO_FAVOURITES if on and not self._sheet.finder.favourites else "")
+
+    def apply(self, settings: Settings, observer: Observer | None) -> None:
+        """Use other settings."""
+        self._sheet.apply(settings, observer)
+        self._changed = True
+
+    def look_again(self) -> None:
+        """Show anew: the station has told something."""
+        self._changed = True
+
+    # --- its own turns
+
+    def step(self) -> float:
+        """Do what there is to do; return how many seconds it may rest then."""
+        now, monotonic = self._clock.utc(), self._clock.monotonic()
+        if not self._begun:
+            self._begun = True
+            self._keeper.begin(now)
+        if monotonic >= self._file_at:
+            self._file_at = monotonic + LOOK_AT_FILE_S
+            if self._sheet.read_catalogue():
+                self._found = self._sheet.finder.search(self._query, now)
+                self._changed = True
+        self._notice(now, monotonic)
+        at = self._sheet.circumstances()
+        if at is not None:
+            self._keep_timetable(at, monotonic)
+            self._sheet.look_before_leaving(at)
+            for choice in self._sheet.all:
+                self._changed |= self._sheet.refresh(choice, at)
+            # What was planned is shown first.
+            if not self._changed:
+                self._changed = any(self._sheet.refine(choice, at) for choice in self._sheet.all)
+            if self._sheet.unrefined:
+                return 0.0
+        return LOOK_S if self._sheet.all or self._auto.on or self._keeper.may_resume else REST_S
+
+    def told(self) -> DeskNow | None:
+        """Return what there is to be shown; None while that is the same."""
+        monotonic = self._clock.monotonic()
+        if not (self._changed or (self._sheet.choice is not None and monotonic >= self._tell_at)):
+            return None
+        self._changed, self._tell_at = False, monotonic + LOOK_S
+        choice, at = self._sheet.choice, self._sheet.circumstances()
+        now = self._clock.utc()
+        shown = DeskNow(
+            now, self._query, self._found, mode=self._mode, autotrack=self._auto.on,
+            schedule=self._auto.timetable.rows, unfinished=self._keeper.unfinished,
+        )  # fmt: skip
+        if choice is not None:
+            shown = replace(
+                shown, choice=choice.text, aim=None if choice.plan is None else choice.plan.aim, plan=choice.plan,
+                passes=choice.shown(now), look=None if at is None else choice.look(at), expected=choice.expected(),
+            )  # fmt: skip
+        return replace(shown, problem=self._why())
+
+    def end(self) -> None:
+        """Leave what there is to be remembered."""
+        self._keeper.end()
+
+    def _why(self) -> str:
+        """Return the one thing that a person should know."""
+        choice = self._sheet.choice
+        return (
+            self._problem
+            or self._follower.problem
+            or (NO_PLACE if choice is not None and self._sheet.observer is None else "")
+            or ("" if choice is None else choice.problem)
+            or self._sheet.finder.problem
+            or self._keeper.problem
+        )
+
+    def _say(self, problem: str) -> None:
+        self._problem, self._changed = problem, True
+
+    def _ready(self) -> tuple[Choice, Circumstances] | None:
+        """Return the choice and what a plan is made for; None, and say so, where one is missing."""
+        choice, at = self._sheet.choice, self._sheet.circumstances()
+        self._say(NO_PLACE if at is None else NO_CHOICE if choice is None else "")
+        return None if choice is None or at is None else (choice, at)
+
+    def _notice(self, now: datetime, monotonic: float) -> None:
+        """Notice what became of the pursuit, and of the one before this program."""
+        if not self._follower.is_busy and self._sheet.followed is not None:
+            self._sheet.followed, self._changed = None, True
+            self._auto.timetable.choose_again()
+            if self._mode is Mode.FOLLOW:
+                self._mode = Mode.WATCH
+        self._keeper.note(self._follower.live, self._sheet.followed, now, monotonic)
+        self._changed |= self._keeper.forget_old(now)
+        tracking = self._sheet.settings.tracking
+        if not self._follower.is_busy and self._keeper.resumes(
+            self._station.state, now, within_s=tracking.resume_within_s, allowed=tracking.resume
+        ):
+            self.take_up(asked=False)
+
+    def _keep_timetable(self, at: Circumstances, monotonic: float) -> None:
+        """Keep autotrack's plan, and ask for what it wants followed."""
+        if self._auto.on and self._station.state.held is not None:
+            # STOP cancels what was scheduled too (DESIGN section 5): a person switches it on again.
+            self._auto.switch(False)
+            self._say("STOP has switched autotrack off.")
+        live = self._follower.live
+        self._changed |= self._auto.refresh(self._sheet.finder.favourites, at, live)
+        row = self._auto.wants(at.now, monotonic, live, of_person=not self._by_autotrack)
+        if row is None:
+            return
+        asked = self._auto.just_on
+        self._auto.asked_for(row, monotonic)
+        if self.choose(str(row.norad_id)) and self._sheet.choice is not None:
+            self._sheet.choice.wanted_at = row.reach_start
+            self._by_autotrack = self.follow(asked=asked)
+
+    def _aimed(self, done: Future[object]) -> None:
+        error = None if done.cancelled() else done.exception()
+        self._say(str(error) if isinstance(error, BirdcageError) else "")
+        if self._mode is Mode.AIM:
+            self._mode = Mode.WATCH

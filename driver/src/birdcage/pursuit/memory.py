@@ -1,0 +1,109 @@
+"""What was being followed, on disk: so that a program which died in mid-pass can say so when it starts again."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import asdict, dataclass, fields
+from datetime import datetime
+from pathlib import Path
+from typing import TypeVar
+
+from birdcage.base.paths import write_aside_and_rename
+
+FILE = "pursuit.json"
+_T = TypeVar("_T")
+
+
+@dataclass(frozen=True, slots=True)
+class Kept:
+    """One pursuit in mid-pass."""
+
+    text: str
+    """What `choose` was given."""
+    name: str
+    since: datetime
+    reach_end: datetime
+    seen: datetime
+    """When this was written: the program was alive then."""
+    az_deg: float
+    """True: where the dish was last sent."""
+    el_deg: float
+    aos: datetime | None = None
+    """Of the pass; None for what does not pass."""
+    frequency_hz: float | None = None
+    """As the person had set it; None for the usual one."""
+    time_offset_s: float = 0.0
+    left: bool = False
+    """Whether the program was ended in order meanwhile: a person did that, and the dish was stopped."""
+
+
+class Memory:
+    """`pursuit.json` in the state folder. OSError never leaves it: a full disk shall not end a pursuit."""
+
+    def __init__(self, folder: Path) -> None:
+        self._path = folder / FILE
+        self.problem = ""
+        """Why the last one could not be written."""
+
+    def write(self, kept: Kept) -> None:
+        """Write what is being followed."""
+        values = {key: each.isoformat() if isinstance(each, datetime) else each for key, each in asdict(kept).items()}
+        try:
+            write_aside_and_rename(self._path, json.dumps(values, indent=1).encode())
+        except OSError as error:
+            self.problem = f"{self._path} cannot be written ({error.strerror or error}): a restart would not know."
+        else:
+            self.problem = ""
+
+    def clear(self) -> None:
+        """Forget it: the pursuit ended in order."""
+        try:
+            self._path.unlink(missing_ok=True)
+        except OSError as error:
+            self.problem = f"{self._path} cannot be removed ({error.strerror or error})."
+
+    def read(self) -> Kept | None:
+        """Return what was being followed; None for nothing, and for a file that nobody here has written."""
+        try:
+            values = json.loads(self._path.read_bytes())
+        except (OSError, ValueError):
+            return None
+        try:
+            return _kept(values)
+        except (KeyError, TypeError, ValueError):
+            return None
+
+
+def _kept(values: dict[str, object]) -> Kept:
+    """Return it with the types that it was written with. KeyError, TypeError or ValueError for anything else."""
+
+    def moment(key: str) -> datetime:
+        when = datetime.fromisoformat(_of(str, values[key]))
+        if when.tzinfo is None:
+            raise ValueError(key)
+        return when
+
+    unknown = set(values) - {each.name for each in fields(Kept)}
+    if unknown:
+        raise ValueError(f"unknown: {sorted(unknown)}")
+    frequency = values["frequency_hz"]
+    return Kept(
+        text=_of(str, values["text"]), name=_of(str, values["name"]), since=moment("since"),
+        reach_end=moment("reach_end"), seen=moment("seen"), az_deg=_number(values["az_deg"]),
+        el_deg=_number(values["el_deg"]), aos=None if values["aos"] is None else moment("aos"),
+        frequency_hz=None if frequency is None else _number(frequency),
+        time_offset_s=_number(values["time_offset_s"]), left=_of(bool, values["left"]),
+    )  # fmt: skip
+
+
+def _number(value: object) -> float:
+    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+        raise TypeError(f"{value!r} is no number")
+    return float(value)
+
+
+def _of(kind: type[_T], value: object) -> _T:
+    if not isinstance(value, kind):
+        raise TypeError(f"{value!r} is no {kind.__name__}")
+    return value

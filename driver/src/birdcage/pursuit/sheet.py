@@ -1,0 +1,130 @@
+"""The choice and what is followed, each kept up to date with the catalogue, the settings, the place and the dish."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from birdcage.base.clock import Clock
+from birdcage.pursuit.choice import Choice
+from birdcage.pursuit.choosing import bring_up_to_date, choice_of, listen_at
+from birdcage.pursuit.circumstances import Circumstances
+from birdcage.pursuit.desk_setup import DeskSetup
+from birdcage.pursuit.finder import Finder
+from birdcage.pursuit.follower import BEFORE_LEAVING, Follower, reach_start, same
+from birdcage.station.station import Station
+
+if TYPE_CHECKING:
+    from birdcage.base.config import Settings
+    from birdcage.sky.observer import Observer
+    from birdcage.sky.targets import Target
+
+BEFORE_S = 5.0
+"""So long before the dish has to leave, the plan is made anew if it stands elsewhere than it did."""
+ELSEWHERE_DEG = 1.0
+
+
+class Sheet:
+    """For the desk's thread alone."""
+
+    def __init__(self, station: Station, clock: Clock, setup: DeskSetup, follower: Follower) -> None:
+        self._station, self._clock, self._setup, self._follower = station, clock, setup, follower
+        self.settings: Settings = setup.settings()
+        self.observer: Observer | None = setup.observer
+        self.finder = Finder(setup.catalogue)
+        self.choice: Choice | None = None
+        self.followed: Choice | None = None
+        """What the station follows for this desk: the choice, or what was it before."""
+        self._looked_before: float | None = None
+        """The time to leave (POSIX seconds) before which the plan was looked at once more."""
+
+    @property
+    def all(self) -> list[Choice]:
+        """Both, or the one that there is."""
+        return list({id(each): each for each in (self.choice, self.followed) if each is not None}.values())
+
+    @property
+    def unrefined(self) -> bool:
+        """Whether a plan waits to be refined."""
+        return any(each.plan is not None and not each.plan.refined for each in self.all)
+
+    def circumstances(self) -> Circumstances | None:
+        """Return what plans are made for now; None while no place is set."""
+        from birdcage.station.mounting import mount_of
+
+        if self.observer is None:
+            return None
+        mount = mount_of(self._station.state, self.settings)
+        return Circumstances(self._clock.utc(), self.observer, mount, self.settings)
+
+    def choose(self, text: str, target: Target | None) -> None:
+        """Choose. UnknownTarget, or another BirdcageError with a sentence, when nothing is called that."""
+        self.finder.refresh()
+        meant = self.finder.target(text) if target is None else target
+        self.take(choice_of(text, meant, self.finder if target is None else None))
+
+    def take(self, choice: Choice) -> None:
+        """Choose it."""
+        listen_at(choice, self.settings, self._setup.paths.downlinks_file)
+        self.choice = choice
+
+    def apply(self, settings: Settings, observer: Observer | None) -> None:
+        """Use other settings and another place."""
+        self.settings, self.observer = settings, observer
+        for choice in self.all:
+            listen_at(choice, settings, self._setup.paths.downlinks_file)
+
+    def read_catalogue(self) -> bool:
+        """Take over what the catalogue says now; return whether its file has changed."""
+        if not self.finder.refresh():
+            return False
+        for choice in self.all:
+            if bring_up_to_date(choice, self.finder):
+                listen_at(choice, self.settings, self._setup.paths.downlinks_file)
+        return True
+
+    def set_time_offset(self, choice: Choice, seconds: float) -> None:
+        """Let a satellite come so much later; its catalogue remembers. BirdcageError or ValueError where it can't."""
+        from birdcage.sky.catalogue import Catalogue
+
+        assert choice.elements is not None, "asked for satellites only"
+        satellite = choice.elements.norad_id or choice.elements.name
+        if choice.of_catalogue and self._setup.catalogue.exists():
+            with Catalogue(self._setup.catalogue) as catalogue:
+                catalogue.set_time_offset(satellite, seconds or None, now=self._clock.utc())
+        else:
+            choice.of_catalogue = False  # one of those that ship: it counts as long as the program runs
+        for each in self.all:
+            if each.elements is not None and (each.elements.norad_id or each.elements.name) == satellite:
+                each.time_offset_s = seconds
+
+    def refresh(self, choice: Choice, at: Circumstances) -> bool:
+        """Bring a choice up to date, and what is followed with it; return whether it has another plan."""
+        live = self._follower.live if choice is self.followed else None
+        pinned = None if live is None else live.plan.passing
+        keep_turn = live is not None and live.phase not in BEFORE_LEAVING
+        if not choice.refresh(at, pinned=pinned, keep_turn=keep_turn):
+            return False
+        if live is not None and choice.plan is not None and choice.plan.course is not None:
+            self._follower.renew(choice.plan)
+        return True
+
+    def refine(self, choice: Choice, at: Circumstances) -> bool:
+        """Refine a plan if that is still to be done, and hand it on while it is early enough; return whether it was."""
+        if not choice.refine(at):
+            return False
+        start = None if choice.plan is None else reach_start(choice.plan)
+        if choice is self.followed and choice.plan is not None and start is not None and at.now < start:
+            self._follower.renew(choice.plan)
+        return True
+
+    def look_before_leaving(self, at: Circumstances) -> None:
+        """Let the plan be made anew shortly before the dish leaves, if it stands elsewhere than when it was made."""
+        live, choice = self._follower.live, self.followed
+        if live is None or choice is None or live.phase not in BEFORE_LEAVING or live.plan.preposition is None:
+            return
+        leave_s = live.plan.preposition.leave_s
+        if self._looked_before == leave_s or at.now.timestamp() < leave_s - max(BEFORE_S, 2.0 * self._clock.rate):
+            return
+        self._looked_before = leave_s
+        if choice.plan is not None and same(choice.plan, live.plan) and choice.stood_elsewhere(at, ELSEWHERE_DEG):
+            choice.forget_plan()

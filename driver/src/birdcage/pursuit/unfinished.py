@@ -1,0 +1,124 @@
+"""Keeps on disk what is being followed, and knows whether it may go on by itself after a restart (DESIGN section 5)."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from datetime import datetime, timedelta
+from typing import TYPE_CHECKING
+
+from birdcage.base.geometry import separation
+from birdcage.pursuit.follower import IN_MID_PASS, reach_end
+from birdcage.pursuit.memory import Kept, Memory
+from birdcage.pursuit.now import Unfinished
+from birdcage.station.pursuit import Phase, Pursuit
+from birdcage.station.state import Link
+
+if TYPE_CHECKING:
+    from birdcage.pursuit.choice import Choice
+    from birdcage.station.state import StationState
+
+STANDS_WITHIN_DEG = 0.5
+"""How far from where it was last sent the dish may stand, to count as left alone."""
+HEARTBEAT_S = 1.0
+"""How often what is followed is written, in monotonic seconds: the dish goes some 0.3 degrees meanwhile."""
+
+
+class Keeper:
+    """For the desk's thread alone. Keeps nothing, and finds nothing, where there is no `memory`."""
+
+    def __init__(self, memory: Memory | None) -> None:
+        self._memory = memory
+        self._kept: Kept | None = None
+        """Of the pursuit under way."""
+        self._written_at = 0.0
+        self.found: Kept | None = None
+        """Of the program before this one, as long as it can still be taken up."""
+        self.may_resume = False
+        """Whether it is still open if that goes on by itself."""
+
+    def begin(self, now: datetime) -> None:
+        """Look for what was being followed when the program ended."""
+        if self._memory is None:
+            return
+        self.found = self._memory.read()
+        self.may_resume = self.found is not None and not self.found.left
+        self.forget_old(now)
+
+    @property
+    def unfinished(self) -> Unfinished | None:
+        """What was found, as faces show it."""
+        found = self.found
+        return None if found is None else Unfinished(found.name, found.text, found.since, found.reach_end)
+
+    def forget(self) -> None:
+        """Forget what was found: it was taken up, or nobody wants it."""
+        self.found, self.may_resume = None, False
+        if self._memory is not None and self._kept is None:
+            self._memory.clear()
+
+    def forget_old(self, now: datetime) -> bool:
+        """Forget what was found once its pass is over; return whether it was."""
+        if self.found is None or now < self.found.reach_end:
+            return False
+        self.forget()
+        return True
+
+    def resumes(self, state: StationState, now: datetime, *, within_s: float, allowed: bool) -> bool:
+        """Return whether what was found goes on by itself, now.
+
+        Only if the owner allows it, the gap was short, and the dish is homed and stands where it was left; a dish of
+        which that is not known yet may still tell.
+        """
+        found = self.found
+        if found is None or not self.may_resume:
+            return False
+        if not allowed or now - found.seen > timedelta(seconds=within_s) or state.held is not None or state.fault:
+            self.may_resume = False
+            return False
+        if state.link.state is not Link.UP or state.position is None or state.position_lost is not None:
+            return False
+        self.may_resume = False
+        off_deg = separation(state.position.az_deg, state.position.el_deg, found.az_deg, found.el_deg)
+        return state.homed is True and off_deg <= STANDS_WITHIN_DEG
+
+    def note(self, pursuit: Pursuit | None, choice: Choice | None, now: datetime, monotonic: float) -> None:
+        """Write what is being followed, or remove it once that has ended in order."""
+        if self._memory is None:
+            return
+        if pursuit is None or pursuit.phase in (Phase.OVER, Phase.PARKING):
+            if self._kept is not None:
+                self._kept = None
+                self._memory.clear()
+            return
+        if self._kept is None:
+            if pursuit.phase not in IN_MID_PASS or choice is None or pursuit.sample is None:
+                return
+            end = reach_end(pursuit.plan)
+            if end is None:
+                return
+            passing = pursuit.plan.passing
+            self._kept = Kept(
+                text=choice.text, name=pursuit.plan.aim.name, since=now, reach_end=end, seen=now,
+                az_deg=pursuit.sample.commanded_az_deg, el_deg=pursuit.sample.commanded_el_deg,
+                aos=None if passing is None else passing.aos, frequency_hz=choice.wanted_hz,
+                time_offset_s=choice.time_offset_s,
+            )  # fmt: skip
+            self.found, self.may_resume = None, False
+        elif monotonic < self._written_at + HEARTBEAT_S:
+            return
+        sample = pursuit.sample
+        self._kept = replace(self._kept, seen=now)
+        if sample is not None:
+            self._kept = replace(self._kept, az_deg=sample.commanded_az_deg, el_deg=sample.commanded_el_deg)
+        self._written_at = monotonic
+        self._memory.write(self._kept)
+
+    def end(self) -> None:
+        """Write that the program ends in order: it then waits for a person, and does not go on by itself."""
+        if self._memory is not None and self._kept is not None:
+            self._memory.write(replace(self._kept, left=True))
+
+    @property
+    def problem(self) -> str:
+        """Why nothing could be written."""
+        return "" if self._memory is None else self._memory.problem
