@@ -37,7 +37,7 @@ def command(
     elevation and duration. With --elements every satellite of the file counts as a favourite. Nothing moves.
     """
     from dataclasses import replace
-    from datetime import UTC, datetime
+    from datetime import UTC, datetime, timedelta
 
     from birdcage.cli.autotrack_report import tell_schedule, values_of_schedule
     from birdcage.cli.say import say, tell_json
@@ -56,7 +56,8 @@ def command(
     limits = limits_of(wants)
     found = find_candidates(watched, observer, limits, begin, rules.hours)
     rows = schedule(found, rules, slewing(limits), begin)
-    never = sum(not each.reach.intervals for each in found)
+    until = begin + timedelta(hours=rules.hours)
+    never = sum(not each.reach.intervals and each.passing.aos < until for each in found)
     if flags().json:
         tell_json(values_of_schedule(rows, begin, rules.hours, never))
         return
