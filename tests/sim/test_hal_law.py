@@ -47,3 +47,14 @@ def test_the_table_on_the_console(hal, motor, turn):
     dish.clock.advance(0.21)
     assert not dish.device.truth().moving
     assert f"{name} =" in dish.ask("a", "MOT>")
+
+
+def test_speed_and_acceleration_may_be_given_instead(hal):
+    dish = hal("az=0&speed=5&accel=20&latency_min=0&latency_max=0")
+    dish.ask("motor", "MOT>")
+    begun = dish.now
+    dish.ask("a 0 10", "MOT>")
+    dish.clock.advance(2.25 - 0.05 - (dish.now - begun))  # 10 degrees at 5, and 0.25 s to speed up
+    assert dish.device.truth().moving
+    dish.clock.advance(0.1)
+    assert not dish.device.truth().moving

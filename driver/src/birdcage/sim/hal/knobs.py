@@ -114,5 +114,7 @@ class HalSettings(Settings):
     """Whether the byte that aborts `g` is gone, or read as input. [I]"""
     abort_prompt: str = "at_once"
     """When the prompt comes after an abort: at once, or when the motors have come to rest. [I]"""
+    speed: float = 0.0
+    """Greatest speed of azimuth and elevation in deg/s, instead of the measured times of section 3; 0 for those. [I]"""
     accel: float = 40.0
     """Acceleration of all axes in deg/s², and so how soon an aborted `g` comes to rest. [I]"""

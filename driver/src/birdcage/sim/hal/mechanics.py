@@ -24,10 +24,15 @@ HOMING_SHARE = 0.7
 class LawAxis(Axis):
     """An axis whose every move takes the time of the measured law, unless a rate is given."""
 
+    speed_deg_s: float | None = None
+    """Its greatest speed, where it goes by speed and acceleration instead (setting `speed`)."""
+
     def retarget(self, now_s: float, target_deg: float, *, rate_deg_s: float | None = None) -> None:
         """Go to another target."""
         turn_deg = abs(target_deg - self.count(now_s)[0])
-        super().retarget(now_s, target_deg, rate_deg_s=rate_deg_s or rate_for(turn_deg, self.data.accel_deg_s2))
+        super().retarget(
+            now_s, target_deg, rate_deg_s=rate_deg_s or self.speed_deg_s or rate_for(turn_deg, self.data.accel_deg_s2)
+        )
 
 
 class HalDish(Dish):
@@ -54,6 +59,7 @@ class HalDish(Dish):
             )  # fmt: skip
             axes.append(LawAxis(data, place, rng))
             axes[-1].homed = not unknown
+            axes[-1].speed_deg_s = (settings.speed or None) if name != "SK" else None
         super().__init__(tuple(axes), look)
 
     def wrap(self, now_s: float) -> float:
