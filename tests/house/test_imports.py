@@ -18,6 +18,8 @@ HEAVY = ("numpy", "sgp4", "skyfield", "astropy", "PIL", "urllib3")
 FACES = ("textual", "rich", "click", "mcp")
 ARRAYS = ("numpy", "sgp4")
 WITH_ARRAYS = (
+    "birdcage.calibration.fit",
+    "birdcage.calibration.next_best",
     "birdcage.sky.frames",
     "birdcage.sky.ground_track",
     "birdcage.sky.illumination",

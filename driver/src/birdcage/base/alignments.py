@@ -7,7 +7,7 @@ set, and `active` there remembers its name.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from birdcage.base.config.edit import Value
@@ -99,9 +99,7 @@ def _checked(entry: AlignmentSet) -> AlignmentSet:
         value = getattr(entry, term)
         if not (math.isfinite(value) and abs(value) <= most):
             raise ValueError(f"{term} lies from -{most:g} to {most:g} degrees, and is {value:.2f}")
-    return AlignmentSet(
-        checked_name(entry.name), *(getattr(entry, term) for term in TERMS), entry.rms_deg, entry.peaks, entry.made
-    )
+    return replace(entry, name=checked_name(entry.name))
 
 
 def _read(row: dict[str, object]) -> AlignmentSet:
@@ -110,9 +108,9 @@ def _read(row: dict[str, object]) -> AlignmentSet:
         raise ValueError("an alignment has a name, and when it was made is text")
     if peaks is not None and (isinstance(peaks, bool) or not isinstance(peaks, int)):
         raise ValueError("peaks is a whole number")
-    terms = [number_of(row, term) if term in row else 0.0 for term in TERMS]
+    az, el, ca, an, aw = (number_of(row, term) if term in row else 0.0 for term in TERMS)
     rms_deg = number_of(row, "rms_deg") if "rms_deg" in row else None
-    return _checked(AlignmentSet(name, *terms, rms_deg=rms_deg, peaks=peaks, made=made))
+    return _checked(AlignmentSet(name, az, el, ca, an, aw, rms_deg, peaks, made))
 
 
 def _cells(entry: AlignmentSet) -> dict[str, object]:

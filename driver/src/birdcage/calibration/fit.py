@@ -1,4 +1,4 @@
-"""Fits the pointing model to peaks: weighted least squares with a prior on every term (reference tracking.md section 4).
+"""Fits the pointing model to peaks: weighted least squares with a prior on every term (tracking.md section 4).
 
 Imports numpy; faces import it inside functions.
 """
@@ -85,9 +85,7 @@ def fit(peaks: Sequence[Peak], priors: Priors, before: Alignment, terms: Sequenc
     return Fit(
         alignment=alignment,
         terms=chosen,
-        errors_deg=tuple(
-            math.sqrt(covariance[index, index]) if index in free else None for index in range(len(TERMS))
-        ),
+        errors_deg=tuple(math.sqrt(covariance[index, index]) if index in free else None for index in range(len(TERMS))),
         covariance=tuple(tuple(map(float, row)) for row in covariance),
         residuals=residuals,
         rms_before_deg=_rms([math.hypot(*off) for off in _offs(peaks, before)]),
@@ -125,8 +123,7 @@ def covariance_of(peaks: Sequence[Peak], priors: Priors, alignment: Alignment) -
         rows = jacobian([(peak.dish_az_deg, peak.dish_el_deg) for peak in peaks], alignment)
         weights = np.repeat([peak.weight for peak in peaks], 2)
         information = information + rows.T @ (rows * weights[:, None])
-    inverse: Floats = np.linalg.inv(information)
-    return inverse
+    return np.asarray(np.linalg.inv(information), dtype=np.float64)
 
 
 def condition_of(peaks: Sequence[Peak], alignment: Alignment, free: Sequence[int]) -> float | None:
@@ -182,8 +179,7 @@ def _spread(peaks: Sequence[Peak], alignment: Alignment, count: int) -> float:
     if freedom <= 0:
         return 1.0
     chi2 = sum(
-        peak.weight * (right**2 + up**2)
-        for peak, (right, up) in zip(peaks, _offs(peaks, alignment), strict=True)
+        peak.weight * (right**2 + up**2) for peak, (right, up) in zip(peaks, _offs(peaks, alignment), strict=True)
     )
     return max(1.0, chi2 / freedom)
 

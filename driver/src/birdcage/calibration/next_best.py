@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from birdcage.antenna.alignment import Alignment
 from birdcage.calibration.candidates import Candidate
-from birdcage.calibration.fit import covariance_of, jacobian
+from birdcage.calibration.fit import Floats, covariance_of, jacobian
 from birdcage.calibration.peak import Peak
 from birdcage.calibration.terms import Priors
 
@@ -37,7 +37,8 @@ class Proposal:
     def words(self) -> str:
         """Say why."""
         where = f"at {self.candidate.az_deg:.0f}° / {self.candidate.el_deg:.0f}°"
-        return f"{where}: the expected error over the sky falls from {_deg(self.error_now_deg)} to {_deg(self.error_then_deg)}"
+        falls = f"{_deg(self.error_now_deg)} to {_deg(self.error_then_deg)}"
+        return f"{where}: the expected error over the sky falls from {falls}"
 
 
 def rank(
@@ -63,12 +64,12 @@ def sky_error_deg(
     return expected_error_deg(covariance_of(peaks, priors, alignment), _over_the_sky(alignment, el_range_deg))
 
 
-def expected_error_deg(covariance: NDArray[np.float64], sky: NDArray[np.float64]) -> float:
+def expected_error_deg(covariance: NDArray[np.floating], sky: Floats) -> float:
     """Return the root mean square over the sky of the error that these uncertain terms make."""
     return math.sqrt(float(np.einsum("ij,jk,ik->", sky, covariance, sky)) * 2.0 / len(sky))
 
 
-def _over_the_sky(alignment: Alignment, el_range_deg: tuple[float, float]) -> NDArray[np.float64]:
+def _over_the_sky(alignment: Alignment, el_range_deg: tuple[float, float]) -> Floats:
     """Return what the terms do to directions all over the sky that is reached, even in solid angle."""
     low, high = (math.sin(math.radians(min(max(el, 0.0), 89.0))) for el in el_range_deg)
     levels = max(2, round(math.degrees(math.asin(high) - math.asin(low)) / EL_STEP_DEG))

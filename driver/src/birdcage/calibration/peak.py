@@ -61,8 +61,9 @@ def sigma_by_hand(rise_db: float | None, beam_deg: float | None) -> float:
     """
     if rise_db is None or beam_deg is None:
         return UNKNOWN_SIGMA_DEG
-    signal = (10.0 ** (rise_db / 10.0) - 1.0) / 2.0
+    signal: float = (10.0 ** (rise_db / 10.0) - 1.0) / 2.0
     db_per_deg = 10.0 / math.log(10.0) * signal / (1.0 + signal) * 4.0 * math.log(2.0) / beam_deg
     if not db_per_deg:
         return beam_deg / 2.0
-    return min(max(SEEN_DB / db_per_deg / math.sqrt(2.0), LEAST_SIGMA_DEG), beam_deg / 2.0)
+    found = SEEN_DB / db_per_deg / math.sqrt(2.0)
+    return min(max(found, LEAST_SIGMA_DEG), beam_deg / 2.0)

@@ -44,21 +44,26 @@ class Priors:
         return Alignment(*self.mean)
 
 
-def priors_of(settings: AlignmentSettings, peaks: Sequence[Peak]) -> Priors:
+def priors_of(settings: AlignmentSettings, peaks: Sequence[Peak], feed_deg: tuple[float, float] = (0.0, 0.0)) -> Priors:
     """Return what is believed before a fit: the level of the base from Setup, the azimuth from the peaks themselves.
 
-    Without a peak the azimuth is believed to be what the settings say.
+    Without a peak the azimuth is believed to be what the settings say. `feed_deg` is how far the feed looks aside, in
+    azimuth and elevation: the terms here are those of dish and feed together.
     """
-    az_deg = settings.az_offset_deg
+    az_deg = settings.az_offset_deg + feed_deg[0]
     if peaks:
         turns = [math.radians(peak.true_az_deg - peak.dish_az_deg) for peak in peaks]
         north = sum(peak.weight * math.cos(turn) for peak, turn in zip(peaks, turns, strict=True))
         east = sum(peak.weight * math.sin(turn) for peak, turn in zip(peaks, turns, strict=True))
         az_deg = shortest_turn(0.0, wrap_360(math.degrees(math.atan2(east, north))))
     leveled = settings.pitch_deg is not None and settings.roll_deg is not None
-    an_deg, aw_deg = tilt_of_base(settings.pitch_deg or 0.0, settings.roll_deg or 0.0, az_deg) if leveled else (0.0, 0.0)
+    an_deg = aw_deg = 0.0
+    if settings.pitch_deg is not None and settings.roll_deg is not None:
+        an_deg, aw_deg = tilt_of_base(settings.pitch_deg, settings.roll_deg, az_deg - feed_deg[0])
     tilt = LEVEL_SIGMA_DEG if leveled else TILT_SIGMA_DEG
-    return Priors((az_deg, 0.0, 0.0, an_deg, aw_deg), (AZ_SIGMA_DEG, EL_SIGMA_DEG, CA_SIGMA_DEG, tilt, tilt), leveled)
+    return Priors(
+        (az_deg, feed_deg[1], 0.0, an_deg, aw_deg), (AZ_SIGMA_DEG, EL_SIGMA_DEG, CA_SIGMA_DEG, tilt, tilt), leveled
+    )
 
 
 def terms_for(count: int) -> tuple[str, ...]:

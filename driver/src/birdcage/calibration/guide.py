@@ -1,0 +1,256 @@
+"""The calibration as one headless thing, which a face draws and answers. Nothing here waits for the dish."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Mapping
+from concurrent.futures import Future
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from birdcage.base.alignments import AlignmentSet, alignment_settings, keep_set
+from birdcage.base.config import Settings, edit, load
+from birdcage.base.errors import BirdcageError
+from birdcage.base.paths import Paths
+from birdcage.calibration.candidates import Candidate
+from birdcage.calibration.expected import expected
+from birdcage.calibration.peak import SLOT_RISE_DB, Peak, sigma_by_hand
+from birdcage.calibration.peaks_file import add_peak, load_peaks, peaks_file, remove_peaks
+from birdcage.calibration.work import fit_for, in_force, observer_of, proposals_for, set_from
+from birdcage.sky.rise import Ear, expected_rise_db
+from birdcage.sky.targets.model import SlotTarget
+from birdcage.station.reach_limits import reach_limits_of
+from birdcage.station.requests import ApplySettings, Goto, Jog, ReleaseLease, Request, Unwatch, Watch
+from birdcage.station.session import Session
+from birdcage.station.state import MOVING, Link, Pointing
+
+if TYPE_CHECKING:
+    from birdcage.calibration.fit import Fit
+    from birdcage.calibration.next_best import Proposal
+    from birdcage.sky.targets.model import Target
+
+FRESH_S = 5.0
+"""A position older than this is no measurement."""
+
+
+class NoPeak(BirdcageError):
+    """No peak can be taken now. Reasons: target, moving, position."""
+
+    reason = "position"
+
+
+@dataclass(frozen=True, slots=True)
+class GuideView:
+    """What a face draws. True angles in degrees unless named the dish's."""
+
+    peaks: tuple[Peak, ...]
+    fit: Fit | None
+    proposals: tuple[Proposal, ...]
+    """As `refresh` found them, best first."""
+    target: str
+    """What the dish was sent to, or shall be peaked on; empty for nothing."""
+    expected: tuple[float, float] | None
+    """Where that stands now."""
+    position: Pointing | None
+    """Where the dish is, read just now."""
+    nudged: tuple[float, float] | None
+    """How far the dish points right of and above where the target is expected to be, by the present fit."""
+    may_not_take: str
+    """Why no peak can be taken now; empty where it can."""
+    busy: str
+    failure: str
+    active: str
+    """The set in force; empty for none."""
+
+
+class Guide:
+    """From the first object to an alignment in force, over a session. All calls from one thread; `tick` often.
+
+    `settings` are as loaded, `environ` and `flags` those that they were loaded with. `holder` takes control with the
+    first motion, and `close` gives it back. What takes longer than a moment (`refresh`: some tenths of a second) says
+    so; an app calls it from a worker of its own that owns the guide.
+    """
+
+    def __init__(
+        self, session: Session, settings: Settings, paths: Paths, *, environ: Mapping[str, str] | None = None,
+        flags: Mapping[str, object] | None = None, holder: str = "calibration",
+    ) -> None:  # fmt: skip
+        self._station, self._clock = session.station, session.clock
+        self.settings, self._paths, self._holder = settings, paths, holder
+        self._environ = os.environ if environ is None else environ
+        self._flags = dict(flags or {})
+        self._target: Target | None = None
+        self._future: Future[object] | None = None
+        self._busy = self._failure = ""
+        self._proposals: tuple[Proposal, ...] = ()
+        self._read()
+        self._station.submit(Watch("calibration", frozenset({"position"}), rate_hz=2.0))
+
+    @property
+    def peaks(self) -> tuple[Peak, ...]:
+        """Those that were taken."""
+        return self._peaks.entries
+
+    @property
+    def problems(self) -> tuple[str, ...]:
+        """What in the file of peaks could not be read."""
+        return self._peaks.problems
+
+    @property
+    def fit(self) -> Fit | None:
+        """The fit to them; None without any."""
+        return self._fit
+
+    def close(self) -> None:
+        """Look away from the dish, and give control back."""
+        self._station.submit(Unwatch("calibration"))
+        if self._station.state.holder == self._holder:
+            self._station.submit(ReleaseLease(self._holder))
+
+    def view(self) -> GuideView:
+        """Return what to draw now."""
+        position, stands = self._position, self._stands()
+        nudged = None
+        if position is not None and stands is not None:
+            across, above = _off(self._aim.to_true(position.dish_az_deg, position.dish_el_deg), stands)
+            nudged = (across, above)
+        return GuideView(
+            peaks=self.peaks, fit=self._fit, proposals=self._proposals,
+            target="" if self._target is None else self._target.name, expected=stands, position=position,
+            nudged=nudged, may_not_take=self._may_not_take(), busy=self._busy, failure=self._failure,
+            active=self.settings.alignment.active or "",
+        )  # fmt: skip
+
+    def refresh(self) -> tuple[Proposal, ...]:
+        """Look what is up now and which of it is best to peak on next. ConfigError where no place is set."""
+        limits = reach_limits_of(self._station.state, self.settings)
+        self._proposals = proposals_for(self.settings, self.peaks, self._clock.utc(), limits, self._fit)
+        return self._proposals
+
+    def choose(self, target: Target | Candidate) -> None:
+        """Take this as the object of the next peak, without moving."""
+        self._target = target.target if isinstance(target, Candidate) else target
+        self._failure = ""
+
+    def go(self, target: Target | Candidate | None = None) -> None:
+        """Turn the dish to where an object is expected, by the peaks so far; None: the chosen one, as it moves on.
+
+        Returns at once; what becomes of it shows in `view`. Limits and STOP hold as for every motion.
+        """
+        if target is not None:
+            self.choose(target)
+        stands = self._stands()
+        if stands is None or self._target is None:
+            raise NoPeak("No object is chosen.", reason="target")
+        # The station aims by the alignment in force; the peaks taken since know better.
+        az_deg, el_deg = in_force(self.settings).to_true(*self._aim.to_dish(*stands))
+        self._ask(Goto(az_deg, el_deg, self._holder), f"going to {self._target.name}")
+
+    def nudge(self, right_deg: float, up_deg: float) -> None:
+        """Step so far on the sky, as a person looks at the meter."""
+        position = self._position
+        if position is None:
+            raise NoPeak("Where the dish is, is not known.")
+        level = max(math.cos(math.radians(position.el_deg)), 0.02)
+        self._ask(Jog(right_deg / level, up_deg, self._holder), "nudging")
+
+    def take(self, sigma_deg: float | None = None) -> Peak:
+        """Peaked here: keep where the dish is and where the object was then, and fit anew.
+
+        `sigma_deg` is how well that was done; by default, how well a person can by its expected signal. NoPeak while
+        the dish moves or its position is not known; StoreError if it can't be kept.
+        """
+        reason, position, target = self._may_not_take(), self._position, self._target
+        if reason or position is None or target is None:
+            raise NoPeak(reason, reason="target" if target is None else "moving" if self._moving else "position")
+        peak = peak_at(self.settings, target, position, sigma_deg)
+        kept = add_peak(peaks_file(self._paths), peak)
+        self._read()
+        return kept
+
+    def remove(self, *numbers: int) -> None:
+        """Forget peaks by their numbers, all of them without one, and fit anew. StoreError where there is none."""
+        remove_peaks(peaks_file(self._paths), *numbers)
+        self._read()
+
+    def apply(self, name: str) -> AlignmentSet:
+        """Keep the fit as a set called `name` and put it into force. ConfigError, NoPeak: nothing was changed."""
+        if self._fit is None:
+            raise NoPeak("There is no peak yet, so there is nothing to apply.", reason="target")
+        found = set_from(self.settings, self._fit, name, self._clock.utc())
+        kept = keep_set(self._paths.alignments_file, found).named(name)
+        assert kept is not None, "it was written just now"
+        edit(self._paths.config_file, alignment_settings(kept))
+        self.settings = load(self._paths.config_file, self._environ, self._flags)
+        self._ask(ApplySettings(self.settings, self._holder), f"putting {kept.name} into force")
+        self._read()
+        return kept
+
+    def tick(self) -> None:
+        """Look what became of what was asked for."""
+        if self._future is None or not self._future.done():
+            return
+        future, self._future, self._busy = self._future, None, ""
+        try:
+            future.result(0)
+        except BirdcageError as error:
+            self._failure = str(error)
+
+    def _ask(self, request: Request, busy: str) -> None:
+        self._failure = ""
+        self._future, self._busy = self._station.submit(request), busy
+
+    def _read(self) -> None:
+        self._peaks = load_peaks(peaks_file(self._paths))
+        self._fit = fit_for(self.settings, self._peaks.entries)
+        self._aim = in_force(self.settings) if self._fit is None else self._fit.alignment
+
+    @property
+    def _position(self) -> Pointing | None:
+        """Where the dish is, read just now; None where that is not known."""
+        state = self._station.state
+        seen = state.position if state.position_lost is None and state.link.state is Link.UP else None
+        return seen if seen is not None and self._clock.monotonic() - seen.told_at <= FRESH_S else None
+
+    @property
+    def _moving(self) -> bool:
+        state = self._station.state
+        return state.motion is not None or state.activity in MOVING
+
+    def _stands(self) -> tuple[float, float] | None:
+        if self._target is None:
+            return None
+        observer = observer_of(self.settings)
+        return expected(self._target, observer, self._clock.utc(), self.settings.tracking.refraction)
+
+    def _may_not_take(self) -> str:
+        if self._target is None:
+            return "No object is chosen."
+        if self._moving:
+            return "The dish moves: wait until it rests."
+        position = self._position
+        if position is None or position.modelled:
+            return "Where the dish is, is not known: it has not told just now."
+        return ""
+
+
+def peak_at(settings: Settings, target: Target, position: Pointing, sigma_deg: float | None = None) -> Peak:
+    """Return a peak by hand on a target with the dish as it was read. BirdcageError where the target is nowhere.
+
+    A positive `sigma_deg` is how well it was done; without it, as well as a person can.
+    """
+    observer, feed = observer_of(settings), settings.active_feed
+    az_deg, el_deg = expected(target, observer, position.utc, settings.tracking.refraction)
+    rise_db = expected_rise_db(target, target.look(observer, position.utc), Ear.of(feed))
+    heard_db = SLOT_RISE_DB if isinstance(target, SlotTarget) else rise_db
+    sigma = sigma_by_hand(heard_db, feed.beam_deg) if sigma_deg is None else sigma_deg
+    return Peak(
+        position.utc, target.name, az_deg, el_deg, position.dish_az_deg, position.dish_el_deg, sigma, "hand", rise_db
+    )
+
+
+def _off(seen: tuple[float, float], stands: tuple[float, float]) -> tuple[float, float]:
+    """Return how far a direction lies right of and above another, on the sky."""
+    turn = (seen[0] - stands[0] + 180.0) % 360.0 - 180.0
+    return turn * math.cos(math.radians(stands[1])), seen[1] - stands[1]

@@ -1,0 +1,105 @@
+"""What a calibration is made of, without a dish: for the guide, and for commands that only compute.
+
+Numpy is imported inside the functions that need it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from datetime import datetime
+from typing import TYPE_CHECKING
+
+from birdcage.antenna.alignment import Alignment
+from birdcage.base.alignments import AlignmentSet
+from birdcage.base.errors import ConfigError
+from birdcage.base.geometry import separation, shortest_turn
+from birdcage.calibration.peak import Peak
+from birdcage.calibration.terms import Priors, priors_of
+from birdcage.sky.observer import Observer
+from birdcage.station.settings import rules_from
+
+if TYPE_CHECKING:
+    from birdcage.base.config import Settings
+    from birdcage.calibration.candidates import Candidate
+    from birdcage.calibration.fit import Fit
+    from birdcage.calibration.next_best import Proposal
+    from birdcage.sky.reach_limits import ReachLimits
+
+SAME_DEG = 3.0
+"""Nearer than this to a peak, another one tells little: what was wrong with the first is wrong with it too."""
+
+
+def observer_of(settings: Settings) -> Observer:
+    """Return where the dish stands. ConfigError where no place is set."""
+    place = settings.place
+    if place.latitude_deg is None or place.longitude_deg is None:
+        raise ConfigError("No place is set, so nobody knows where anything stands: see Setup, or `birdcage place`.")
+    return Observer(place.latitude_deg, place.longitude_deg, place.height_m, place.name or "")
+
+
+def in_force(settings: Settings) -> Alignment:
+    """Return the alignment that the settings put into force, what the feed adds included."""
+    return rules_from(settings).alignment
+
+
+def priors_for(settings: Settings, peaks: Sequence[Peak]) -> Priors:
+    """Return what is believed of this dish before the fit."""
+    feed = settings.active_feed
+    return priors_of(settings.alignment, peaks, (feed.az_offset_deg, feed.el_offset_deg))
+
+
+def fit_for(settings: Settings, peaks: Sequence[Peak]) -> Fit | None:
+    """Return the fit to these peaks; None without any."""
+    from birdcage.calibration.fit import fit
+
+    return fit(peaks, priors_for(settings, peaks), in_force(settings)) if peaks else None
+
+
+def set_from(settings: Settings, fitted: Fit, name: str, utc: datetime) -> AlignmentSet:
+    """Return a fit as a set with a name: without what the feed adds, to a ten-thousandth of a degree."""
+    feed, found = settings.active_feed, fitted.alignment
+    return AlignmentSet(
+        name,
+        round(shortest_turn(0.0, found.az_offset_deg - feed.az_offset_deg), 4),
+        round(found.el_offset_deg - feed.el_offset_deg, 4),
+        round(found.ca_deg, 4),
+        round(found.an_deg, 4),
+        round(found.aw_deg, 4),
+        rms_deg=round(fitted.rms_deg, 4),
+        peaks=len(fitted.residuals),
+        made=f"{utc:%Y-%m-%dT%H:%MZ}",
+    )
+
+
+def proposals_for(
+    settings: Settings, peaks: Sequence[Peak], when: datetime, limits: ReachLimits, fitted: Fit | None = None
+) -> tuple[Proposal, ...]:
+    """Return what to peak on next, best first; what lies beside a peak already taken is left out.
+
+    ConfigError where no place is set. It takes some tenths of a second at first, while the ephemeris is read.
+    """
+    from birdcage.calibration.candidates import candidates
+    from birdcage.calibration.next_best import rank
+
+    alignment = in_force(settings) if fitted is None else fitted.alignment
+    found = candidates(
+        observer_of(settings), when, settings.active_feed, allowed_by(limits), settings.tracking.refraction
+    )
+    return rank(
+        [each for each in found if not _beside(each, peaks)], peaks, priors_for(settings, peaks), alignment,
+        (limits.el_floor_deg, limits.el_ceiling_deg),
+    )  # fmt: skip
+
+
+def allowed_by(limits: ReachLimits) -> Callable[[float, float], bool]:
+    """Return what tells whether a true direction is within reach."""
+    from birdcage.sky.reach_checks import checks_of
+
+    checks = checks_of(limits)
+    return lambda az_deg, el_deg: all(check.of_point(az_deg, el_deg) >= 0.0 for check in checks)
+
+
+def _beside(candidate: Candidate, peaks: Sequence[Peak]) -> bool:
+    return any(
+        separation(candidate.az_deg, candidate.el_deg, peak.true_az_deg, peak.true_el_deg) < SAME_DEG for peak in peaks
+    )
