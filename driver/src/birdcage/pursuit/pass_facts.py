@@ -1,0 +1,70 @@
+"""What a hook is told of its pass."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from typing import Literal
+
+Event = Literal["reach_start", "tca", "reach_end"]
+
+
+@dataclass(frozen=True, slots=True)
+class PassFacts:
+    """One pass, as a command line of the user's sees it. Times are aware; what is not known is None."""
+
+    name: str
+    reach_start: datetime
+    reach_end: datetime
+    norad_id: int | None = None
+    aos: datetime | None = None
+    tca: datetime | None = None
+    """When it is highest within reach."""
+    los: datetime | None = None
+    max_el_deg: float | None = None
+    """Within reach."""
+    freq_hz: float | None = None
+    """Of its downlink."""
+    site: str | None = None
+    """The name of the place."""
+
+    def is_same_pass(self, other: PassFacts) -> bool:
+        """Whether `other` is the same pass, planned anew: what has run does not run again."""
+        return (
+            (self.name, self.norad_id) == (other.name, other.norad_id)
+            and self.reach_start < other.reach_end
+            and other.reach_start < self.reach_end
+        )
+
+    def values(self, event: Event) -> dict[str, str | float | int | None]:
+        """Return what goes out: times in ISO 8601 with `Z`, frequency in Hz, angles in degrees."""
+        return {
+            "event": event,
+            "name": self.name,
+            "norad": self.norad_id,
+            "aos": _told(self.aos),
+            "los": _told(self.los),
+            "reach_start": _told(self.reach_start),
+            "reach_end": _told(self.reach_end),
+            "duration_s": round((self.reach_end - self.reach_start).total_seconds(), 1),
+            "max_el": None if self.max_el_deg is None else round(self.max_el_deg, 2),
+            "freq_hz": None if self.freq_hz is None else round(self.freq_hz),
+            "site": self.site,
+        }
+
+    def environment(self, event: Event) -> dict[str, str]:
+        """Return them as `BIRDCAGE_EVENT` and so on; empty is what is not known, so that `set -u` does not stumble."""
+        return {
+            f"BIRDCAGE_{key.upper()}": "" if each is None else str(each) for key, each in self.values(event).items()
+        }
+
+    def json_line(self, event: Event) -> str:
+        """Return them as one line of JSON, with null for what is not known."""
+        return json.dumps(self.values(event)) + "\n"
+
+
+def _told(moment: datetime | None) -> str | None:
+    if moment is None:
+        return None
+    return moment.astimezone(UTC).isoformat(timespec="seconds").replace("+00:00", "Z")

@@ -1,0 +1,60 @@
+"""A child with all that it starts: begun apart from us, asked to end, made to end."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Mapping, Sequence
+
+
+class ProcessGroup:
+    """A child in a group of its own, so that neither a Ctrl+C for us reaches it nor its own children stay behind.
+
+    What it starts and puts into another session (`setsid`, a service) is no longer part of it.
+    """
+
+    def __init__(self, words: Sequence[str], environment: Mapping[str, str]) -> None:
+        """Start it. OSError where that cannot be done; the sentence is the system's."""
+        new_group = 0
+        if sys.platform == "win32":
+            new_group = subprocess.CREATE_NEW_PROCESS_GROUP
+        self.child = subprocess.Popen(  # noqa: S603 - a command line that its own user has set
+            list(words), stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=dict(environment),
+            start_new_session=True, creationflags=new_group,
+        )  # fmt: skip
+
+    def alive(self) -> bool:
+        """Whether any of it still runs."""
+        if self.child.poll() is None:
+            return True
+        return False if sys.platform == "win32" else self._signal(0)
+
+    def ask(self) -> None:
+        """Ask all of it to end: TERM, or Ctrl+Break on Windows."""
+        if sys.platform == "win32":
+            if self.child.poll() is None:
+                self.child.send_signal(signal.CTRL_BREAK_EVENT)
+        else:
+            self._signal(signal.SIGTERM)
+
+    def kill(self) -> None:
+        """End all of it."""
+        if sys.platform == "win32":
+            ending = ["taskkill", "/T", "/F", "/PID", str(self.child.pid)]
+            subprocess.run(ending, capture_output=True, timeout=5.0, check=False)  # noqa: S603 - no word of anybody's
+        else:
+            self._signal(signal.SIGKILL)
+
+    def _signal(self, number: int) -> bool:
+        """Whether there was somebody to send it to."""
+        if sys.platform == "win32":
+            return False
+        try:
+            os.killpg(self.child.pid, number)
+        except ProcessLookupError:
+            return False
+        except PermissionError:
+            return True  # somebody is there who has become another user
+        return True
