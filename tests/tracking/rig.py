@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from birdcage.antenna.motion import plan_axis
@@ -13,7 +13,6 @@ from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.tracking.controller import Helm
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.steps import Answer, Limit, Look, Send, Wait
-
 
 REPLY_S = 0.0026
 """The answer on its way, at 115200 baud."""
@@ -99,13 +98,12 @@ class Rig:
             self.largest_backlog = max(self.largest_backlog, len(self.ends))
             begin = max([self.now, *self.ends])
         at, velocity = self.state(step.axis, begin)
-        slew = plan_axis(self.limited(axis), at, goal, velocity)
+        axis = self.limited(axis)
+        slew = plan_axis(axis, at, goal, min(max(velocity, -axis.speed_deg_s), axis.speed_deg_s))
         self.ways[step.axis].append((begin, slew))
         self.ends.append(begin + slew.duration_s)
 
     def limited(self, axis):
-        from dataclasses import replace
-
         return replace(axis, speed_deg_s=self.speeds.get(axis.index, axis.speed_deg_s))
 
     def state(self, axis, when):

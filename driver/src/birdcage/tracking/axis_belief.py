@@ -35,7 +35,8 @@ class AxisBelief:
     def planned(self, goal_deg: float, from_s: float) -> Slew:
         """Return its way to a goal if it gets the command at `from_s`."""
         at_deg, velocity = self.at(from_s)
-        return plan_axis(self.axis, at_deg, goal_deg, velocity)
+        most = self.axis.speed_deg_s  # one that was faster before its limit was lowered brakes in next to no time
+        return plan_axis(self.axis, at_deg, goal_deg, min(max(velocity, -most), most))
 
     def send(self, goal_deg: float, from_s: float) -> None:
         """Take in that it was sent to a goal."""

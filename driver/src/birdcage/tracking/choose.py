@@ -12,9 +12,10 @@ from birdcage.tracking.fast import fast
 from birdcage.tracking.leapfrogging import leapfrog
 from birdcage.tracking.modelled import modelled
 from birdcage.tracking.queued import queued
+from birdcage.tracking.velocity import velocity
 
 CONTROLLERS: Mapping[str, Controller] = MappingProxyType(
-    {"fast": fast, "queued": queued, "modelled": modelled, "leapfrog": leapfrog}
+    {"fast": fast, "velocity": velocity, "queued": queued, "modelled": modelled, "leapfrog": leapfrog}
 )
 """By the names of `PursuitOptions.controller`."""
 

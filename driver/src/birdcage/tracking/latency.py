@@ -19,10 +19,13 @@ class Smoothed:
 
     def __init__(self, first_s: float) -> None:
         self.seconds = first_s
+        self._taken = 0
 
     def take(self, measured_s: float) -> None:
-        """Take in a measurement."""
-        self.seconds += SHARE * (min(max(measured_s, 0.0), WILDEST * self.seconds) - self.seconds)
+        """Take in a measurement. The first ones count for more: a guess is soon forgotten."""
+        self._taken += 1
+        share = max(SHARE, 1.0 / (self._taken + 1))
+        self.seconds += share * (min(max(measured_s, 0.0), WILDEST * self.seconds) - self.seconds)
 
 
 class Interval:
