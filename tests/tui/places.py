@@ -90,6 +90,7 @@ PLACES = (
     _dialog("stow", "ControlPage._question", "f2", "W", state={"stow_allowed": True}),
     _dialog("speeds", "ControlPage._ask_speeds", "f2", "v", **FIELDS),
     _dialog("horizon point", "HorizonHands._type", "f2", "t", **FIELDS),
+    _dialog("draw the horizon", "HorizonHands._draw", "f2", "D", dialog="SketchScreen", holds="SketchScreen/SketchPane"),
     _dialog("clear the horizon", "HorizonHands._clear", "f2", "Z"),
     _dialog("new preset", "ControlPage._add", "f2", "a", **FIELDS),
     _dialog("edit preset", "ControlPage._edit", "f2", "p", "e", **FIELDS),

@@ -60,6 +60,11 @@ HORIZON = (
         "Horizon", can_keep, where=HERE,
     ),
     Command(
+        "horizon-draw", ("D",), "D", "Draw the horizon …",
+        "With the mouse along the line of trees and roofs, or with the arrows. Nothing moves.", "Horizon", can_keep,
+        where=HERE,
+    ),
+    Command(
         "horizon-undo", ("z",), "z", "Undo horizon", "Take back the last change of the horizon.", "Horizon", can_undo,
         where=HERE,
     ),

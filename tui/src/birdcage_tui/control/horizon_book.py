@@ -60,6 +60,11 @@ class HorizonBook:
         more = ": for now so high all round" if len(self.mask.points) == 1 else ""
         return f"Horizon {el_deg:.1f}° at {az_deg % 360.0:.1f}° recorded, {count_text(self.mask)}{more}."
 
+    def draw(self, mask: HorizonMask) -> str:
+        """Keep a horizon that was drawn as a whole."""
+        self._change(lambda _: mask)
+        return f"The horizon is as drawn, {count_text(self.mask)}. z takes it back."
+
     def clear(self) -> str:
         """Make it flat."""
         self._change(lambda _: HorizonMask())

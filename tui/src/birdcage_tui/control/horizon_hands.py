@@ -5,11 +5,13 @@ from __future__ import annotations
 from typing import cast
 
 from birdcage.base.errors import ConfigError
+from birdcage.sky.horizon import HorizonMask
 from textual.widget import Widget
 
 from birdcage_tui.commands.horizon import can_mark
 from birdcage_tui.control import horizon_ask
 from birdcage_tui.control.ask import Change
+from birdcage_tui.control.sketch_screen import SketchScreen
 from birdcage_tui.dialogs import QuestionScreen
 from birdcage_tui.host import Host
 from birdcage_tui.view import View
@@ -35,6 +37,8 @@ class HorizonHands:
                 self._tell(lambda: book.record(not book.recording))
             case "horizon-type":
                 self._type()
+            case "horizon-draw":
+                self._draw()
             case "horizon-undo":
                 self._tell(book.undo)
             case "horizon-clear":
@@ -65,6 +69,16 @@ class HorizonHands:
                 self._tell(lambda: self._host.horizon.mark(*horizon_ask.point_of(values[0])))
 
         self._page.app.push_screen(horizon_ask.point(), answered)
+
+    def _draw(self) -> None:
+        book = self._host.horizon
+        before = book.mask
+
+        def answered(drawn: HorizonMask | None) -> None:
+            if drawn is not None and drawn != before:
+                self._tell(lambda: book.draw(drawn))
+
+        self._page.app.push_screen(SketchScreen(before), answered)
 
     def _clear(self) -> None:
         book = self._host.horizon

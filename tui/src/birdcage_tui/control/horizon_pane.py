@@ -7,7 +7,13 @@ from birdcage_tui.control.horizon_state import count_text
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
 
-KEYS = (("horizon-mark", "mark"), ("horizon-record", "rec"), ("horizon-undo", "undo"), ("horizon-type", "type"))
+KEYS = (
+    ("horizon-mark", "mark"),
+    ("horizon-record", "rec"),
+    ("horizon-undo", "undo"),
+    ("horizon-draw", "draw"),
+    ("horizon-type", "type"),
+)
 CLEAR = "horizon-clear", "clear"
 """It stands apart, in the row of words."""
 LEAST_WIDE = 42
@@ -37,9 +43,12 @@ class HorizonPane(Pane):
             start = self.button(cells, cells.width - len(CLEAR[1]) - 5, 0, CLEAR[0], view, CLEAR[1])
             cells.put(left, 0, words[: start - len(CLEAR[1]) - 6 - left], ink)
             y = 1
-        x = left
-        for command, name in KEYS:
-            word = "end" if command == "horizon-record" and view.horizon.recording else name
+        recording = view.horizon.recording
+        words = {command: "end" if command == "horizon-record" and recording else name for command, name in KEYS}
+        # Without gaps, if only so all of them find room.
+        gap = 1 if left + sum(len(word) + 5 for word in words.values()) - 1 <= cells.width else 0
+        x = left * gap
+        for command, word in words.items():
             length = len(word) + 4
             if x + length <= cells.width:
-                x = self.button(cells, x, y, command, view, word)
+                x = self.button(cells, x, y, command, view, word) - 1 + gap
