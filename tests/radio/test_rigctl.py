@@ -62,7 +62,7 @@ def test_success_in_the_extended_form(rig):
 
 
 def test_an_answer_that_came_too_late_is_not_taken_for_the_next(rig):
-    replies = iter([b"1\nRPRT 0\n", b"2\n"])
+    replies = iter([b"1\n99\nRPRT 0\n", b"2\n"])
     radio, _ = rig(lambda _line: next(replies))
     assert radio.frequency_hz() == 1.0
     assert radio.frequency_hz() == 2.0

@@ -91,6 +91,16 @@ def test_it_is_never_off_by_more_than_the_step_and_a_tick_and_never_told_more_th
     assert len(told) > 1000
 
 
+def test_whoever_comes_more_often_does_not_tune_more_often(house):
+    house = house(settings=replace(SETTINGS, step_hz=1.0))
+    house.desk.latency_s = 0.0
+    house.in_pass()
+    for _ in range(300):
+        house.tuner.step()
+        house.clock.advance(0.01)
+    assert 25 <= len(house.desk.lines("F")) <= 31
+
+
 def test_what_is_right_is_left_alone(house):
     house = house()
     still = replace(passing(house.posix - 0.01), shift_hz=lambda _at: None)
@@ -344,10 +354,23 @@ class TestOnItsThread:
         tuner = self.run(there.address, [])
         self.until(lambda: "AOS" in there.heard)
         mute.append(True)
+        so_far = len(there.heard)
+        self.until(lambda: len(there.heard) > so_far)  # a question is out, and stays without an answer
         began = time.monotonic()
         assert not tuner.close()
-        assert time.monotonic() - began < 1.0
         self.until(lambda: there.heard[-1] == "LOS")
+        assert time.monotonic() - began < 1.0
+
+    def test_a_receiver_that_has_hung_up_is_called_once_more_for_los(self, server):
+        knows, rude = sdr(), []
+        there = server(lambda line: HANG_UP if rude and line != "LOS" else knows(line))
+        shown = []
+        tuner = self.run(there.address, shown)
+        self.until(lambda: "AOS" in there.heard)
+        rude.append(True)
+        self.until(lambda: shown[-1].state is RadioState.LOST)
+        assert tuner.close()
+        assert there.heard[-1] == "LOS"
 
 
 def test_hamlibs_dummy_through_a_doppler_curve(rigctld, clock):

@@ -13,7 +13,7 @@ from birdcage.radio.now import RadioNow, RadioState
 from birdcage.radio.recorder import Recorder
 from birdcage.radio.rigctl import Rig
 from birdcage.radio.tuning import Tuning
-from birdcage.radio.wire import CONNECT_S, Connect
+from birdcage.radio.wire import CONNECT_S, HURRY_S, Connect
 
 TUNE_EVERY_S = 0.1
 LOOK_EVERY_S = 1.0
@@ -88,13 +88,15 @@ class Receiver:
 
     def finish(self) -> bool:
         """Hang up for good, LOS first where it is owed; False where nobody knows whether that was heard."""
-        heard = self._rig is not None or self._recorder.owed is None
-        if self._rig is not None:
-            try:
+        heard = True
+        try:
+            if self._rig is None and self._recorder.owed is not None:
+                self._rig = Rig(self._connect(self._host, self._port, HURRY_S), self._clock.monotonic, reply_s=HURRY_S)
+            if self._rig is not None:
                 self._recorder.end(self._rig)
-            except RadioLost:
-                heard = False
-            self._hang_up()
+        except RadioLost:
+            heard = False
+        self._hang_up()
         self.idle(None)
         return heard
 

@@ -18,8 +18,8 @@ from birdcage.radio.wire import Connect, connector
 
 LEAD_S = 60.0
 """How long before reach the receiver is taken: until then it is its owner's."""
-CLOSE_S = 0.6
-"""How long closing may wait for LOS to be heard."""
+CLOSE_S = 0.7
+"""How long closing may wait for LOS to be heard: an answer that is out, a call, an answer, each in a hurry."""
 
 
 class Tuner:

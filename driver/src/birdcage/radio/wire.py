@@ -11,7 +11,7 @@ from birdcage.base.wake import Wake
 from birdcage.radio.errors import RadioLost
 
 CONNECT_S = 2.0
-HURRY_S = 0.25
+HURRY_S = 0.2
 """The longest wait for an answer once the program is ending."""
 
 
