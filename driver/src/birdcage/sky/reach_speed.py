@@ -16,7 +16,7 @@ _MOST = 16
 """Keyholes of one pass: a satellite culminates a few times a day at most."""
 
 
-def azimuth_room(el_deg: Floats, tolerance_deg: float, ceiling_deg: float) -> Floats:
+def azimuth_room(el_deg: Floats, tolerance_deg: float, ceiling_deg: float | Floats) -> Floats:
     """Return how far off in azimuth a dish may stand so that it points within the tolerance, in degrees.
 
     It takes the elevation that is best for it: sin el' = sin el / cos tolerance, below the ceiling. 180 if any

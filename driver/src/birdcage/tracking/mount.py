@@ -34,3 +34,14 @@ class Mount:
     el_max_deg: float | None = None
     beam_deg: float | None = None
     """Width of the beam at half power; None where the feed does not say."""
+    beam_at_hz: float | None = None
+    """The frequency at which `beam_deg` holds; None where that is not known."""
+
+    def beam_deg_at(self, frequency_hz: float | None) -> float | None:
+        """Return the width of the beam at a frequency: it grows with the wavelength (reference section 5).
+
+        `beam_deg` as it is, where no frequency is asked for or the one at which it holds is not known.
+        """
+        if self.beam_deg is None or frequency_hz is None or self.beam_at_hz is None:
+            return self.beam_deg
+        return self.beam_deg * self.beam_at_hz / frequency_hz

@@ -45,6 +45,9 @@ class Leg:
     to_az_deg: float
     turn: int | None = None
     """Cable = dish azimuth + 360 turn; None where nothing winds up, or the turn is not known."""
+    waypoints: tuple[tuple[float, float], ...] = ()
+    """Dish azimuth and elevation of every stop of a rewind, and of the way over a no-go sector to a leg that does not
+    begin where the one before ended; the last one is where the next following begins. As in `Preposition`."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,118 @@
+"""The course: where the dish is to stand at each time, along the stretches and on the ways between them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from birdcage.tracking.curve import Curve, Floats
+from birdcage.tracking.itinerary import Stretch
+from birdcage.tracking.keyhole import Corridor, best_elevation, least_error_deg, limited, through
+from birdcage.tracking.rates import azimuth_rates_deg_s, mean_rate_deg_s
+from birdcage.tracking.routes import sampled
+from birdcage.tracking.sight import Sight
+
+_JOINT_S = 1e-3
+"""A corner of the course gets a second point so near, and a cubic through both stays at the corner."""
+
+_Piece = tuple[Floats, Floats, Floats]
+
+
+def course(sight: Sight, stretches: Sequence[Stretch], share: float | None) -> Curve:
+    """Return the course from the first stretch to the last; `share` as in `Plan`. ValueError without a stretch."""
+    pieces: list[_Piece] = []
+    for group, last in _groups(stretches):
+        taken = group[0].route
+        if pieces and taken is not None:
+            on_way = sampled(taken, sight.mount.model, float(pieces[-1][0][-1]))
+            pieces.append(_kept_before(on_way, group[0].start_s))
+        pieces.append(_followed(sight, group, share, first=not pieces, last=last))
+    t, az, el = (np.concatenate(parts) for parts in zip(*pieces, strict=True))
+    rising = np.concatenate(([True], np.diff(t) > _JOINT_S / 10.0))
+    return Curve(t[rising], az[rising], el[rising])
+
+
+def limit_deg(sight: Sight, stretches: Sequence[Stretch], start_s: float, end_s: float) -> float:
+    """Return the least greatest error that both axes at once could keep around a time, at their greatest speeds."""
+    found = 0.0
+    rate = mean_rate_deg_s(sight.mount.model.azimuth)
+    for group, _ in _groups(stretches):
+        if group[0].start_s < end_s and group[-1].end_s > start_s:
+            corridor = _corridor(sight, group, first=True, last=True)
+            found = max(found, least_error_deg(corridor, np.full(len(corridor.t_s), rate)))
+    return found
+
+
+def _groups(stretches: Sequence[Stretch]) -> list[tuple[list[Stretch], bool]]:
+    """Return the stretches that the dish follows in one go, each group with whether it is the last."""
+    groups: list[list[Stretch]] = []
+    for stretch in stretches:
+        if groups and stretch.route is None:
+            groups[-1].append(stretch)
+        else:
+            groups.append([stretch])
+    return [(group, group is groups[-1]) for group in groups]
+
+
+def _followed(sight: Sight, group: list[Stretch], share: float | None, *, first: bool, last: bool) -> _Piece:
+    corridor = _corridor(sight, group, first=first, last=last)
+    model, t = sight.mount.model, corridor.t_s
+    az = through(corridor, azimuth_rates_deg_s(model, t, corridor.el_deg, share))
+    el = best_elevation(az - corridor.az_deg, corridor.el_deg)
+    floor, ceiling = sight.elevations(t)
+    way = np.concatenate(([0.0], np.cumsum(np.diff(t)))) * mean_rate_deg_s(model.elevation)
+    el = limited(np.clip(el, floor, ceiling), way)
+    return t, az, el
+
+
+def _corridor(sight: Sight, group: list[Stretch], *, first: bool, last: bool) -> Corridor:
+    """Return where the dish may be during a group. Its ends are fixed where a way begins or ends there."""
+    start, end, turn = group[0].start_s, group[-1].end_s, group[0].turn
+    sky_t = sight.sky.t_s
+    inner = sky_t[(sky_t > start + 2.0 * _JOINT_S) & (sky_t < end - 2.0 * _JOINT_S)]
+    edges = [edge for one in group for edge in (one.start_s, one.end_s)][1:-1]
+    corners = [at for at in _corners(sight) if start < at < end]
+    t = np.unique(np.concatenate(([start, start + _JOINT_S], inner, edges, corners, [end - _JOINT_S, end])))
+    az, el = sight.dish.sample(t)
+    floor, ceiling = sight.elevations(t)
+    az, el = az + 360.0 * turn, np.clip(el, floor, ceiling)
+    low, high = np.full(len(t), -np.inf), np.full(len(t), np.inf)
+    if sight.bounds.cable is not None and sight.bounds.turn_known:
+        low[:], high[:] = sight.bounds.cable
+        az = np.clip(az, low, high)
+    for keepout in sight.bounds.keepouts:
+        under = el < keepout.below_deg
+        back, on = keepout.beside(az)
+        low = np.where(under, np.maximum(low, az - back), low)
+        high = np.where(under, np.minimum(high, az + on), high)
+    wanted = np.zeros(len(t), dtype=np.bool_)
+    for one in group:
+        wanted |= (t >= one.start_s) & (t <= one.end_s)
+    if not first:
+        low[0] = high[0] = az[0]
+    if not last:
+        low[-1] = high[-1] = az[-1]
+    return Corridor(t, az, el, low, high, ceiling, wanted)
+
+
+def _corners(sight: Sight) -> list[float]:
+    """Return times about every moment at which the target crosses the floor or the ceiling, where the dish turns."""
+    t, found = sight.sky.t_s, []
+    for beyond in (sight.el_deg - sight.low_deg, sight.high_deg - sight.el_deg):
+        before = np.flatnonzero((beyond[:-1] < 0.0) != (beyond[1:] < 0.0))
+        share = beyond[before] / (beyond[before] - beyond[before + 1])
+        found += (t[before] + share * (t[before + 1] - t[before])).tolist()
+    return [at + by for at in found for by in (-_JOINT_S, 0.0, _JOINT_S)]
+
+
+def _kept_before(piece: _Piece, end_s: float) -> _Piece:
+    """Return a way, a touch faster where it would end too late, and with the wait at its end where it ends early."""
+    t, az, el = piece
+    if not len(t):
+        return piece
+    until_s = end_s - _JOINT_S
+    if t[-1] >= until_s:
+        begin = t[0] - _JOINT_S
+        return begin + (t - begin) * (until_s - begin) / (t[-1] - begin), az, el
+    return np.append(t, until_s), np.append(az, az[-1]), np.append(el, el[-1])

@@ -1,0 +1,98 @@
+"""The pointing error to expect: how far the course is from the sky, and the saw-tooth of commands one after another."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from birdcage.protocol.model import Axis, DishModel, SecondMove
+from birdcage.tracking.curve import Curve, Floats
+from birdcage.tracking.itinerary import Stretch
+from birdcage.tracking.plan import Forecast
+from birdcage.tracking.rates import move_seconds
+from birdcage.tracking.sight import Sight
+
+LATENCY_S = 0.06
+"""From sending a command to its effect, before it was measured: the middle of 20 to 100 ms (SEAMS *Figures*)."""
+_LINE_BITS = 400.0
+"""A command, its echo and its reply, with start and stop bits."""
+PEAK = 3.0**0.5
+"""The greatest error of a saw-tooth is so many times its root mean square."""
+_STEP_S = 0.5
+_MOST = 2000
+
+
+def separations_deg(az1: Floats, el1: Floats, az2: Floats, el2: Floats) -> Floats:
+    """Return the angles on the sky between directions."""
+    first, second = np.radians(el1), np.radians(el2)
+    half = np.sin((second - first) / 2.0) ** 2
+    half += np.cos(first) * np.cos(second) * np.sin(np.radians(az2 - az1) / 2.0) ** 2
+    angles: Floats = np.degrees(2.0 * np.arcsin(np.sqrt(np.clip(half, 0.0, 1.0))))
+    return angles
+
+
+def forecast(sight: Sight, stretches: tuple[Stretch, ...], course: Curve, beam_deg: float | None) -> Forecast:
+    """Return the error to expect while following, from the course alone."""
+    t = following_times(stretches)
+    az, el = course.sample(t)
+    sky_az, sky_el = sight.dish.sample(t)
+    off = separations_deg(az, el, sky_az, sky_el)
+    saw = saw_tooth_deg(sight.mount.model, course, t)
+    return made(t, np.hypot(off, saw), beam_deg, peak_deg=float(np.hypot(off, PEAK * saw).max()))
+
+
+def made(t: Floats, error_deg: Floats, beam_deg: float | None, peak_deg: float | None = None) -> Forecast:
+    """Return a forecast of errors at times; where they are averages, `peak_deg` is the greatest single one."""
+    loss = None if beam_deg is None else 12.0 * (error_deg / beam_deg) ** 2
+    greatest = float(error_deg.max()) if peak_deg is None else peak_deg
+    return Forecast(t, error_deg, loss, float(np.sqrt(np.mean(error_deg**2))), greatest)
+
+
+def following_times(stretches: tuple[Stretch, ...], step_s: float = _STEP_S) -> Floats:
+    """Return times at even steps within the stretches, their ends among them."""
+    step_s = max(step_s, sum(one.end_s - one.start_s for one in stretches) / _MOST)
+    return np.unique(
+        np.concatenate(
+            [
+                np.linspace(one.start_s, one.end_s, max(2, round((one.end_s - one.start_s) / step_s) + 1))
+                for one in stretches
+            ]
+        )
+    )
+
+
+def saw_tooth_deg(model: DishModel, course: Curve, t: Floats) -> Floats:
+    """Return the root mean square of what is left between two commands, on the sky.
+
+    Commands that name where the target will be half an interval later leave a saw-tooth of rate x interval, and the
+    quantisation of the steps.
+    """
+    az, el = course.sample(t + 0.25)
+    before_az, before_el = course.sample(t - 0.25)
+    across = np.abs(az - before_az) / 0.5
+    up = np.abs(el - before_el) / 0.5
+    interval = _interval_s(model, across, up)
+    narrow = np.cos(np.radians(np.clip(el, 0.0, 90.0)))
+    squares = _square(model.azimuth, across, interval) * narrow**2 + _square(model.elevation, up, interval)
+    saw: Floats = np.sqrt(squares)
+    return saw
+
+
+def _interval_s(model: DishModel, across: Floats, up: Floats) -> Floats:
+    """Return how long it takes until an axis is sent again."""
+    one_s = LATENCY_S + _LINE_BITS / model.baud
+    interval = np.full(len(across), 2.0 * one_s)
+    if model.axes_together and model.second_move is not SecondMove.QUEUE:
+        return interval
+    for _ in range(12):
+        interval = np.maximum(
+            2.0 * one_s,
+            move_seconds(model.azimuth, across * interval) + move_seconds(model.elevation, up * interval),
+        )
+    # Where the azimuth has no time to spare it lags on average by what the course has left for it.
+    capped: Floats = np.minimum(interval, 8.0)
+    return capped
+
+
+def _square(axis: Axis, rate: Floats, interval: Floats) -> Floats:
+    found: Floats = ((rate * interval) ** 2 + axis.step_deg**2) / 12.0
+    return found

@@ -1,0 +1,46 @@
+"""The keyholes of a plan: where it leaves its target because the azimuth cannot keep up."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from birdcage.tracking.course import limit_deg
+from birdcage.tracking.curve import Curve
+from birdcage.tracking.forecast import PEAK, saw_tooth_deg, separations_deg
+from birdcage.tracking.itinerary import Stretch
+from birdcage.tracking.plan import Forecast, Keyhole
+from birdcage.tracking.sight import Sight
+
+_SEEN_DEG = 0.03
+"""A course that is off by less than this follows its target: three steps of a motor."""
+_NEAR_S = 5.0
+
+
+def keyholes(sight: Sight, stretches: tuple[Stretch, ...], course: Curve) -> tuple[Keyhole, ...]:
+    """Return where the course leads or lags in azimuth."""
+    t = course.t_s
+    az, el = sight.dish.sample(t)
+    el = np.clip(el, *sight.elevations(t))
+    off = separations_deg(course.az_deg, course.el_deg, az, el)
+    inside = np.zeros(len(t), dtype=np.bool_)
+    for one in stretches:
+        inside |= (t >= one.start_s) & (t <= one.end_s)
+    where = np.flatnonzero(inside & (off > _SEEN_DEG))
+    if not len(where):
+        return ()
+    found = []
+    peaks = np.hypot(off, PEAK * saw_tooth_deg(sight.mount.model, course, t))
+    for part in np.split(where, np.flatnonzero(np.diff(t[where]) > _NEAR_S) + 1):
+        start, end = float(t[part[0]]), float(t[part[-1]])
+        found.append(Keyhole(start, end, float(peaks[part].max()), limit_deg(sight, stretches, start, end)))
+    return tuple(found)
+
+
+def simulated(holes: tuple[Keyhole, ...], forecast: Forecast) -> tuple[Keyhole, ...]:
+    """Return the keyholes with the errors that a simulation of the pass has shown."""
+    found = []
+    for hole in holes:
+        inside = (forecast.t_s >= hole.start_s) & (forecast.t_s <= hole.end_s)
+        error = float(forecast.error_deg[inside].max()) if inside.any() else hole.max_error_deg
+        found.append(Keyhole(hole.start_s, hole.end_s, error, hole.limit_deg))
+    return tuple(found)

@@ -1,0 +1,91 @@
+"""What will happen during a plan, on its time axis; and what a person should know of it beforehand."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from datetime import datetime
+
+from birdcage.sky.passes.model import Pass
+from birdcage.sky.reach_limits import ReachLimits
+from birdcage.sky.reach_model import Reach
+from birdcage.tracking.curve import Curve
+from birdcage.tracking.plan import Incident, Keyhole, Leg, Part
+
+_SHORT_LOSS_S = 1.0
+_EDGE_S = 2.0
+
+
+def incidents(
+    passing: Pass | None, sky: Curve, legs: tuple[Leg, ...], holes: tuple[Keyhole, ...], reach: Reach,
+    limits: ReachLimits,
+) -> tuple[Incident, ...]:  # fmt: skip
+    """Return all of them, in order of time."""
+    found = list(_of_pass(passing, sky))
+    found.extend(Incident(hole.start_s, "keyhole", f"keyhole, up to {hole.max_error_deg:.1f}° off") for hole in holes)
+    for before, leg in zip((None, *legs), legs, strict=False):
+        if leg.part is Part.REWIND:
+            how = "cable turns back" if leg.turn is not None else "cable may turn back"
+            found.append(Incident(leg.start_s, "rewind", f"{how}, {leg.end_s - leg.start_s:.1f} s"))
+        elif before is None or before.end_s < leg.start_s - 1e-3 or before.part is Part.REWIND:
+            found.append(Incident(leg.start_s, "reach", _enters(leg.start_s, reach, limits)))
+    for index, leg in enumerate(legs):
+        after = legs[index + 1] if index + 1 < len(legs) else None
+        gap = after is None or after.start_s > leg.end_s + 1e-3
+        if leg.part is Part.FOLLOW and gap:
+            found.append(Incident(leg.end_s, "unreach", _leaves(leg.end_s, reach, limits)))
+    return tuple(sorted(found, key=lambda one: one.at_s))
+
+
+def limit_words(reason: str, limits: ReachLimits) -> str:
+    """Return a reason of `Reach` in words: `65° ceiling`."""
+    if reason == "floor":
+        return f"{limits.el_floor_deg:g}° floor"
+    if reason == "ceiling":
+        return f"{limits.el_ceiling_deg:g}° ceiling"
+    return {"horizon": "horizon mask", "cable": "cable stop"}.get(reason, reason)
+
+
+def _of_pass(passing: Pass | None, sky: Curve) -> Iterator[Incident]:
+    if passing is None:
+        return
+    times = (
+        ("aos", passing.aos, f"rises, az {passing.aos_azimuth_deg:.0f}°", passing.already_up),
+        ("tca", passing.tca, f"highest, {passing.max_elevation_deg:.0f}°", False),
+        ("los", passing.los, f"sets, az {passing.los_azimuth_deg:.0f}°", passing.still_up),
+    )
+    for what, when, text, cut in times:
+        at_s = when.timestamp()
+        if not cut and sky.start_s - 1.0 <= at_s <= sky.end_s + 1.0:
+            yield Incident(at_s, what, text)
+
+
+def _enters(at_s: float, reach: Reach, limits: ReachLimits) -> str:
+    for lost in reach.lost:
+        if abs(_s(lost.end) - at_s) < _EDGE_S:
+            return f"in reach: {limit_words(lost.reason, limits)} passed"
+    return "in reach"
+
+
+def _leaves(at_s: float, reach: Reach, limits: ReachLimits) -> str:
+    for lost in reach.lost:
+        if _s(lost.start) - _EDGE_S < at_s < _s(lost.end):
+            return f"out of reach: {limit_words(lost.reason, limits)}"
+    return "end of following"
+
+
+def _s(when: datetime) -> float:
+    return when.timestamp()
+
+
+def loss_notes(reach: Reach, limits: ReachLimits) -> Iterator[str]:
+    """Yield a sentence for every limit that takes a part of the pass."""
+    seconds: dict[str, float] = {}
+    for lost in reach.lost:
+        seconds[lost.reason] = seconds.get(lost.reason, 0.0) + (lost.end - lost.start).total_seconds()
+    for reason, lost_s in seconds.items():
+        if lost_s >= _SHORT_LOSS_S:
+            yield f"{_length(lost_s)} out of reach: {limit_words(reason, limits)}."
+
+
+def _length(seconds: float) -> str:
+    return f"{seconds:.0f} s" if seconds < 100.0 else f"{seconds / 60.0:.1f} min"

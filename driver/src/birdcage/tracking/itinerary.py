@@ -1,0 +1,145 @@
+"""The order of events: what is followed when and at which turn of the cable, and by which ways the dish gets there."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from birdcage.tracking.curve import Curve
+from birdcage.tracking.routes import Route, route
+from birdcage.tracking.sight import Sight
+from birdcage.tracking.turns import Run, runs
+
+_SHORTEST_S = 0.5
+"""What is shorter is not worth a leg."""
+_PASSES = 4
+_START_S = 0.5
+"""For the first command to go out, where the target is up already."""
+
+
+@dataclass(frozen=True, slots=True)
+class Stretch:
+    """A time during which the target is followed, and how the dish comes to its beginning."""
+
+    start_s: float
+    end_s: float
+    turn: int
+    route: Route | None = None
+    """From where the stretch before ended; None where the dish goes on along the path, and for the first."""
+    rewinds: bool = False
+    """Whether that way turns the cable back."""
+
+
+@dataclass(frozen=True, slots=True)
+class Itinerary:
+    """What is to be done, as far as that is a matter of times and turns."""
+
+    stretches: tuple[Stretch, ...]
+    cuts: tuple[tuple[float, float, str], ...]
+    """What the limits would allow, but is lost to the `cable` being turned back, or to the way round a `no-go` sector.
+    """
+
+
+def itinerary(sight: Sight, now_s: float, later: Sequence[Curve] = ()) -> Itinerary:
+    """Return the stretches from now on."""
+    spans, cable_losses = sight.spans()
+    spans = [(max(start, now_s), end) for start, end in spans if end - max(start, now_s) > _SHORTEST_S]
+    standing = sight.mount.standing
+    found: list[Stretch] = []
+    pieces = _pieces(sight, spans, runs(sight, spans, standing, later))
+    cuts = _without(spans, pieces)
+    for piece in pieces:
+        rewinds = False
+        if found:
+            before = found[-1]
+            rewinds = piece.turn != before.turn or any(
+                before.end_s - 1e-3 <= start < piece.start_s for start, _ in cable_losses
+            )
+            if not rewinds and _free(sight, before, piece):
+                found.append(piece)
+                continue
+            begin, ready_s = sight.at(before.end_s, before.turn), before.end_s
+        elif standing is not None:
+            begin, ready_s = (standing.az_deg, standing.el_deg), now_s + _START_S
+        else:
+            found.append(piece)
+            continue
+        arrived = _arrive(sight, begin, ready_s, piece, either_way=rewinds and not sight.bounds.turn_known)
+        if arrived is None:
+            cuts.append((piece.start_s, piece.end_s, "no-go"))
+            continue
+        taken, start_s = arrived
+        if found and start_s > piece.start_s:
+            cuts.append((piece.start_s, start_s, "cable" if rewinds else "no-go"))
+        if piece.end_s - start_s <= _SHORTEST_S:
+            continue
+        found.append(Stretch(start_s, piece.end_s, piece.turn, taken if found else None, rewinds))
+    return Itinerary(tuple(found), tuple(sorted(cuts)))
+
+
+def _pieces(sight: Sight, spans: Sequence[tuple[float, float]], taken: Sequence[Run]) -> list[Stretch]:
+    """Return the spans, cut where the turn changes and where the cable does not let the dish follow."""
+    found = []
+    for run in taken:
+        for start, end in spans:
+            found += _fitting(sight, max(start, run.start_s), min(end, run.end_s), run.turn)
+    return found
+
+
+def _fitting(sight: Sight, start: float, end: float, turn: int) -> list[Stretch]:
+    if end - start <= _SHORTEST_S:
+        return []
+    cable = sight.bounds.cable
+    if cable is None or not sight.bounds.turn_known:
+        return [Stretch(start, end, turn)]
+    t = sight.sky.t_s
+    times = np.concatenate(([start], t[(t > start) & (t < end)], [end]))
+    az = np.interp(times, t, sight.az_deg) + 360.0 * turn
+    fits = np.concatenate(([False], (az >= cable[0]) & (az <= cable[1]), [False]))
+    edges = np.flatnonzero(np.diff(fits.astype(np.int8)))
+    return [
+        Stretch(float(times[first]), float(times[after - 1]), turn)
+        for first, after in zip(edges[::2], edges[1::2], strict=True)
+        if times[after - 1] - times[first] > _SHORTEST_S
+    ]
+
+
+def _without(spans: Sequence[tuple[float, float]], pieces: Sequence[Stretch]) -> list[tuple[float, float, str]]:
+    """Return what of the spans is in no piece: the cable does not let the dish follow there."""
+    left = list(spans)
+    for piece in pieces:
+        cut: list[tuple[float, float]] = []
+        for start, end in left:
+            cut += [(start, min(end, piece.start_s)), (max(start, piece.end_s), end)]
+        left = [(start, end) for start, end in cut if end > start]
+    return [(start, end, "cable") for start, end in left]
+
+
+def _free(sight: Sight, before: Stretch, after: Stretch) -> bool:
+    """Return whether the dish may go on along the path between two stretches, though nothing is heard there."""
+    t, cable = sight.sky.t_s, sight.bounds.cable
+    part = (t >= before.end_s) & (t <= after.start_s)
+    az = sight.az_deg[part] + 360.0 * after.turn
+    if cable is not None and sight.bounds.turn_known and ((az < cable[0]) | (az > cable[1])).any():
+        return False
+    el = sight.pointed_el_deg[part]
+    for keepout in sight.bounds.keepouts:
+        back, on = keepout.beside(az)
+        if ((el < keepout.below_deg) & (np.minimum(back, on) <= 0.0)).any():
+            return False
+    return True
+
+
+def _arrive(
+    sight: Sight, begin: tuple[float, float], ready_s: float, piece: Stretch, *, either_way: bool
+) -> tuple[Route, float] | None:
+    """Return the way to a piece and when it is followed from: where the target is when the dish has come there."""
+    start_s, taken = piece.start_s, None
+    for _ in range(_PASSES):
+        taken = route(sight.bounds, sight.mount.model, begin, sight.at(start_s, piece.turn), either_way=either_way)
+        if taken is None or ready_s + taken.seconds <= start_s + 1e-3:
+            break
+        start_s = min(ready_s + taken.seconds, piece.end_s)
+    return None if taken is None else (taken, start_s)

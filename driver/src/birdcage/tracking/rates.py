@@ -1,0 +1,49 @@
+"""How fast the axes of a dish can follow, all the time and in turn."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from birdcage.protocol.model import Axis, DishModel
+from birdcage.tracking.curve import Floats
+
+FIRST_SHARE = 0.9
+"""What part of its time the azimuth gets at first, where the axes move in turn (reference section 3.5)."""
+SHARES = (0.75, 0.9, 1.0)
+_TURN_DEG = 90.0
+"""Where only times of moves are known, the rate is the mean over a move of this length: half a keyhole's turn."""
+_MARGIN = 0.98
+"""What of its speed is planned with, where the axes move together: speeding up takes time as well."""
+_LEAST = 0.05
+
+
+def mean_rate_deg_s(axis: Axis) -> float:
+    """Return how fast an axis turns on a way that matters in the keyhole, as `reach` takes it."""
+    return axis.speed_deg_s if axis.times is None else _TURN_DEG / axis.times.seconds(_TURN_DEG)
+
+
+def azimuth_rates_deg_s(model: DishModel, t_s: Floats, el_deg: Floats, share: float | None) -> Floats:
+    """Return how fast the azimuth can be turned at each time while the elevation follows.
+
+    Axes that move in turn leave the azimuth what the elevation does not take, times `share`.
+    """
+    rate = mean_rate_deg_s(model.azimuth)
+    if share is None:
+        return np.full(len(t_s), rate * _MARGIN)
+    busy = np.abs(np.gradient(el_deg, t_s)) / mean_rate_deg_s(model.elevation)
+    rates: Floats = rate * np.maximum((1.0 - busy) * share, _LEAST)
+    return rates
+
+
+def move_seconds(axis: Axis, ways_deg: Floats) -> Floats:
+    """Return how long moves of these lengths take, from rest to rest."""
+    ways = np.abs(ways_deg)
+    if axis.times is not None:
+        grid = np.geomspace(1e-3, 400.0, 400)
+        return np.interp(ways, grid, [axis.times.seconds(way) for way in grid.tolist()])
+    ramp = axis.speed_deg_s**2 / axis.acceleration_deg_s2
+    short = 2.0 * np.sqrt(ways / axis.acceleration_deg_s2)
+    seconds: Floats = np.where(
+        ways < ramp, short, ways / axis.speed_deg_s + axis.speed_deg_s / axis.acceleration_deg_s2
+    )
+    return seconds

@@ -1,0 +1,183 @@
+"""What a plan does with single passes that are known to be easy, hard or impossible."""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from birdcage.antenna.alignment import Alignment
+from birdcage.sky.horizon import HorizonMask
+from birdcage.sky.reach_limits import NoGo
+from birdcage.sky.targets.model import Fixed
+from birdcage.tracking.forecast import separations_deg
+from birdcage.tracking.plan import Part
+from birdcage.tracking.planner import plan_pass
+
+from .orbits import NOW, NOW_S, PLACE, g2, mount, overhead, plan_of, travler
+
+
+def off_deg(plan, alignment=None):
+    """The angle between course and sky while it follows."""
+    alignment = alignment or Alignment()
+    times = np.concatenate([np.arange(leg.start_s, leg.end_s, 0.2) for leg in plan.legs if leg.part is Part.FOLLOW])
+    az, el = plan.course.sample(times)
+    true = np.array([alignment.to_true(a % 360.0, e) for a, e in zip(az, el, strict=True)])
+    return separations_deg(true[:, 0], true[:, 1], *plan.sky.sample(times))
+
+
+@pytest.mark.parametrize("alignment", [Alignment(), Alignment(az_offset_deg=123.4, el_offset_deg=-1.5)])
+def test_a_pass_well_inside_the_limits_is_followed_exactly(alignment):
+    on = mount(g2(80.0), alignment=alignment, az_offset_deg=alignment.az_offset_deg)
+    plan = plan_of(4.0, on)
+    assert 55.0 < plan.passing.max_elevation_deg < 62.0
+    assert off_deg(plan, alignment).max() < 1e-3
+    assert [leg.part for leg in plan.legs] == [Part.FOLLOW]
+    assert (plan.keyholes, plan.share, plan.refined) == ((), None, True)
+    assert plan.forecast.rms_deg < 0.05
+
+
+def test_the_path_is_lifted_by_refraction():
+    lifted, bare = plan_of(4.0), plan_of(4.0, refraction="none")
+    by = np.interp(lifted.sky.t_s, bare.sky.t_s, bare.sky.el_deg)
+    at = np.argmin(np.abs(lifted.sky.el_deg - 18.0))
+    assert lifted.sky.el_deg[at] - by[at] == pytest.approx(0.056, abs=0.002)
+    assert lifted.legs[0].start_s < bare.legs[0].start_s
+
+
+@pytest.mark.parametrize(
+    ("aside", "speed", "limit"), [(0.37, 5.0, 1.03), (0.07, 5.0, 2.8), (0.37, 3.0, 3.17), (0.07, 3.0, 5.0)]
+)
+def test_the_keyhole_costs_little_more_than_it_must(aside, speed, limit):
+    """Passes like the named ones C (86 degrees) and E (89.1) of the reference, section 3.2."""
+    on = mount(travler(speed), at=(200.0, 30.0))
+    plan = plan_of(aside, on, orbit={"northbound": False})
+    (hole,) = plan.keyholes
+    assert hole.limit_deg == pytest.approx(limit, rel=0.05)
+    assert hole.limit_deg <= hole.max_error_deg <= 2.6 * hole.limit_deg
+    assert off_deg(plan).max() <= hole.max_error_deg
+    assert not plan.refined
+    assert plan.share == 0.9
+
+
+def test_a_pass_across_north_gets_a_turn_that_fits_it():
+    plan = plan_of(4.0)
+    (leg,) = plan.legs
+    assert leg.turn == -1
+    assert -423.33 < leg.to_az_deg < leg.from_az_deg < 23.33
+    assert plan.rewinds == ()
+    assert leg.to_az_deg % 360.0 > 350.0 or leg.to_az_deg % 360.0 < 10.0
+
+
+def test_the_turn_of_the_cable_is_the_one_nearest_to_where_the_dish_stands():
+    plans = [plan_pass(Fixed("north-west", 310.0, 40.0), PLACE, mount(at=(at, 30.0)), NOW) for at in (-300.0, -5.0)]
+    assert [plan.preposition.az_deg for plan in plans] == pytest.approx([-410.0, -50.0])
+    assert [plan.legs[0].turn for plan in plans] == [-2, -1]
+
+
+def test_the_pass_after_this_one_decides_between_turns_that_suit_this_one_equally():
+    later = plan_of(-6.0, orbit={"northbound": False, "inclination_deg": 64.5, "height_km": 550.0})
+    assert later.legs[0].turn == -2
+    plans = [
+        plan_pass(Fixed("north-west", 310.0, 40.0), PLACE, mount(at=(-225.0, 30.0)), NOW, next_tracks=tracks)
+        for tracks in ((), (later.sky,))
+    ]
+    assert [plan.legs[0].turn for plan in plans] == [-1, -2]
+
+
+def test_a_pass_that_fits_no_turn_gets_one_rewind_that_is_announced():
+    """Like pass D of the reference: azimuth 249 to 402 on a cable from -423 to 23."""
+    plan = plan_of(-2.0, orbit={"inclination_deg": 51.6, "height_km": 420.0})
+    before, rewind, after = plan.legs
+    assert [leg.part for leg in plan.legs] == [Part.FOLLOW, Part.REWIND, Part.FOLLOW]
+    assert rewind.end_s - rewind.start_s == pytest.approx(5.7, abs=0.5)
+    assert (before.end_s, after.start_s) == (rewind.start_s, rewind.end_s)
+    assert (before.turn, after.turn) == (-1, -2)
+    assert rewind.from_az_deg <= 23.33
+    assert all(
+        abs(b[0] - a[0]) < 180.0
+        for a, b in zip([(rewind.from_az_deg, 0.0), *rewind.waypoints], rewind.waypoints, strict=False)
+    )
+    (told,) = [one for one in plan.incidents if one.what == "rewind"]
+    assert (told.at_s, told.text) == (rewind.start_s, "cable turns back, 6.0 s")
+    assert any("turned back" in note for note in plan.notes)
+    assert plan.reach.reasons == ("floor", "cable")
+    assert [one.turn for one in plan.reach.intervals] == [-1, -2]
+    assert sum(leg.end_s - leg.start_s for leg in (before, after)) == pytest.approx(plan.reach.total_s, abs=0.01)
+
+
+def test_a_rewind_goes_through_the_keyhole_where_that_is_near():
+    plan = plan_of(0.1, mount(travler(5.0)))
+    (rewind,) = plan.rewinds
+    assert rewind.start_s < plan.passing.tca.timestamp() < rewind.end_s
+    assert abs(rewind.to_az_deg - rewind.from_az_deg) < 220.0
+    assert plan.keyholes == ()
+
+
+def test_above_the_ceiling_the_dish_stays_at_it_while_that_is_within_half_a_beam():
+    narrow, wide = (plan_of(2.5, mount(tolerance_deg=tolerance)) for tolerance in (0.5, 4.0))
+    top = wide.passing.max_elevation_deg
+    assert 65.5 < top < 69.0
+    assert len(narrow.legs) == 2
+    assert len(wide.legs) == 1
+    assert wide.course.el_deg.max() == pytest.approx(65.0, abs=1e-6)
+    assert "ceiling" in wide.reach.reasons
+    assert any(one.what == "unreach" and "65° ceiling" in one.text for one in narrow.incidents)
+
+
+def test_a_mast_is_passed_above_and_only_when_there_is_time():
+    clear = plan_of(4.0)
+    t = clear.course.t_s
+    az = float(np.interp(np.mean(t), t, clear.course.az_deg)) % 360.0
+    masted = plan_of(4.0, mount(no_go=(NoGo(az - 8.0, az + 8.0, 62.0, "mast"),)))
+    before, after = masted.legs
+    assert "no-go: mast" in masted.reach.reasons
+    assert after.waypoints[0][1] > 62.0
+    assert after.waypoints[0][0] == pytest.approx(before.to_az_deg, abs=1e-6)
+    assert after.waypoints[-1] == pytest.approx(masted.course.at(after.start_s), abs=1e-6)
+
+
+def test_a_mask_leaves_gaps_that_are_named():
+    plan = plan_of(4.0, mount(horizon=HorizonMask([(100.0, 0.0), (100.0, 60.0), (160.0, 60.0), (160.0, 0.0)])))
+    assert "horizon" in plan.reach.reasons
+    assert any("horizon mask" in note for note in plan.notes)
+
+
+def test_the_dish_leaves_in_time_and_by_stops_of_less_than_half_a_turn():
+    plan = plan_of(4.0, mount(at=(20.0, 60.0)), preposition_s=60.0)
+    place = plan.preposition
+    points = [(20.0, 60.0), *place.waypoints]
+    assert all(abs(b[0] - a[0]) < 180.0 for a, b in itertools.pairwise(points))
+    assert place.waypoints[-1] == (place.az_deg, place.el_deg) == pytest.approx(plan.course.at(plan.legs[0].start_s))
+    assert plan.legs[0].start_s - place.leave_s >= 60.0 + place.slew_s
+
+
+def test_a_plan_made_in_mid_pass_begins_when_the_dish_can_be_there():
+    target, passing = overhead(4.0)
+    plan = plan_pass(target, PLACE, mount(travler(5.0), at=(300.0, 30.0)), passing.tca, passing=passing)
+    assert plan.legs[0].start_s > passing.tca.timestamp() + 20.0
+    assert plan.preposition.leave_s == passing.tca.timestamp()
+    assert plan.sky.start_s == passing.aos.timestamp()
+
+
+def test_what_does_not_move_is_held():
+    plan = plan_pass(Fixed("dish farm", 200.0, 40.0), PLACE, mount(), NOW, hours=2.0)
+    (leg,) = plan.legs
+    assert (leg.from_az_deg, leg.to_az_deg) == pytest.approx((-160.0, -160.0))
+    assert leg.end_s == NOW_S + 7200.0
+    assert plan.passing is None
+
+
+def test_what_stays_below_the_floor_is_not_followed_and_the_plan_says_why():
+    plan = plan_pass(Fixed("low", 200.0, 5.0), PLACE, mount(), NOW)
+    assert (plan.course, plan.legs, plan.preposition, plan.forecast) == (None, (), None, None)
+    assert any("18° floor" in note for note in plan.notes)
+
+
+def test_decibels_are_told_at_the_frequency_asked_for_and_only_where_the_beam_is_known():
+    on = replace(mount(), beam_at_hz=12.0e9)
+    at_12, at_6 = (plan_of(4.0, on, frequency_hz=hz).forecast for hz in (12.0e9, 6.0e9))
+    assert at_12.loss_db.max() == pytest.approx(4.0 * at_6.loss_db.max())
+    assert at_12.loss_db == pytest.approx(12.0 * (at_12.error_deg / 2.75) ** 2)
+    assert plan_of(4.0, mount(beam_deg=None)).forecast.loss_db is None
