@@ -33,8 +33,10 @@ async def shown(
 ) -> tuple[str, str]:
     """Return the SVG and the text of the app in a state of the stand-in."""
     import sky_stand_in  # `stage` has put the stand-ins on the path
+    import track_stand_in
 
-    app = stand_in.app_in(name, theme=theme, glyphs=glyphs, sky=sky_stand_in.make())
+    made = track_stand_in.app_in if name in track_stand_in.SCENES else stand_in.app_in
+    app = made(name, theme=theme, glyphs=glyphs, sky=sky_stand_in.make())
     async with app.run_test(size=size) as pilot:
         await pilot.pause()
         if keys:

@@ -9,6 +9,7 @@ from birdcage.station.requests import Request
 from birdcage_tui.control.book import PresetBook
 from birdcage_tui.control.horizon_book import HorizonBook
 from birdcage_tui.sky_feed import SkyFeed
+from birdcage_tui.track_feed import TrackFeed
 from birdcage_tui.view import View
 
 
@@ -21,6 +22,8 @@ class Host(Protocol):
     """The line of trees and roofs."""
     sky: SkyFeed
     """What is known of the sky, and how to ask for more."""
+    track: TrackFeed
+    """The pursuit desk, and what it has told."""
     aim: tuple[float, float] | None
     """Where the go-to line would lead, while one types into it."""
 

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from birdcage_tui.clock_told import ClockTold
     from birdcage_tui.setup.engine import SetupEngine
     from birdcage_tui.sky_feed import MakeSky
+    from birdcage_tui.track_feed import MakeTrack
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +64,8 @@ class AppSettings:
     """Makes the engine of the setup page when it is first visited; None: there is no setup."""
     sky: MakeSky | None = field(default=None, compare=False)
     """Makes what watches the sky, after the first frame; None: nothing does."""
+    track: MakeTrack | None = field(default=None, compare=False)
+    """Makes the pursuit desk, after the first frame; None: there is none."""
     horizon: HorizonFile | None = field(default=None, compare=False)
     """Where the line of trees and roofs is kept; None: nowhere."""
     clock_check: Callable[[], ClockTold] | None = field(default=None, compare=False)

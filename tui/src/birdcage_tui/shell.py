@@ -41,6 +41,7 @@ from birdcage_tui.status import BadDayRow, TopRow
 from birdcage_tui.stopping import focused_widget, is_stop_key, stop_first
 from birdcage_tui.surface import Surface
 from birdcage_tui.tour import Tour
+from birdcage_tui.track_feed import TrackFeed
 from birdcage_tui.view import YOU, Sample, Told, View
 from birdcage_tui.words import ended_text
 
@@ -92,6 +93,7 @@ class Shell(Surface):
         self.horizon = HorizonBook(self.settings.horizon)
         """The line of trees and roofs."""
         self.sky = SkyFeed(self.settings.sky, lambda sky: self.post_message(SkyChanged(sky)), self.say_soon)
+        self.track = TrackFeed(self.settings.track, self.soon, self._changed, self.bell)
         self.clock_watch = ClockWatch(
             self.settings.clock_check, lambda told: self.soon(partial(self._hear_clock, told))
         )
@@ -149,6 +151,7 @@ class Shell(Surface):
             self.tap_problem = str(problem)
         self.session.start()
         self.sky.begin(self.station.state, self.settings.place, self.horizon.known)
+        self.track.begin()
         self.clock_watch.begin()
         self.watch_page()
         if self.settings.first_page != "dashboard":
@@ -162,6 +165,7 @@ class Shell(Surface):
     def on_unmount(self) -> None:
         """Hear no more events."""
         self.sky.close()
+        self.track.close()
         self.clock_watch.close()
         if self._unsubscribe is not None:
             self._unsubscribe()
@@ -197,6 +201,8 @@ class Shell(Surface):
             sky=self.sky.now,
             horizon=self.horizon.state,
             clock=self.clock_watch.now,
+            track=self.track.now,
+            followed=tuple(self.track.looks),
         )
 
     def paint(self) -> None:
@@ -253,6 +259,7 @@ class Shell(Surface):
             self._signal.append(Sample(event.at, float(event.value)))
         if isinstance(event, MoveEnded) and event.end is not End.SUPERSEDED:  # the newer one ends, too
             self.note(ended_text(event))
+        self.track.hear(event)
         self._changed()
 
     @on(SkyChanged)

@@ -13,6 +13,8 @@ from birdcage_tui.canvas import Cells
 from birdcage_tui.commands.table import can_release
 from birdcage_tui.pane import Pane
 from birdcage_tui.skew import has_skew, skew_text
+from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.track.words import STATUS, countdown_s, error_words
 from birdcage_tui.view import View
 from birdcage_tui.words import ACTIVITY, LATE, LINK, age_text, bad_day, calm
 
@@ -68,6 +70,11 @@ class StatusLine(Pane):
         el = f"{position.el_deg:5.2f}" if position else "--.--"
         mark = "~" if view.modelled else " "
         activity = "HELD" if state.held is not None and not view.moving else ACTIVITY[state.activity]
+        pursuit = pursuit_of(view)
+        if pursuit is not None and state.held is None:
+            activity = f"{STATUS[pursuit.phase]} {error_words(view, brief=True)}".rstrip()
+            left_s = countdown_s(view)
+            activity += f" {max(left_s, 0.0):.0f} s" if left_s is not None else ""
         if not view.link_up:
             activity = LINK[state.link.state][1].upper()
         elif state.homed is False and not view.moving and state.held is None:

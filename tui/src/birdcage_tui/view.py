@@ -9,14 +9,18 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.geometry import shortest_turn
 from birdcage.base.presets import Preset
+from birdcage.station.pursuit import Phase
 from birdcage.station.raw import CONSOLE
-from birdcage.station.state import Activity, Link, StationState
+from birdcage.station.state import MOVING, Activity, Link, StationState
 
 from birdcage_tui.clock_told import ClockTold
 from birdcage_tui.control.horizon_state import HorizonState
 from birdcage_tui.settings import AppSettings
 
 if TYPE_CHECKING:
+    from birdcage.pursuit.now import DeskNow
+    from birdcage.station.pursuit import Sample as Look
+
     from birdcage_tui.passes.model import SkyPicture
 
 YOU = "you"
@@ -81,6 +85,10 @@ class View:
     """The line of trees and roofs, as it counts now."""
     clock: ClockTold | None = None
     """How good this machine's clock is; None before it was checked."""
+    track: DeskNow | None = None
+    """What the pursuit desk shows; None before it has told anything."""
+    followed: Sequence[Look] = ()
+    """How well the dish has pointed in the pursuit under way, a look a second."""
 
     @property
     def position_age_s(self) -> float | None:
@@ -146,7 +154,8 @@ class View:
         What you or somebody at the console asked for has come to its end when nothing moves any more.
         """
         by_itself = self.state.holder not in (None, CONSOLE, YOU) and self.state.held is None
-        return self.moving or self.asked or self.state.raw_motion or bool(self.tour) or by_itself
+        pursued = self.state.pursuit is not None and self.state.pursuit.phase is not Phase.OVER
+        return self.moving or self.asked or self.state.raw_motion or bool(self.tour) or by_itself or pursued
 
     @property
     def to_go_deg(self) -> float | None:
@@ -167,6 +176,3 @@ class View:
             return None
         span = motion.eta - motion.started
         return 1.0 if span <= 0 else min(1.0, max(0.0, (self.now - motion.started) / span))
-
-
-MOVING = frozenset({Activity.SLEWING, Activity.STOPPING, Activity.HOMING, Activity.STOWING, Activity.MOVING_UNASKED})

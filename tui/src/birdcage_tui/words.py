@@ -6,6 +6,8 @@ from birdcage.station.events import End, MoveEnded
 from birdcage.station.known import SearchSwitch
 from birdcage.station.state import Activity, Link, Search
 
+from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.track.words import error_words, headline, next_words, trouble
 from birdcage_tui.view import View
 
 ACTIVITY = {
@@ -17,6 +19,7 @@ ACTIVITY = {
     Activity.STOWING: "STOWING",
     Activity.INITIALIZING: "STARTING",
     Activity.MOVING_UNASKED: "MOVES!",
+    Activity.FOLLOWING: "FOLLOW",
 }
 SEARCH = {
     Search.RUNNING: "TV search RUNNING",
@@ -114,6 +117,9 @@ def motion_text(view: View) -> str:
         return "Nothing read yet"
     if not view.link_up:
         return "MOVING when last heard" if view.moving else "UNKNOWN: the dish does not answer"
+    pursued = headline(view)
+    if pursued is not None and (state.motion is None or state.activity is Activity.FOLLOWING):
+        return f"{pursued}  {error_words(view)}".rstrip()
     if state.motion is not None and state.activity is Activity.SLEWING:
         to_go_deg, left_s = view.to_go_deg, state.motion.eta - view.now
         going = "" if to_go_deg is None else f" {to_go_deg:.1f}° to go,"
@@ -171,6 +177,9 @@ def bad_day(view: View) -> tuple[str, str] | None:
     if state.homed is False:
         how = home_hint(view).replace("H homes it", "H home it")
         return "warn-row", f"▲ NOT HOMED  The dish does not know where it points.  {how[:1].upper()}{how[1:]}"
+    pursued = trouble(view)
+    if pursued is not None:
+        return pursued
     if searching(view):
         return "warn-row", "▲ TV SEARCH RUNNING  It moves the dish.  K ends it until the next power-up"
     if view.late:
@@ -265,6 +274,9 @@ def next_steps(view: View) -> list[tuple[str, str]]:
             ("dim", "It stays held after that until you release it." if state.held else "Nothing moves meanwhile."),
         ]
     steps = [_doing(view)]
+    pursuit = pursuit_of(view)
+    if pursuit is not None and pursuit.why:
+        steps.append(("text", pursuit.why))
     if view.moving:
         steps.append(("text", f"Space: {stop_text(view)}."))
     if state.held is not None:
@@ -281,6 +293,8 @@ def next_steps(view: View) -> list[tuple[str, str]]:
         steps.append(("text", "It takes no motion: mend the file, or accept the dish's own limits with Enter."))
     elif view.tour:
         steps.append(("text", "Any key ends the tour. Then g goes to a direction, arrows step 1°."))
+    elif pursuit is not None:
+        steps.append(("text", "2 then c shows it; x there ends it. A key that moves by hand takes over."))
     elif not view.moving:
         steps.append(("text", f"Next: g goes to a direction, arrows step {view.step_deg:g}°."))
     if view.clock is not None and view.clock.ink == "warn":
@@ -295,6 +309,10 @@ def _doing(view: View) -> tuple[str, str]:
     if state.held is not None and not view.moving:
         report = state.last_stop
         return "warn-strong", f"Held by {state.held.by}. {report.sentence if report is not None else ''}".rstrip()
+    pursuit = pursuit_of(view)
+    if pursuit is not None:
+        parts = (headline(view) or "", error_words(view), next_words(view))
+        return "accent-strong", ", ".join(part for part in parts if part) + "."
     if state.activity is Activity.SLEWING and state.motion is not None:
         skew = state.motion.to_skew_deg
         aim = f"{state.motion.to_az_deg:.2f}° / {state.motion.to_el_deg:.2f}°" if skew is None else f"skew {skew:.2f}°"

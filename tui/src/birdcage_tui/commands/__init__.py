@@ -12,11 +12,12 @@ from birdcage_tui.commands.jog import JOG
 from birdcage_tui.commands.passes import PASSES
 from birdcage_tui.commands.setup import SETUP
 from birdcage_tui.commands.table import Command
+from birdcage_tui.commands.track import TRACK
 
 __all__ = ["BY_NAME", "COMMANDS", "KEYS", "PAGES", "Command", "for_key", "in_force"]
 
 COMMANDS: tuple[Command, ...] = (
-    *SAFETY, *JOG, *CONTROL, *HORIZON, *PASSES, *CONSOLE, *SETUP, *MOTION, *SEARCH, *APP, *PAGE_COMMANDS
+    *SAFETY, *JOG, *CONTROL, *HORIZON, *TRACK, *PASSES, *CONSOLE, *SETUP, *MOTION, *SEARCH, *APP, *PAGE_COMMANDS
 )  # fmt: skip
 BY_NAME = {command.name: command for command in COMMANDS}
 KEYS: dict[str, bool] = {

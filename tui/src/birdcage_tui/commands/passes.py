@@ -66,6 +66,7 @@ PASSES = (
     Command("time-event", ("e",), "e", "Jump to next event",
             "Show the moment at which the chosen pass rises, comes into reach, culminates or sets.", "Time machine",
             can_choose, where=HERE),
+    _time("time-type", ("t",), "t", "Jump to a time …", "Type the moment to show, in UTC. Nothing moves by it."),
     _time("time-pause", ("z",), "z", "Pause", "Let the time shown stand still, or go on."),
     _time("time-faster", ("full_stop",), ".", "Faster", "Let the time shown run, up to 900 times as fast."),
     _time("time-slower", ("comma",), ",", "Slower", "Let the time shown run more slowly."),

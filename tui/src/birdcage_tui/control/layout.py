@@ -36,7 +36,7 @@ class Sizes:
 def sizes(width: int, height: int, *, with_skew: bool = False) -> Sizes:
     """Return the sizes: the rose fills its height; beside it elevation and hands, and under both the presets."""
     roomy = width >= ROOMY[0] and height >= ROOMY[1]
-    cable = (3 if height >= 26 else 2) + FRAME if roomy else 2
+    cable = (3 if height >= 34 else 2) + FRAME if roomy else 2
     top = height - cable - 1
     least = 24 if width >= 120 else 18
     rows = top - FRAME - ROWS

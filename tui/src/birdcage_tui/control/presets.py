@@ -201,4 +201,5 @@ class PresetsBox(Vertical):
         if self.query_one(Input).has_focus:
             self._close_filter("")
         else:
+            self.query_ancestor(Page).do("tab-manual")  # from the tab of the presets
             self.screen.set_focus(self.screen.query_one("#rose"))

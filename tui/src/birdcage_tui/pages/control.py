@@ -25,14 +25,15 @@ from birdcage_tui.control.nudge import DigitsPane
 from birdcage_tui.control.presets import PresetsBox, PresetsPane
 from birdcage_tui.control.readout import ReadoutPane
 from birdcage_tui.control.rose import RosePane
+from birdcage_tui.control.tabbing import Tabbed
+from birdcage_tui.control.tabs import TabRow
 from birdcage_tui.dialogs import QuestionScreen
 from birdcage_tui.host import Host
-from birdcage_tui.pages.page import Page
 from birdcage_tui.skew import SkewPane, has_skew
 from birdcage_tui.view import YOU, View
 
 
-class ControlPage(Page):
+class ControlPage(Tabbed):
     """Rose and elevation at the left, cable under them, words and keys at the right."""
 
     DEFAULT_CSS = """
@@ -58,11 +59,11 @@ class ControlPage(Page):
     ControlPage.-roomy #control-hands:focus-within { border: round $focus; border-title-color: $foreground; }
     """
     RATE_HZ = 2.0
-    FIRST_FOCUS = "#rose"
     _with_skew = False
 
     def compose(self) -> ComposeResult:
         """The parts, from the top left."""
+        yield TabRow(id="tabs")
         with Horizontal(id="control-top"):
             yield RosePane(id="rose")
             with Vertical(id="control-side"):
@@ -87,6 +88,8 @@ class ControlPage(Page):
 
     def show(self, view: View) -> None:
         """Give the third axis its rows where the dish has one, then draw."""
+        if self.show_body(view):
+            return
         if has_skew(view) != self._with_skew:
             self._with_skew = has_skew(view)
             self.on_resize()
@@ -99,7 +102,7 @@ class ControlPage(Page):
 
     def on_resize(self) -> None:
         """Choose the layout."""
-        found = sizes(*self.size, with_skew=self._with_skew)
+        found = sizes(self.size.width, self.size.height - 1, with_skew=self._with_skew)  # the tabs take a row
         self.set_class(found.roomy, "-roomy")
         for name, width in (("#rose", found.rose), ("#elevation", found.elevation)):
             self.query_one(name).styles.width = width
@@ -111,7 +114,7 @@ class ControlPage(Page):
         self.query_one(SkewPane).display = found.skew > 0
         self.query_one("#control-upper").styles.height = found.upper or "1fr"
         log = self.query_one(LogPane)
-        log.display, log.styles.width = found.log > 0, found.log
+        log.display, log.styles.width = found.log > 0 and self.tab == "manual", found.log
         self._face()
 
     def on_descendant_focus(self, _: events.DescendantFocus) -> None:
@@ -138,7 +141,10 @@ class ControlPage(Page):
         return cast(Host, self.app)
 
     def do(self, command: str) -> bool:
-        """Do what is the page's own; hand on what a widget of it does."""
+        """Do what is the page's own, on the tab that it belongs to; hand on what a widget of it does."""
+        done = self.on_tab(command)
+        if done is not None:
+            return done
         if command.startswith("digit-"):
             return self.query_one(DigitsPane).do(command)
         if command.startswith("preset"):

@@ -10,16 +10,19 @@ from textual.containers import Horizontal, Vertical
 from textual.timer import Timer
 from textual.widgets import Input
 
+from birdcage_tui.control.fields import Values
 from birdcage_tui.host import Host
 from birdcage_tui.pages.page import Page
 from birdcage_tui.pane import Pane
-from birdcage_tui.passes.desk import Desk
+from birdcage_tui.passes.desk import Desk, utc_of
 from birdcage_tui.passes.figures import PassFigures
 from birdcage_tui.passes.head import PassHead
 from birdcage_tui.passes.layout import VIEWS, Layout, layout
 from birdcage_tui.passes.listing import PassList
 from birdcage_tui.passes.plot import PassSky
 from birdcage_tui.passes.strip import PassStrip
+from birdcage_tui.passes.time_ask import time_screen
+from birdcage_tui.passes.time_text import moment_of
 from birdcage_tui.passes.timeline import Timeline
 from birdcage_tui.passes.world_map_ask import PassWorld
 from birdcage_tui.view import View
@@ -146,6 +149,8 @@ class PassesPage(Page):
                 machine.faster(now_s, 1 if command == "time-faster" else -1)
             case "time-event":
                 self._jump(view)
+            case "time-type":
+                self._ask_time(view)
             case _ if command in SHIFTS_S:
                 machine.shift(now_s, SHIFTS_S[command])
             case _:
@@ -165,6 +170,21 @@ class PassesPage(Page):
             return
         self.desk.machine.to(view.utc.timestamp(), later)
         self.desk.choose(row)
+
+    def _ask_time(self, view: View) -> None:
+        shown = utc_of(self.desk.time(view))
+
+        def answered(values: Values | None) -> None:
+            if values is None:
+                return
+            now = self.host.view()
+            wanted_s = moment_of(values[0], shown).timestamp()
+            self.desk.machine.to(now.utc.timestamp(), wanted_s)
+            if abs(self.desk.time(now) - wanted_s) > 1.0:
+                self.host.say(f"Passes are known until {utc_of(self.desk.time(now)):%Y-%m-%d %H:%M}Z: that is shown.")
+            self._moment()
+
+        self.app.push_screen(time_screen(shown), answered)
 
     def _moment(self) -> None:
         self.desk.changed()

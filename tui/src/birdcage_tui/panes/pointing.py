@@ -5,7 +5,10 @@ from __future__ import annotations
 from birdcage_tui.canvas import Cells
 from birdcage_tui.digits import angle_text, put_big, width_of
 from birdcage_tui.pane import Pane
+from birdcage_tui.passes.words import fit
 from birdcage_tui.skew import has_skew, skew_row
+from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.track.words import error_words, headline, los_words, next_words
 from birdcage_tui.view import View
 from birdcage_tui.words import age_text, motion_text, stop_text
 
@@ -70,7 +73,8 @@ class PointingPane(Pane):
             y += 1
         y += air if cells.height >= y + air + 4 else 0
         cells.put(1, y, motion_text(view)[: cells.width - 2], motion_ink(view))
-        self._bar(cells, y + 1, view)
+        if not self._pursuit(cells, y, view):
+            self._bar(cells, y + 1, view)
         cells.put(1, y + 2, stop_text(view)[: cells.width - 2], "text" if view.moving else "dim")
         cable_gauge(cells, min(y + 3 + air, cells.height - 1), view)
 
@@ -107,6 +111,25 @@ class PointingPane(Pane):
         cells.put(start_el, y, "elevation", "dim")
         cells.put(left + 9, y, note, note_ink)
         return y + 1
+
+    @staticmethod
+    def _pursuit(cells: Cells, y: int, view: View) -> bool:
+        """Write what happens next in the pursuit, and when the target sets, where there is one.
+
+        The error stands at the right end of the row above: it is looked at most.
+        """
+        pursuit = pursuit_of(view)
+        if pursuit is None or not view.link_up:
+            return False
+        name, error = headline(view) or "", error_words(view)
+        if error:
+            cells.put(1, y, fit(name, cells.width - 4 - len(error)).ljust(cells.width - 2), "accent-strong")
+            cells.right(cells.width - 1, y, error, "accent-strong")
+        x = cells.put(1, y + 1, next_words(view)[: cells.width - 2], "text")
+        los = los_words(pursuit.plan)
+        if x + len(los) + 3 <= cells.width:
+            cells.right(cells.width - 1, y + 1, los, "dim")
+        return True
 
     @staticmethod
     def _bar(cells: Cells, y: int, view: View) -> None:

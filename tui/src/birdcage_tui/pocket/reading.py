@@ -11,7 +11,10 @@ from birdcage_tui.commands.table import can_home, can_release
 from birdcage_tui.digits import angle_text, put_big, width_of
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.pointing import cable_gauge, motion_ink
+from birdcage_tui.passes.words import fit
 from birdcage_tui.skew import has_skew, skew_row, skew_text
+from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.track.words import error_words, headline, los_words, next_words
 from birdcage_tui.view import View
 from birdcage_tui.words import age_text, bad_day, calm, motion_text, stop_text
 
@@ -65,7 +68,13 @@ class PocketReading(Pane):
         else:
             age_s = view.position_age_s
             old = f"{age_text(age_s)} old" if view.stale and age_s is not None else ""
-            cells.put(1, y, motion_text(view)[: max(cells.width - 3 - len(old), 0)], motion_ink(view))
+            words = motion_text(view)
+            error = error_words(view, brief=True)
+            if headline(view) is not None and view.link_up:
+                words = fit(headline(view, brief=True) or "", cells.width - 4 - len(error) - len(old))
+            if error and not old:
+                cells.right(cells.width - 1, y, error, "accent-strong")
+            cells.put(1, y, words[: max(cells.width - 3 - len(old), 0)], motion_ink(view))
             cells.right(cells.width - 1, y, old, "warn")
             y += 1
         cable_y = cells.height - 1
@@ -75,6 +84,10 @@ class PocketReading(Pane):
             cable_gauge(cells, cable_y, view)
         if not wrong and y < cable_y:
             said = "" if view.moving else calm(view, brief=True)
+            pursuit = pursuit_of(view)
+            if pursuit is not None and next_words(view):
+                both = f"{next_words(view)}   {los_words(pursuit.plan)}".rstrip()
+                said = both if len(both) <= cells.width - 2 else next_words(view)
             cells.put(1, y, whole(said or stop_text(view), cells.width - 2), "text" if view.moving else "dim")
             y += 1
         if has_skew(view) and y < cable_y and self.digits > 1:

@@ -1,0 +1,359 @@
+"""A pursuit desk to show: plans on great circles, looks at how well the dish points, and every phase."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from datetime import UTC, datetime
+from itertools import pairwise
+
+import numpy as np
+import sky_stand_in
+import stand_in
+from birdcage.base.geometry import separation
+from birdcage.pursuit.now import DeskNow, Found, Mode, Scheduled, Unfinished
+from birdcage.radio.now import RadioNow, RadioState
+from birdcage.sky.age import ExpectedError
+from birdcage.sky.look import LookAngle
+from birdcage.sky.passes.model import Pass
+from birdcage.sky.reach_model import Lost, Reach, Stretch
+from birdcage.station.pursuit import Phase, Pursuit, PursuitOptions, Sample
+from birdcage.station.state import Activity, HeldState
+from birdcage.tracking.curve import Curve
+from birdcage.tracking.plan import Aim, Forecast, Incident, Keyhole, Leg, Part, Plan, Preposition
+
+NOON = sky_stand_in.NOON
+AGE = ExpectedError(
+    21600.0, 0.9, 4.6, 0.11, 0.5, "usable", "◐", "6 h old, about 0.11° off at closest, one in ten 0.5°", "LEO", True
+)
+
+
+def utc(t_s):
+    return datetime.fromtimestamp(t_s, UTC)
+
+
+class Elements:
+    """What a row of a pass needs to have."""
+
+
+def way(start_s, length_s, from_az, to_az, top_deg):
+    """A path of the sky, azimuth unrolled."""
+    path = sky_stand_in.path_of(start_s, length_s, from_az, to_az, top_deg)
+    times = np.array(path.t_s)
+    return Curve(times, np.degrees(np.unwrap(np.radians(path.az_deg))), np.array(path.el_deg)), path
+
+
+def reach_of(path):
+    found = sky_stand_in.reach_of(path)
+    return Reach(
+        tuple(Stretch(utc(start), utc(end), 0) for start, end in found.intervals),
+        tuple(Lost(utc(each.start_s), utc(each.end_s), each.reason) for each in found.lost),
+        found.best_el_deg,
+    )
+
+
+def plan(name="METEOR-M2 4", number=59051, minutes=-4.0, length=14.0, from_az=341, to_az=158, top=71.0, *,
+         keyhole=None, frequency_hz=137.9e6, offset_s=0.0):  # fmt: skip
+    """A plan of a pass that rises so many minutes after noon."""
+    start_s = NOON + minutes * 60.0
+    sky, path = way(start_s, length * 60.0, from_az, to_az, top)
+    reach = reach_of(path)
+    highest = int(np.argmax(sky.el_deg))
+    passing = Pass(name, number, utc(start_s), utc(path.t_s[highest]), utc(path.t_s[-1]), float(from_az),
+                   float(path.az_deg[highest]), float(to_az), top)  # fmt: skip
+    spans = [(one.start.timestamp(), one.end.timestamp()) for one in reach.intervals]
+    legs = tuple(Leg(Part.FOLLOW, a, b, sky.at(a)[0], sky.at(b)[0], 0) for a, b in spans)
+    times = np.linspace(spans[0][0], spans[-1][1], 200)
+    az, el = sky.sample(times)
+    errors = 0.02 + 0.02 * np.abs(np.sin(times / 40.0))
+    holes, incidents = (), [Incident(spans[0][0], "reach", "18° floor")]
+    if keyhole is not None:
+        middle = passing.tca.timestamp()
+        holes = (Keyhole(middle - keyhole, middle + keyhole, 3.1, 2.2),)
+        bump = np.clip(1 - np.abs(times - middle) / keyhole, 0, None)
+        errors = errors + 3.1 * bump
+        az = az + 14.0 * np.sin(np.clip((times - middle) / keyhole, -1, 1) * math.pi) * (bump > 0)
+        incidents.append(Incident(middle - keyhole, "keyhole", "keyhole, up to 3.1°"))
+    for first, second in pairwise(spans):
+        incidents.append(Incident(first[1], "unreach", "65° ceiling"))
+        incidents.append(Incident(second[0], "reach", "reach again"))
+    incidents += [Incident(passing.tca.timestamp(), "tca", "highest"), Incident(spans[-1][1], "unreach", "18° floor"),
+                  Incident(path.t_s[-1], "los", "sets")]  # fmt: skip
+    first = sky.at(spans[0][0])
+    return Plan(
+        Aim(name, "satellite", number, frequency_hz, offset_s), utc(NOON - 600.0), passing, reach, sky,
+        Curve(times, az, el), legs,
+        Preposition(first[0], first[1], first[0] % 360.0, first[1], (first,), spans[0][0] - 68.0, 8.0), holes,
+        Forecast(times, errors, 12.0 * (errors / 2.6) ** 2, float(np.sqrt(np.mean(errors**2))), float(errors.max())),
+        tuple(sorted(incidents, key=lambda each: each.at_s)),
+        ("Above 65° the dish cannot follow: 02:40 are missed.",) if len(spans) > 1 else (),
+    )  # fmt: skip
+
+
+def moon():
+    """A plan of what does not pass."""
+    times = np.linspace(NOON, NOON + 3600.0, 61)
+    sky = Curve(times, 171.0 + (times - NOON) / 200.0, 42.0 + (times - NOON) / 900.0)
+    reach = Reach((Stretch(utc(NOON), utc(NOON + 3600.0), 0),), (), 46.0)
+    return Plan(
+        Aim("Moon", "body"), utc(NOON), None, reach, sky, sky,
+        (Leg(Part.FOLLOW, NOON, NOON + 3600.0, 171.0, 189.0, 0),),
+        Preposition(171.0, 42.0, 171.0, 42.0, ((171.0, 42.0),), NOON, 3.0), (),
+        Forecast(times, np.full(61, 0.02), None, 0.02, 0.03), (),
+    )  # fmt: skip
+
+
+def looks(of, upto_s=NOON, clock_now=0.0):
+    """How well the dish has pointed, a look a second, up to a moment."""
+    found = []
+    for leg in of.legs:
+        t_s = leg.start_s
+        while t_s <= min(leg.end_s, upto_s):
+            az_deg, el_deg = of.sky.at(t_s)
+            off = 0.025 * math.sin(t_s / 7.0) + (0.02 * math.sin(t_s * 1.3))
+            here = (az_deg + off / max(math.cos(math.radians(el_deg)), 0.1), el_deg + 0.4 * off)
+            error = separation(az_deg, el_deg, *here)
+            found.append(Sample(
+                clock_now + t_s - NOON, utc(t_s), az_deg % 360, el_deg, az_deg % 360, el_deg, (az_deg + 0.3) % 360,
+                el_deg + 0.1, here[0] % 360, here[1], error, 12.0 * (error / 2.6) ** 2,
+            ))  # fmt: skip
+            t_s += 1.0
+    return found
+
+
+FOUND = (
+    Found("59051", "METEOR-M2 4", "satellite", "59051 · 6 h old", favourite=True),
+    Found("25544", "ISS (ZARYA)", "satellite", "25544 · 2 h old", favourite=True),
+    Found("43689", "METOP-C", "satellite", "43689 · 6 h old", favourite=True),
+    Found("sun", "Sun", "body"),
+    Found("moon", "Moon", "body"),
+)
+
+
+def schedule():
+    rows = []
+    for name, number, minutes, length, _, _, top, favourite, _ in sky_stand_in.PASSES:
+        if favourite:
+            start = NOON + (minutes + 2) * 60
+            clash = name == "ISS (ZARYA)" and minutes > 60
+            rows.append(Scheduled(name, number, utc(start), utc(start + (length - 4) * 60), float(min(top, 65)), 0,
+                                  not clash, "overlaps METEOR-M2 4 (priority 2)" if clash else ""))  # fmt: skip
+    return tuple(rows)
+
+
+def rows_of(plans):
+    from birdcage.sky.pass_row import Distance, PassRow
+
+    far = Distance(2000.0, 0.0)
+    return tuple(
+        PassRow(each.passing, Elements(), each.reach, 1.0, None, far, far, far, True) for each in plans
+    )  # fmt: skip
+
+
+def desk(of=None, **changes):
+    """What the desk shows of a plan."""
+    later = () if of is None or of.passing is None else tuple(
+        plan(of.aim.name, of.aim.norad_id, minutes, 12, 320 - index * 40, 190, top)
+        for index, (minutes, top) in enumerate(((97.0, 33.0), (195.0, 24.0), (610.0, 82.0), (707.0, 45.0)))
+    )  # fmt: skip
+    now = DeskNow(
+        utc(NOON), found=FOUND, choice=None if of is None else str(of.aim.norad_id or of.aim.name.lower()),
+        aim=None if of is None else of.aim, plan=of,
+        passes=() if of is None or of.passing is None else rows_of((of, *later)),
+        look=None if of is None else LookAngle(*of.sky.at(NOON)), expected=AGE if of and of.passing else None,
+        schedule=schedule(),
+    )  # fmt: skip
+    return replace(now, **changes)
+
+
+TUNED = RadioNow(RadioState.TUNED, "localhost:4532", "METEOR-M2 4", 137.9e6, -1843.0, 137.898157e6, 137.89815e6, -38.2,
+                 True)  # fmt: skip
+
+
+def pursuit(of, phase, why="", next_what="", next_s=None, clock=None, **more):
+    return Pursuit(
+        3, "tracker", of, PursuitOptions(park_az_deg=301.0, park_el_deg=18.0), phase,
+        (clock.monotonic() if clock else 0.0) - 12.0, why, next_what, None if next_s is None else utc(NOON + next_s),
+        "fast", **more,
+    )  # fmt: skip
+
+
+def _following(of, clock, **more):
+    seen = looks(of, NOON, clock.monotonic())
+    last, errors = seen[-1], [each.error_deg for each in seen]
+    state = stand_in.at_rest(clock)
+    position = replace(
+        state.position, az_deg=last.reported_az_deg, el_deg=last.reported_el_deg, dish_az_deg=last.reported_az_deg,
+        dish_el_deg=last.reported_el_deg,
+    )  # fmt: skip
+    rms = math.sqrt(sum(each * each for each in errors) / len(errors))
+    state = replace(
+        state, position=position, activity=Activity.FOLLOWING, holder="tracker", target_az_deg=last.target_az_deg,
+        target_el_deg=last.target_el_deg,
+        pursuit=pursuit(of, Phase.FOLLOWING, "Following, by the present position.", "ceiling", 60.0, clock,
+                        latency_s=0.061, sample=last, rms_error_deg=rms, max_error_deg=max(errors)),
+    )  # fmt: skip
+    return state, desk(of, mode=Mode.FOLLOW, radio=TUNED, **more), seen
+
+
+def following(clock):
+    return _following(plan(minutes=-2.9), clock)
+
+
+def keyhole(clock):
+    return _following(plan("SUOMI NPP", 37849, -4.6, 14, 160, 345, 64.0, keyhole=24.0), clock)
+
+
+def followed_moon(clock):
+    of = moon()
+    state, now, _ = _following(of, clock)
+    return state, replace(now, radio=RadioNow()), looks(of, NOON + 0.5, clock.monotonic())
+
+
+def idle(clock):
+    return stand_in.at_rest(clock), desk(None), []
+
+
+def chosen(clock):
+    return stand_in.at_rest(clock), desk(plan("ISS (ZARYA)", 25544, 12, 10, 231, 62, 38)), []
+
+
+def waiting(clock):
+    of = plan("METOP-C", 43689, 31, 14, 12, 190, 52, offset_s=0.3)
+    state = replace(
+        stand_in.at_rest(clock),
+        holder="tracker",
+        pursuit=pursuit(
+            of, Phase.WAITING, "Below the 18° floor until 12:34:32; it leaves 68 s before.", "leave", 1930.0, clock
+        ),
+    )
+    return state, desk(of, mode=Mode.FOLLOW, autotrack=True), []
+
+
+def countdown(clock):
+    of = plan("METOP-C", 43689, -2.5, 14, 12, 190, 52)
+    state = replace(
+        stand_in.at_rest(clock),
+        holder="tracker",
+        pursuit=pursuit(
+            of, Phase.COUNTDOWN, "It is about to go to where METOP-C comes into reach.", "pre-position", 4.4, clock
+        ),
+    )
+    return state, desk(of, mode=Mode.FOLLOW), []
+
+
+def interrupted(clock):
+    state, now, seen = _following(plan(minutes=-2.9), clock)
+    state = replace(
+        state,
+        activity=Activity.IDLE,
+        pursuit=replace(
+            state.pursuit,
+            phase=Phase.INTERRUPTED,
+            why="The link was lost for 12 s: f follows again.",
+            next_what="",
+            next_at=None,
+        ),
+    )
+    return state, now, seen
+
+
+def over(clock):
+    state, now, seen = _following(plan(minutes=-13.9), clock)
+    state = replace(
+        state, activity=Activity.IDLE, holder=None, pursuit=replace(state.pursuit, phase=Phase.OVER, why="It has set.")
+    )
+    left = Unfinished("METEOR-M2 4", "59051", utc(NOON - 100), utc(NOON + 300))
+    return state, replace(now, mode=Mode.WATCH, unfinished=left), seen
+
+
+def held(clock):
+    state, now, seen = _following(plan(minutes=-2.9), clock)
+    state = replace(
+        state,
+        activity=Activity.IDLE,
+        pursuit=replace(state.pursuit, phase=Phase.OVER, why="Stopped by you."),
+        held=HeldState("you", clock.monotonic(), clock.utc()),
+    )
+    return state, now, seen
+
+
+SCENES = {
+    "craft-idle": idle, "craft-chosen": chosen, "craft-waiting": waiting, "craft-countdown": countdown,
+    "craft-following": following, "craft-keyhole": keyhole, "craft-moon": followed_moon,
+    "craft-interrupted": interrupted, "craft-over": over, "craft-held": held,
+}  # fmt: skip
+
+
+class Source:
+    """Shows what it is given, and notes what is asked of it."""
+
+    made: list[Source] = []  # noqa: RUF012 - the tests look here
+
+    def __init__(self, now):
+        self.now, self.asked = now, []
+        Source.made.append(self)
+
+    def __call__(self, show):
+        self.show = show
+        return self
+
+    def start(self):
+        self.show(self.now)
+
+    def search(self, text):
+        self.asked.append(("search", text))
+        found = tuple(one for one in FOUND if text.casefold() in one.name.casefold())
+        self.now = replace(self.now, query=text, found=found)
+        self.show(self.now)
+
+    def choose(self, text):
+        self.asked.append(("choose", text))
+
+    def choose_pass(self, aos):
+        self.asked.append(("choose_pass", aos))
+
+    def set_time_offset(self, seconds):
+        self.asked.append(("set_time_offset", seconds))
+
+    def set_frequency(self, hertz):
+        self.asked.append(("set_frequency", hertz))
+
+    def set_autotrack(self, on):
+        self.asked.append(("set_autotrack", on))
+
+    def watch(self):
+        self.asked.append(("watch",))
+
+    def aim_once(self):
+        self.asked.append(("aim_once",))
+
+    def follow(self):
+        self.asked.append(("follow",))
+
+    def leave(self):
+        self.asked.append(("leave",))
+
+    def take_up(self):
+        self.asked.append(("take_up",))
+
+    def forget_unfinished(self):
+        self.asked.append(("forget_unfinished",))
+
+    def close(self):
+        self.asked.append(("close",))
+
+
+def app_in(name, **options):
+    """The app in one of the scenes: state, desk and looks."""
+    scene = SCENES[name]
+    options.setdefault("sky", sky_stand_in.make())
+    app = stand_in.app_in("idle", **options)
+    clock = app.session.clock
+    clock.advance(NOON - clock.utc().timestamp())
+    state, now, seen = scene(clock)
+    app.station.state = state
+    app.track._make = Source(now)
+    app.track.looks.extend(seen)
+    app.track._number = None if state.pursuit is None else state.pursuit.number
+    return app

@@ -1,0 +1,104 @@
+"""Commands of the tabs of the control page, and of its Craft tab, where a target is followed."""
+
+from __future__ import annotations
+
+from birdcage_tui.commands.table import Command, Reason, can_move, can_release
+from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.view import View
+
+PAGE, HERE = "control", ("craft",)
+TABS = ("control", "craft", "network")
+
+
+def can_search(view: View) -> str | None:
+    """Return why no target can be searched for."""
+    return "The pursuit desk is not open yet." if view.track is None else None
+
+
+def can_watch(view: View) -> str | None:
+    """Return why there is no target to do something with."""
+    if view.track is None:
+        return can_search(view)
+    return "No target is chosen: / searches for one." if view.track.choice is None else None
+
+
+def can_follow(view: View) -> str | None:
+    """Return why the chosen target cannot be pointed at or followed; the station checks again."""
+    return can_watch(view) or can_move(view) or (None if view.track is None else view.track.problem or None)
+
+
+def can_leave(view: View) -> str | None:
+    """Return why there is nothing to leave."""
+    return None if pursuit_of(view) is not None else "Nothing is followed."
+
+
+def can_take(view: View) -> str | None:
+    """Return why Enter does nothing here; while something is held, it releases that first, as everywhere."""
+    return None if can_release(view) is None else can_search(view)
+
+
+def can_resume(view: View) -> str | None:
+    """Return why nothing that was left in mid-pass can be taken up again."""
+    if view.track is None or view.track.unfinished is None:
+        return "Nothing was left in mid-pass."
+    return can_move(view)
+
+
+def can_forget(view: View) -> str | None:
+    """Return why there is nothing to forget."""
+    return "Nothing was left in mid-pass." if view.track is None or view.track.unfinished is None else None
+
+
+def can_autotrack(view: View) -> str | None:
+    """Return why autotrack cannot be switched. Off is always possible."""
+    if view.track is not None and view.track.autotrack:
+        return None
+    return can_search(view) or can_move(view)
+
+
+def _tab(name: str, key: str, title: str, text: str) -> Command:
+    return Command(f"tab-{name}", (key,), key, title, text, "Tabs", where=TABS, page=PAGE)
+
+
+def _craft(name: str, keys: tuple[str, ...], shown: str, title: str, text: str, refused: Reason = can_watch,
+           footer: str = "", group: str = "Craft") -> Command:  # fmt: skip
+    return Command(f"track-{name}", keys, shown, title, text, group, refused, footer, HERE, page=PAGE)
+
+
+TRACK = (
+    _tab("manual", "b", "Manual", "Move the dish by hand."),
+    _tab("presets", "P", "Presets", "Directions with names, over the whole width."),
+    _tab("craft", "c", "Craft", "Find a target, see its pass, and follow it."),
+    _tab("network", "N", "Network", "Who may move the dish, and over what."),
+    Command(
+        "open-craft", ("f",), "f", "Follow a target", "Go to the Craft tab: search, passes and following.", "Craft",
+        footer="follow", where=("dashboard",), page=PAGE,
+    ),
+    _craft("search", ("slash",), "/", "Search", "Type a name, a number, a slot such as 19.2E, a body, or 180 45.",
+           can_search, "search"),
+    _craft("watch", ("w",), "w", "Watch", "Show the target. Nothing moves by it, and what is followed is left."),
+    _craft("aim", ("a",), "a", "Aim once", "Point at where the target is, once.", can_follow),
+    _craft("follow", ("f",), "f", "Follow", "Keep the dish on the target, from the moment it comes into reach.",
+           can_follow, "follow"),
+    _craft("leave", ("x",), "x", "Leave", "End following. The dish stays where it is.", can_leave, "leave"),
+    _craft("take", ("enter",), "Enter", "Choose", "Take the target or the pass under the cursor.", can_take, "choose"),
+    _craft("up", ("up", "k"), "↑ k", "Row above", "In the targets found, or in the passes.", can_search),
+    _craft("down", ("down", "j"), "↓ j", "Row below", "In the targets found, or in the passes.", can_search),
+    _craft("earlier", ("left_square_bracket",), "[", "0.1 s earlier", "The target comes earlier than computed.",
+           group="Time offset"),
+    _craft("later", ("right_square_bracket",), "]", "0.1 s later", "The target comes later than computed.",
+           footer="offset", group="Time offset"),
+    _craft("far-earlier", ("left_curly_bracket",), "{", "1 s earlier", "The same in steps of a second.",
+           group="Time offset"),
+    _craft("far-later", ("right_curly_bracket",), "}", "1 s later", "The same in steps of a second.",
+           group="Time offset"),
+    _craft("on-time", ("z",), "z", "No offset", "Take the target to come as computed.", group="Time offset"),
+    _craft("view", ("v",), "v", "Next view", "Curves, passes, autotrack and radio take turns where there is no room "
+           "for all.", can_search, "view"),
+    _craft("autotrack", ("A",), "A", "Autotrack", "Follow what the schedule says, one pass after another; or no "
+           "longer. The schedule shows what it would do.", can_autotrack),
+    _craft("frequency", ("F",), "F", "Frequency …", "Of the downlink, in MHz; empty takes the satellite's own."),
+    _craft("resume", ("u",), "u", "Take up again", "Follow what was being followed when the program ended.",
+           can_resume),
+    _craft("forget", ("D",), "D", "Forget it", "Do not offer what was left in mid-pass any more.", can_forget),
+)  # fmt: skip

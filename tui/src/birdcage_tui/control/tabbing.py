@@ -1,0 +1,114 @@
+"""Which tab of the control page is seen. Craft and Network are loaded and made on their first visit."""
+
+from __future__ import annotations
+
+from typing import Protocol, cast
+
+from textual.widget import Widget
+
+from birdcage_tui.control.tabs import TABS, TabRow, tab_for
+from birdcage_tui.host import Host
+from birdcage_tui.pages.page import Page
+from birdcage_tui.view import View
+
+FOCUS = {"manual": "#rose", "presets": "#presets"}
+SCOPES = {"craft": "craft", "network": "network"}
+"""The scope of the page on a tab that has commands of its own; on the others it is the page's."""
+
+
+class Shown(Protocol):
+    """What draws itself from a view."""
+
+    def show(self, view: View) -> None:
+        """Draw it."""
+
+
+class Tabbed(Page):
+    """A page with a row of tabs over it."""
+
+    DEFAULT_CSS = """
+    Tabbed TabRow { height: 1; }
+    Tabbed.-tab-craft #control-top, Tabbed.-tab-craft CablePane, Tabbed.-tab-craft LastLine,
+    Tabbed.-tab-network #control-top, Tabbed.-tab-network CablePane, Tabbed.-tab-network LastLine { display: none; }
+    Tabbed.-tab-presets RosePane, Tabbed.-tab-presets #control-upper, Tabbed.-tab-presets CablePane,
+    Tabbed.-tab-presets LogPane { display: none; }
+    Tabbed.-tab-presets #control-lower { display: block; }
+    Tabbed #craft, Tabbed #network { display: none; height: 1fr; }
+    Tabbed.-tab-craft #craft, Tabbed.-tab-network #network { display: block; }
+    Tabbed #network { border: round $line; border-title-color: $dim; border-title-style: none; padding: 1 0 0 0; }
+    """
+    FIRST_FOCUS: str | None = FOCUS["manual"]
+    tab = TABS[0]
+
+    @property
+    def scope(self) -> str:
+        """The tab's, where it has one: the arrows that step the dish hold by hand only."""
+        return SCOPES.get(self.tab, super().scope)
+
+    @property
+    def body(self) -> Widget | None:
+        """What a tab that was made later consists of; None while it is not mounted, and for the others."""
+        found = self.query_one_optional(f"#{self.tab}") if self.tab in SCOPES else None
+        return found if found is not None and found.is_mounted else None
+
+    def show_tab(self, name: str) -> None:
+        """Show a tab, and give the focus to what it wants it on."""
+        if name == self.tab:
+            return
+        self.tab = name
+        for each in TABS:
+            self.set_class(each == name, f"-tab-{each}")
+        row = self.query_one(TabRow)
+        row.shown = name
+        row.redraw()
+        if name in SCOPES and self.query_one_optional(f"#{name}") is None:
+            self.mount(self._make(name))
+        self.FIRST_FOCUS = FOCUS.get(name)
+        self.screen.set_focus(None if self.FIRST_FOCUS is None else self.query_one(self.FIRST_FOCUS))
+        self.call_after_refresh(self._seen)
+
+    @staticmethod
+    def _make(name: str) -> Widget:
+        if name == "network":
+            from birdcage_tui.control.network import NetworkPane
+
+            return NetworkPane(id="network")
+        from birdcage_tui.track.craft import CraftTab
+
+        return CraftTab(id="craft")
+
+    def _seen(self) -> None:
+        self.on_resize()
+        cast(Host, self.app).paint()
+
+    def on_resize(self) -> None:
+        """Choose the layout."""
+
+    def on_tab(self, command: str) -> bool | None:
+        """Go to the tab that a command is done on. Return what came of it there; None: it is the page's own to do."""
+        self.show_tab(tab_for(command, self.tab))
+        if command.startswith("tab-"):
+            return True
+        if self.tab != "craft":
+            return None
+        body = self.body
+        if body is None:
+            self.call_after_refresh(self._do_in_body, command)
+            return True
+        return self._do_in_body(command)
+
+    def _do_in_body(self, command: str) -> bool:
+        from birdcage_tui.track.craft import CraftTab
+
+        body = self.body
+        return isinstance(body, CraftTab) and body.do(command)
+
+    def show_body(self, view: View) -> bool:
+        """Draw the tabs, and a tab that was made later; return whether that is the one that is seen."""
+        self.query_one(TabRow).show(view)
+        if self.tab not in SCOPES:
+            return False
+        body = self.body
+        if body is not None:
+            cast(Shown, body).show(view)
+        return True

@@ -1,0 +1,274 @@
+"""The Craft tab: find a target, see its pass, and follow it."""
+
+from __future__ import annotations
+
+from typing import cast
+
+from textual import events
+from textual.app import ComposeResult
+from textual.containers import Horizontal, Vertical
+from textual.widgets import Input
+
+from birdcage_tui.commands.table import can_release
+from birdcage_tui.control.fields import Field, FieldsScreen
+from birdcage_tui.host import Host
+from birdcage_tui.pane import Pane
+from birdcage_tui.track.found import FoundList
+from birdcage_tui.track.head import TrackHead
+from birdcage_tui.track.layout import VIEWS, layout
+from birdcage_tui.track.now import TrackNow
+from birdcage_tui.track.passes import TrackPasses
+from birdcage_tui.track.plot import TrackSky
+from birdcage_tui.track.pursuing import plan_of
+from birdcage_tui.track.radio import RadioPane
+from birdcage_tui.track.schedule import SchedulePane
+from birdcage_tui.track.strips import TrackStrips
+from birdcage_tui.track_feed import TrackSource
+from birdcage_tui.view import View
+
+OFFSETS_S = {"track-earlier": -0.1, "track-later": 0.1, "track-far-earlier": -1.0, "track-far-later": 1.0}
+SOURCE = {
+    "track-watch": TrackSource.watch, "track-aim": TrackSource.aim_once, "track-follow": TrackSource.follow,
+    "track-leave": TrackSource.leave, "track-resume": TrackSource.take_up,
+    "track-forget": TrackSource.forget_unfinished,
+}  # fmt: skip
+LOWEST_HZ, HIGHEST_HZ = 1e6, 100e9
+
+
+def frequency_of(text: str) -> float | None:
+    """Return what was typed, in MHz, as hertz; None for nothing. ValueError says what to type instead."""
+    words = text.strip().lower().removesuffix("mhz").strip().replace(",", ".")
+    if not words:
+        return None
+    try:
+        hertz = float(words) * 1e6
+    except ValueError:
+        hertz = 0.0
+    if not LOWEST_HZ <= hertz <= HIGHEST_HZ:
+        raise ValueError("Type MHz, from 1 to 100000: 137.9")
+    return hertz
+
+
+class CraftTab(Vertical):
+    """Head, map, curves; passes, autotrack and radio beside or behind them; targets in place of the curves."""
+
+    DEFAULT_CSS = """
+    CraftTab { height: 1fr; }
+    CraftTab Input, CraftTab Input:focus { height: 1; border: none; padding: 0 1; background: $panel; }
+    CraftTab #craft-upper { height: 1fr; }
+    CraftTab #craft-right, CraftTab TrackStrips, CraftTab FoundList, CraftTab TrackPasses, CraftTab SchedulePane,
+    CraftTab RadioPane { width: 1fr; height: 1fr; }
+    CraftTab TrackSky, CraftTab #craft-right { border: round $line; border-title-color: $dim;
+        border-title-style: none; height: 1fr; }
+    CraftTab.-roomy #craft-right { border: none; }
+    CraftTab.-roomy TrackNow, CraftTab.-roomy TrackStrips, CraftTab.-roomy FoundList, CraftTab TrackPasses,
+    CraftTab SchedulePane, CraftTab RadioPane { border: round $line; border-title-color: $dim;
+        border-title-style: none; }
+    """
+    HELP = (
+        "Craft: / searches, Enter takes a target. w watches it, a aims at it once, f follows it, x leaves. "
+        "[ and ] shift the time in which the target is expected, when it comes early or late."
+    )
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self._shown = VIEWS[0]
+        self._searching = False
+        self._arranged: object = None
+
+    def compose(self) -> ComposeResult:
+        """The parts, from the top left."""
+        yield TrackHead(id="craft-head")
+        field = Input(placeholder="name, number, 19.2E, moon, 180 45; Enter chooses, Esc closes", id="craft-search",
+                      disabled=True)  # fmt: skip
+        field.display = False
+        yield field
+        with Horizontal(id="craft-upper"):
+            yield TrackSky(id="craft-sky")
+            with Vertical(id="craft-right") as right:
+                right.border_title = "Now"
+                yield TrackNow(id="craft-now")
+                yield TrackStrips(id="craft-strips")
+                yield FoundList(id="craft-found")
+        with Horizontal(id="craft-lower"):
+            yield TrackPasses(id="craft-passes")
+            yield SchedulePane(id="craft-schedule")
+            yield RadioPane(id="craft-radio")
+
+    @property
+    def host(self) -> Host:
+        """The app."""
+        return cast(Host, self.app)
+
+    def listing(self, view: View) -> bool:
+        """Return whether targets stand in place of the curves: while one searches, and before one is chosen."""
+        if self._searching:
+            return True
+        return plan_of(view) is None and (view.track is None or view.track.choice is None)
+
+    def lay_out(self, view: View) -> None:
+        """Give every part its room; nothing is done where nothing has changed."""
+        found, listing = layout(self.size.width, self.size.height - bool(self._searching)), self.listing(view)
+        shown = VIEWS[0] if listing or found.roomy else self._shown
+        key = (found, listing, shown)
+        if key == self._arranged or not self.size:
+            return
+        self._arranged = key
+        self.set_class(found.roomy, "-roomy")
+        self.query_one(TrackHead).styles.height = found.head
+        self.query_one(TrackSky).styles.width = found.sky
+        lower, upper = self.query_one("#craft-lower"), self.query_one("#craft-upper")
+        now, strips, listed = self.query_one(TrackNow), self.query_one(TrackStrips), self.query_one(FoundList)
+        now.styles.height = found.now
+        now.display = not listing or not self._searching
+        strips.display, listed.display = not listing and shown == VIEWS[0], listing
+        for kind, name in ((TrackPasses, "passes"), (SchedulePane, "autotrack"), (RadioPane, "radio")):
+            pane = self.query_one(kind)
+            pane.display = shown == name or (found.roomy and (name != "radio" or found.radio > 0))
+            pane.styles.width = found.radio if found.roomy and name == "radio" else "1fr"
+        lower.display = found.roomy or shown != VIEWS[0]
+        lower.styles.height = found.lower if found.roomy else "1fr"
+        upper.display = found.roomy or shown == VIEWS[0]
+        for pane in self.query(Pane):
+            pane.redraw()
+
+    def on_resize(self) -> None:
+        """Choose the layout."""
+        self.lay_out(self.host.view())
+
+    def show(self, view: View) -> None:
+        """Choose the layout, and draw."""
+        self.lay_out(view)
+        for pane in self.query(Pane):
+            pane.show(view)
+
+    # What the keys do.
+
+    def do(self, command: str) -> bool:
+        """Do one of the tab's commands."""
+        view, source = self.host.view(), self.host.track.source
+        match command:
+            case "open-craft" | "tab-craft":
+                return True
+            case "track-search":
+                self._open_search()
+            case "track-up" | "track-down":
+                self._move(view, 1 if command == "track-down" else -1)
+            case "track-view":
+                self._shown = VIEWS[(VIEWS.index(self._shown) + 1) % len(VIEWS)]
+            case "track-frequency":
+                self._ask_frequency(view)
+            case _ if source is None:
+                return False
+            case "track-take":
+                self._take(view, source)
+            case "track-autotrack":
+                source.set_autotrack(view.track is None or not view.track.autotrack)
+            case _ if command in SOURCE:
+                SOURCE[command](source)
+            case _ if command in OFFSETS_S or command == "track-on-time":
+                aim = None if view.track is None else view.track.aim
+                by_s = OFFSETS_S.get(command)
+                before_s = 0.0 if aim is None else aim.time_offset_s
+                source.set_time_offset(0.0 if by_s is None else round(before_s + by_s, 3))
+            case _:
+                return False
+        self.host.paint()
+        return True
+
+    def _move(self, view: View, by: int) -> None:
+        if self.listing(view):
+            self.query_one(FoundList).move(by)
+            return
+        if not self.has_class("-roomy"):
+            self._shown = "passes"
+            self.lay_out(view)
+        self.query_one(TrackPasses).move(by)
+
+    def _take(self, view: View, source: TrackSource) -> None:
+        if can_release(view) is None:
+            self.host.action_command("release")
+        elif self.listing(view):
+            chosen = self.query_one(FoundList).chosen(view)
+            if chosen is None:
+                self.host.say("Nothing is found to choose.")
+                return
+            self._close_search()
+            source.choose(chosen.text)
+        else:
+            row = self.query_one(TrackPasses).chosen(view)
+            if row is None:
+                self.host.say("There is no pass to choose.")
+                return
+            source.choose_pass(row.passing.aos)
+            self._shown = VIEWS[0]
+
+    def _ask_frequency(self, view: View) -> None:
+        aim = None if view.track is None else view.track.aim
+        hertz = None if aim is None else aim.frequency_hz
+        field = Field("MHz", "" if hertz is None else f"{hertz / 1e6:.6f}".rstrip("0").rstrip("."), "its own")
+        words = "Decibels and Doppler are told at it, and the receiver is tuned to it. Empty takes the satellite's own."
+
+        def check(values: tuple[str, ...]) -> str:
+            try:
+                frequency_of(values[0])
+            except ValueError as wrong:
+                return str(wrong)
+            return ""
+
+        def answered(values: tuple[str, ...] | None) -> None:
+            source = self.host.track.source
+            if values is not None and source is not None:
+                source.set_frequency(frequency_of(values[0]))
+
+        self.app.push_screen(FieldsScreen("Frequency of the downlink", words, [field], check), answered)
+
+    # Searching.
+
+    def _open_search(self) -> None:
+        field = self.query_one(Input)
+        self._searching, self._shown = True, VIEWS[0]
+        field.disabled, field.display = False, True
+        field.value = ""
+        self.query_one(FoundList).cursor = 0
+        self._search("")
+        field.focus()
+
+    def _close_search(self) -> None:
+        field = self.query_one(Input)
+        self._searching = False
+        if field.has_focus:
+            self.screen.set_focus(None)
+        field.disabled, field.display = True, False
+        self.host.paint()
+
+    def _search(self, text: str) -> None:
+        source = self.host.track.source
+        if source is not None:
+            source.search(text)
+
+    def on_input_changed(self, event: Input.Changed) -> None:
+        """Look for what was typed so far."""
+        event.stop()
+        if self._searching:
+            self.query_one(FoundList).cursor = 0
+            self._search(event.value)
+
+    def on_input_submitted(self, event: Input.Submitted) -> None:
+        """Take what stands under the cursor."""
+        event.stop()
+        source = self.host.track.source
+        if source is not None:
+            self._take(self.host.view(), source)
+
+    def on_key(self, event: events.Key) -> None:
+        """Esc closes the search; the arrows choose while one types."""
+        if not self.query_one(Input).has_focus:
+            return
+        if event.key == "escape":
+            event.stop()
+            self._close_search()
+        elif event.key in ("up", "down"):
+            event.stop()
+            event.prevent_default()
+            self.query_one(FoundList).move(1 if event.key == "down" else -1)

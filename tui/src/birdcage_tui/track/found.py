@@ -1,0 +1,111 @@
+"""Targets to choose from: what was found, or, before anything is typed, the favourites and what is up."""
+
+from __future__ import annotations
+
+import textwrap
+from dataclasses import dataclass
+from typing import cast
+
+from textual import events
+
+from birdcage_tui.canvas import Cells
+from birdcage_tui.host import Host
+from birdcage_tui.pane import Pane
+from birdcage_tui.passes.words import fit
+from birdcage_tui.view import View
+
+MOST_UP = 40
+EMPTY = "Nothing of that name is known. A number, a slot such as 19.2E, moon, or 180 45 is a target, too."
+
+
+@dataclass(frozen=True, slots=True)
+class Candidate:
+    """A row: what is given to the desk, and what a person reads."""
+
+    text: str
+    name: str
+    detail: str
+    favourite: bool = False
+
+
+def candidates(view: View) -> list[Candidate]:
+    """Return the rows: what the desk has found; with nothing typed, what is up besides, the highest first."""
+    desk = view.track
+    if desk is None:
+        return []
+    rows = [Candidate(one.text, one.name, one.detail or one.kind, one.favourite) for one in desk.found]
+    if desk.query.strip() or view.sky is None:
+        return rows
+    known = {row.name for row in rows}
+    floor = view.state.el_min_deg or 0.0
+    up = sorted((one for one in view.sky.up if one.name not in known and not one.fixed), key=lambda one: -one.el_deg)
+    return rows + [
+        Candidate(str(one.norad_id or one.name), one.name,
+                  f"up now, {one.el_deg:.0f}°{'' if one.el_deg >= floor else ', below the floor'}", one.favourite)
+        for one in up[:MOST_UP]
+    ]  # fmt: skip
+
+
+class FoundList(Pane):
+    """Rows with a cursor. The keys are the tab's: a text field may have the focus meanwhile."""
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.border_title = "Targets"
+        self.cursor = 0
+        self._top = 0
+
+    def move(self, by: int) -> None:
+        """Move the cursor."""
+        if self.view is not None:
+            self.cursor = min(max(self.cursor + by, 0), max(len(candidates(self.view)) - 1, 0))
+            self.show(self.view)
+
+    def chosen(self, view: View) -> Candidate | None:
+        """Return the one under the cursor; None when there is none."""
+        rows = candidates(view)
+        return rows[min(self.cursor, len(rows) - 1)] if rows else None
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Write the rows around the cursor."""
+        rows = candidates(view)
+        if not rows:
+            words = "The pursuit desk opens …" if view.track is None else EMPTY if view.track.query.strip() else \
+                "No favourite is marked, and nothing is up: / searches. On page 7, * marks favourites."  # fmt: skip
+            for y, line in enumerate(textwrap.wrap(words, max(cells.width - 2, 10))):
+                cells.put(1, y, line, "dim")
+            return
+        self.cursor = min(self.cursor, len(rows) - 1)
+        room = max(cells.height, 1)
+        self._top = max(min(self._top, self.cursor, len(rows) - room), self.cursor - room + 1, 0)
+        width = min(max(cells.width - 26, 12), 28)
+        for y, row in enumerate(rows[self._top : self._top + room]):
+            here = self._top + y == self.cursor
+            ink = "accent-row" if here else "text"
+            if here:
+                cells.put(0, y, " " * cells.width, ink)
+            cells.put(0, y, f"{'▶' if here else ' '}{'★' if row.favourite else ' '} ", ink if here else "target")
+            cells.put(3, y, fit(row.name, width), ink)
+            cells.put(4 + width, y, row.detail[: max(cells.width - 5 - width, 0)], ink if here else "dim")
+
+    def on_click(self, event: events.Click) -> None:
+        """Choose a row: the first press moves the cursor there, one on the cursor takes it."""
+        offset = event.get_content_offset(self)
+        if offset is None or self.view is None or not 0 <= offset.y < len(candidates(self.view)) - self._top:
+            return
+        event.stop()
+        index = self._top + offset.y
+        if index == self.cursor:
+            cast(Host, self.app).action_command("track-take")
+        else:
+            self.move(index - self.cursor)
+
+    def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
+        """Go down."""
+        event.stop()
+        self.move(1)
+
+    def on_mouse_scroll_up(self, event: events.MouseScrollUp) -> None:
+        """Go up."""
+        event.stop()
+        self.move(-1)

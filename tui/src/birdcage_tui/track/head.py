@@ -1,0 +1,69 @@
+"""The first rows of the Craft tab: the target, its pass, its reach, how old its elements are; the selector."""
+
+from __future__ import annotations
+
+from birdcage.pursuit.now import Mode
+
+from birdcage_tui.canvas import Cells
+from birdcage_tui.commands import BY_NAME
+from birdcage_tui.pane import Pane
+from birdcage_tui.passes.words import fit
+from birdcage_tui.track.pursuing import plan_of, pursuit_of
+from birdcage_tui.track.words import age_words, brief_age, offset_words, pass_words, reach_words
+from birdcage_tui.view import View
+
+SELECTOR = (("track-watch", Mode.WATCH, "Watch"), ("track-aim", Mode.AIM, "Aim once"),
+            ("track-follow", Mode.FOLLOW, "Follow"))  # fmt: skip
+NOBODY = "No target is chosen. / searches, Enter takes the row under the cursor."
+
+
+class TrackHead(Pane):
+    """Four rows: who and when, what of it is in reach, how sure that is, and what is done with it."""
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Write them."""
+        plan = plan_of(view)
+        if plan is None:
+            desk = view.track
+            chosen = None if desk is None else desk.choice
+            cells.put(1, 0, NOBODY if chosen is None else f"{chosen}: its pass is worked out …", "text")
+        else:
+            words = pass_words(plan)
+            number = f"  {plan.aim.norad_id}" if plan.aim.norad_id else ""
+            room = cells.width - len(words) - 4
+            name = plan.aim.name if len(plan.aim.name) + len(number) > room else plan.aim.name + number
+            x = cells.put(1, 0, fit(name, max(room, 8)), "target-strong")
+            cells.put(x + 2, 0, words, "text")
+            ink, age = age_words(view)
+            reach = reach_words(plan, cells.width - 2)
+            x = cells.put(1, 1, reach, "text" if plan.reach.intervals else "warn")
+            if cells.height < 4:
+                fitting = (each for each in (age, brief_age(view)) if x + 3 + len(each) < cells.width)
+                cells.put(x + 3, 1, next(fitting, ""), ink)
+            elif cells.height >= 4:
+                cells.put(1, 2, age[: cells.width - 2] or "no elements: where it stands is known exactly", ink)
+        self._selector(cells, cells.height - 1, view)
+
+    def _selector(self, cells: Cells, y: int, view: View) -> None:
+        desk, pursuit = view.track, pursuit_of(view)
+        mode = Mode.FOLLOW if pursuit is not None else Mode.WATCH if desk is None else desk.mode
+        x = 1
+        for name, which, words in SELECTOR:
+            known = BY_NAME[name]
+            here = which is mode and (desk is None or desk.choice is not None or pursuit is not None)
+            text = f" {'●' if here else '○'} {known.shown} {words} "
+            dim = known.refused(view) is not None
+            start = x
+            x = cells.put(x, y, text, "accent-row" if here else "bar-dim" if dim else "bar")
+            self.heat(start, y, x - start, name)
+        x = self.button(cells, x + 1, y, "track-leave", view, "leave")
+        x = self.button(cells, x, y, "track-search", view, "search")
+        words = offset_words(view)
+        if desk is not None and desk.choice is not None:
+            if x + 9 + len(words) > cells.width:
+                words = words.partition(" = ")[0]
+            for command in ("track-earlier", "track-later"):
+                start = x
+                x = cells.put(x, y, f" {BY_NAME[command].shown} ", "key")
+                self.heat(start, y, x - start, command)
+            cells.put(x + 1, y, words, "target" if desk.aim is not None and desk.aim.time_offset_s else "dim")

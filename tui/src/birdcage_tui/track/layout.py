@@ -1,0 +1,39 @@
+"""How large each part of the Craft tab is, from the tab's own size in cells."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+ROOMY = (100, 26)
+"""From this size on passes, autotrack and radio are always seen."""
+VIEWS = ("curves", "passes", "autotrack", "radio")
+"""What takes turns where there is no room for all."""
+FRAME = 2
+
+
+@dataclass(frozen=True, slots=True)
+class Layout:
+    """Sizes in cells, frames included; 0 hides."""
+
+    roomy: bool
+    head: int
+    sky: int
+    """Width of the map."""
+    now: int
+    """Height of the words; the curves have the rest of the column."""
+    lower: int
+    """Height of passes, autotrack and radio."""
+    radio: int = 0
+    """Width of the radio beside the two others."""
+
+
+def layout(width: int, height: int) -> Layout:
+    """Return the layout of a tab of that size: the map is as wide as its height makes it round."""
+    roomy = width >= ROOMY[0] and height >= ROOMY[1]
+    if not roomy:
+        return Layout(False, 3, min(max((height - 3 - FRAME) * 2 + 6, 24), width - 42), 5, 0)
+    head, lower = 4, min(max(height // 4, 8), 14)
+    upper = height - head - lower
+    sky = min((upper - FRAME) * 2 + 6, width - 56)
+    now = 9 + FRAME if upper >= 24 else 6 + FRAME
+    return Layout(True, head, sky, now, lower, 44 if width >= 150 else 0)

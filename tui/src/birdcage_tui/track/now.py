@@ -1,0 +1,131 @@
+"""What the pursuit does now: how far off, what comes next and when, why it waits."""
+
+from __future__ import annotations
+
+import textwrap
+
+from birdcage.station.pursuit import Phase
+
+from birdcage_tui.canvas import Cells
+from birdcage_tui.digits import put_big, width_of
+from birdcage_tui.pane import Pane
+from birdcage_tui.passes.words import count_text, fit
+from birdcage_tui.track.bullseye import draw_bullseye
+from birdcage_tui.track.pursuing import plan_of, pursuit_of, sample_of, target_place
+from birdcage_tui.track.words import (
+    countdown_s,
+    decibels,
+    degrees,
+    error_words,
+    headline,
+    los_words,
+    next_words,
+)
+from birdcage_tui.view import View
+
+BIG = 9
+"""From so many rows on the error is written in big digits."""
+
+
+class TrackNow(Pane):
+    """Words, most important first; the error in big digits where there is room."""
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.border_title = "Now"
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Write as much as there is room for."""
+        y, width = 0, cells.width - 2
+        if cells.height >= BIG and self._big(cells, view):
+            y = 4
+            side = cells.height * 2 + 2
+            if draw_bullseye(cells, cells.width - side - 1, side, view):
+                width -= side + 2
+        lines = self.lines(view, width, big=y > 0)
+        for ink, words in lines:
+            for row in textwrap.wrap(words, max(width, 10)):
+                if y < cells.height:
+                    cells.put(1, y, row, ink)
+                    y += 1
+
+    @staticmethod
+    def _big(cells: Cells, view: View) -> bool:
+        """Write error and loss, or the seconds until it moves, in big digits; return whether there was any."""
+        left_s, sample = countdown_s(view), sample_of(view)
+        if left_s is not None:
+            x = put_big(cells, 1, 0, f"{max(left_s, 0.0):.0f}", "warn-strong")
+            cells.put(x + 1, 1, "s until it moves", "warn-strong")
+            cells.put(x + 1, 2, "Space stops it", "text")
+            return True
+        if sample is None:
+            return False
+        x = put_big(cells, 1, 0, degrees(sample.error_deg), "big")
+        cells.put(1, 3, "error", "dim")
+        if sample.loss_db is not None and cells.width - x >= 4 + width_of("-00.00"):
+            x = put_big(cells, x + 3, 0, decibels(sample.loss_db).removesuffix(" dB"), "big")
+            cells.put(x + 1, 2, "dB", "dim")
+            cells.put(x - width_of("0.00"), 3, "of the beam", "dim")
+        return True
+
+    @staticmethod
+    def lines(view: View, width: int, *, big: bool = False) -> list[tuple[str, str]]:
+        """Return (ink, words); without what stands in big digits."""
+        desk, pursuit, sample = view.track, pursuit_of(view), sample_of(view)
+        found: list[tuple[str, str]] = []
+        if desk is not None and desk.unfinished is not None and pursuit is None:
+            left = desk.unfinished
+            words = f"{left.name} was left in mid-pass, in reach until {left.reach_end:%H:%M:%S}"
+            found.append(("warn-strong", f"{words}: u takes it up again, D forgets it."))
+        if desk is not None and desk.problem:
+            found.append(("warn", f"▲ {desk.problem}"))
+        if pursuit is None:
+            return [*found, *_watched(view)]
+        head, error = headline(view) or "", error_words(view)
+        ink = "warn-strong" if pursuit.phase in (Phase.COUNTDOWN, Phase.INTERRUPTED, Phase.YIELDED) else "accent-strong"
+        if sample is not None and not big:
+            head = f"{fit(head, width - len(error) - 2)}  {error}"
+        found.insert(0, (ink, head))
+        coming = next_words(view)
+        los = los_words(pursuit.plan)
+        found.append(("text", f"{coming}   {los}".strip() if len(coming) + len(los) + 3 <= width else coming))
+        if pursuit.rms_error_deg is not None:
+            words = f"rms {degrees(pursuit.rms_error_deg)}  most {degrees(pursuit.max_error_deg)}"
+            if sample is not None and not big:
+                words = f"{decibels(sample.loss_db)}  {words}"
+            found.append(("text", words))
+        if pursuit.why:
+            found.append(("dim" if sample is not None else "text", pursuit.why))
+        steers = f"{pursuit.controller} controller" if pursuit.controller else ""
+        if pursuit.latency_s is not None:
+            steers += f", {pursuit.latency_s * 1000:.0f} ms a command"
+        found += [("dim", steers)] if steers else []
+        return [*found, *(("dim", note) for note in pursuit.plan.notes)]
+
+
+def _watched(view: View) -> list[tuple[str, str]]:
+    """Return what there is to say of a target that is only looked at."""
+    plan, place, desk = plan_of(view), target_place(view), view.track
+    if desk is None or desk.choice is None or plan is None:
+        if desk is None:
+            return [("dim", "The pursuit desk opens …")]
+        return [] if desk.choice is None else [("dim", "Its pass is worked out …")]
+    found = [("target-strong", f"{plan.aim.name}" + (f"  AZ {place[0]:.1f}°  EL {place[1]:.1f}°" if place else ""))]
+    t_s = view.utc.timestamp()
+    inside = [one for one in plan.reach.intervals if one.start.timestamp() <= t_s < one.end.timestamp()]
+    after = [one for one in plan.reach.intervals if one.start.timestamp() > t_s]
+    if inside:
+        found.append(("text", f"In reach for {count_text(inside[0].end.timestamp() - t_s)}: f follows it now."))
+    elif after:
+        wait = count_text(after[0].start.timestamp() - t_s)
+        found.append(("text", f"In reach in {wait}: f waits for it and follows."))
+    else:
+        found.append(("text", "This pass is not in reach any more." if plan.reach.intervals else "Never in reach."))
+    if plan.preposition is not None and after:
+        point = plan.preposition
+        where = f"{point.true_az_deg:.0f}°/{point.true_el_deg:.0f}°"
+        found.append(("dim", f"It would wait at {where}, {point.slew_s:.0f} s from here."))
+    if plan.forecast is not None:
+        forecast = plan.forecast
+        found.append(("dim", f"Expected: rms {degrees(forecast.rms_deg)}, most {degrees(forecast.max_deg)}."))
+    return [*found, *(("dim", note) for note in plan.notes)]

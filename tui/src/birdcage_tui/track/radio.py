@@ -1,0 +1,60 @@
+"""The receiver that is kept on the frequency: what it was told, what it says, how strong the signal is."""
+
+from __future__ import annotations
+
+import textwrap
+
+from birdcage.radio.now import RadioNow, RadioState
+
+from birdcage_tui.canvas import Cells
+from birdcage_tui.pane import Pane
+from birdcage_tui.view import View
+
+SIGNS = {
+    RadioState.OFF: ("○", "dim"), RadioState.CONNECTING: ("◌", "text"), RadioState.TUNED: ("●", "good"),
+    RadioState.LOST: ("▲", "warn"), RadioState.REFUSED: ("▲", "warn"),
+}  # fmt: skip
+UNSET = 'No receiver is set. [radio] rigctld = "localhost:4532" in birdcage.toml tunes SDR++, gqrx or a radio.'
+
+
+def megahertz(hz: float | None) -> str:
+    """Return a frequency; dashes when it is not known."""
+    return "---.------ MHz" if hz is None else f"{hz / 1e6:.6f} MHz"
+
+
+class RadioPane(Pane):
+    """One line a fact."""
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.border_title = "Radio"
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Write them."""
+        radio = RadioNow() if view.track is None else view.track.radio
+        aim = None if view.track is None else view.track.aim
+        sign, ink = SIGNS[radio.state]
+        words = f"{sign} {radio.state.value}  {radio.address}".rstrip()
+        self.heat(0, 0, cells.width, "track-frequency")
+        cells.put(1, 0, words, ink)
+        y = 1
+        hz = radio.downlink_hz if radio.downlink_hz is not None else None if aim is None else aim.frequency_hz
+        facts = [("F downlink", megahertz(hz))]
+        if radio.doppler_hz is not None:
+            facts.append(("Doppler", f"{radio.doppler_hz / 1000:+.3f} kHz"))
+        if radio.address:
+            facts += [("tuned", megahertz(radio.tuned_hz)), ("it says", megahertz(radio.read_back_hz))]
+            if radio.strength_db is not None:
+                facts.append(("strength", f"{radio.strength_db:.1f} dB"))
+            if radio.recording is not None:
+                facts.append(("recording", "told to begin" if radio.recording else "no"))
+        for name, value in facts:
+            if y < cells.height:
+                cells.put(1, y, name, "dim")
+                cells.put(13, y, value[: max(cells.width - 14, 0)], "text")
+                y += 1
+        sentence = radio.sentence or ("" if radio.address else UNSET)
+        for line in textwrap.wrap(sentence, max(cells.width - 2, 10)):
+            if y < cells.height:
+                cells.put(1, y, line, "dim" if not radio.address else ink)
+                y += 1

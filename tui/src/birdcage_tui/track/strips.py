@@ -1,0 +1,205 @@
+"""Azimuth, elevation and error over time: what is planned, what was, and what will happen, before it does."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
+from birdcage.base.geometry import shortest_turn
+
+from birdcage_tui.canvas import Braille, Cells
+from birdcage_tui.pane import Pane
+from birdcage_tui.passes.words import clock_text, count_text
+from birdcage_tui.track.path import Points, Spot
+from birdcage_tui.track.pursuing import plan_of, shown_is_followed
+from birdcage_tui.track.scale import error_top, loss_db, window
+from birdcage_tui.track.words import degrees
+from birdcage_tui.view import View
+
+if TYPE_CHECKING:
+    from birdcage.tracking.plan import Incident, Plan
+
+LEFT, RIGHT = 6, 7
+"""Columns of the scales."""
+TICKS_S = (10.0, 20.0, 30.0, 60.0, 120.0, 300.0, 600.0, 900.0, 1800.0, 3600.0)
+MARKS = {"keyhole": "warn", "rewind": "warn", "unreach": "text", "reach": "text"}
+"""What is written on the time axis, most important first, and its ink."""
+
+Series = Sequence[tuple[float, float]]
+"""Times and angles."""
+
+
+class TrackStrips(Pane):
+    """Three strips over one time axis: future is solid, past dotted, the dish in its own ink."""
+
+    HELP = (
+        "Yellow is the target, blue the dish: where it is planned to stand, and where it was. Below, the angle between "
+        "them in degrees, with what that costs at the width of the beam at the right; dim is what the plan expects."
+    )
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.border_title = "Azimuth, elevation, error"
+        self._points = Points()
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Share the rows out, draw the strips, then the line of now over all of them."""
+        plan = plan_of(view)
+        width, axis = cells.width - LEFT - RIGHT, 2 if cells.height >= 14 else 1
+        rows = cells.height - axis
+        if plan is None or width < 12 or rows < 3:
+            cells.put(1, 0, "Curves of the target stand here once one is chosen."[: cells.width - 2], "dim")
+            return
+        heights = [rows // 3 + (extra < rows % 3) for extra in (2, 1, 0)]  # the error has what is left over
+        start_s, end_s = window(plan, view)
+        x_of = _across(start_s, end_s, width)
+        spots = [spot for spot in self._points.of(plan, view) if start_s <= spot.t_s <= end_s]
+        self._lines(cells, plan, x_of, rows, width)
+        y = 0
+        for index, (name, height) in enumerate(zip(("AZ", "EL"), heights[:2], strict=True)):
+            _angles(cells, view, spots, index, (y, height, width), x_of, name)
+            y += height
+        _errors(cells, view, plan, (y, heights[2], width), x_of)
+        self._axis(cells, plan, view, (start_s, end_s), x_of, rows)
+        now_s = view.utc.timestamp()
+        if start_s <= now_s <= end_s:
+            column = LEFT + min(int(x_of(now_s)) // 2, width - 1)
+            for row in range(rows):
+                if cells.free(column, row, 1, "line", "dim", "faint", "target"):
+                    cells.put(column, row, "│", "strong")
+
+    @staticmethod
+    def _lines(cells: Cells, plan: Plan, x_of: Callable[[float], float], rows: int, width: int) -> None:
+        for each in plan.incidents:
+            column = int(x_of(each.at_s)) // 2
+            if each.what in MARKS and 0 <= column < width:
+                for row in range(rows):
+                    cells.put(LEFT + column, row, "┆", "line" if MARKS[each.what] == "text" else "warn")
+
+    @staticmethod
+    def _axis(cells: Cells, plan: Plan, view: View, span: tuple[float, float], x_of: Callable[[float], float],
+              y: int) -> None:  # fmt: skip
+        """Write what happens, where it fits, and round times in the gaps or in a row of their own."""
+        width, now_s = cells.width - LEFT - RIGHT, view.utc.timestamp()
+        at_now = int(x_of(now_s)) // 2
+        if span[0] <= now_s <= span[1]:
+            cells.put(LEFT + min(at_now, width - 1), y, "▲", "strong")
+        elif now_s < span[0]:
+            words = f"◀ rises in {count_text(span[0] - now_s)}"
+            cells.put(1, y, words, "strong")
+        order = list(MARKS)
+        coming = sorted((each for each in plan.incidents if each.what in MARKS), key=lambda one: order.index(one.what))
+        for each in coming:
+            _write(cells, y, each, x_of, width, past=each.at_s < now_s)
+        row = y + 1 if y + 1 < cells.height else y
+        every = next((each for each in TICKS_S if each * width / max(span[1] - span[0], 1.0) >= 11), TICKS_S[-1])
+        at_s = (span[0] // every + 1) * every
+        while at_s < span[1]:
+            words = clock_text(at_s, seconds=every < 60.0)
+            x = LEFT + int(x_of(at_s)) // 2 - len(words) // 2
+            if x + len(words) <= cells.width and cells.free(x - 1, row, len(words) + 2):
+                cells.put(x, row, words, "dim")
+            at_s += every
+
+
+def _across(start_s: float, end_s: float, width: int) -> Callable[[float], float]:
+    scale = (width * 2 - 1) / max(end_s - start_s, 1.0)
+    return lambda t_s: (t_s - start_s) * scale
+
+
+def _write(cells: Cells, y: int, what: Incident, x_of: Callable[[float], float], width: int, *, past: bool) -> None:
+    column = int(x_of(what.at_s)) // 2
+    if not 0 <= column < width:
+        return
+    ink = "dim" if past else MARKS[what.what]
+    for words in (what.text, what.text.partition(",")[0]):
+        for x in (LEFT + column - len(words) // 2, LEFT + column, LEFT + column - len(words) + 1):
+            if x >= 1 and x + len(words) < cells.width and cells.free(x - 1, y, len(words) + 2):
+                cells.put(x, y, words, ink)
+                return
+    if cells.free(LEFT + column, y, 1):
+        cells.put(LEFT + column, y, "╵", ink)
+
+
+def _scaled(low: float, high: float, dots: int) -> Callable[[float], float]:
+    return lambda deg: dots * (1.0 - (min(max(deg, low), high) - low) / max(high - low, 1e-6))
+
+
+def _angles(cells: Cells, view: View, spots: Sequence[Spot], axis: int, box: tuple[int, int, int],
+            x_of: Callable[[float], float], name: str) -> None:  # fmt: skip
+    """Draw one axis: the target's way, the dish's planned one, and where the dish was."""
+    y, height, width = box
+    if not spots or height < 1:
+        return
+    target = [(spot.t_s, (spot.az_deg, spot.el_deg)[axis]) for spot in spots]
+    planned = [(spot.t_s, spot.course[axis]) for spot in spots if spot.course is not None]
+    was: list[tuple[float, float]] = []
+    if shown_is_followed(view):
+        index = 0
+        for look in view.followed:
+            while index + 1 < len(spots) and spots[index + 1].t_s <= look.utc.timestamp():
+                index += 1
+            reported = look.reported_el_deg
+            if axis == 0:
+                reported = spots[index].az_deg + shortest_turn(spots[index].az_deg, look.reported_az_deg)
+            was.append((look.utc.timestamp(), reported))
+    values = [deg for _, deg in (*target, *planned)]
+    low, high = min(values), max(values)
+    canvas, now_s = Braille(width, height), view.utc.timestamp()
+    up = _scaled(low, high, height * 4 - 1)
+    _curve(canvas, target, x_of, up, "target", lambda t_s: t_s < now_s)
+    _curve(canvas, planned, x_of, up, "accent", lambda _: True, beside=target)
+    _curve(canvas, was, x_of, up, "accent", lambda _: False)
+    canvas.onto(cells, LEFT, y)
+    top, bottom = ((f"{deg % 360.0:.0f}°" if axis == 0 else f"{deg:.0f}°") for deg in (high, low))
+    cells.right(LEFT - 1, y, top, "dim")
+    if height > 1:
+        cells.right(LEFT - 1, y + height - 1, bottom, "dim")
+    cells.put(0, y + (height - 1) // 2 if height > 2 else y, name, "strong")
+    here = next((spot for spot in spots if spot.t_s >= now_s), None)
+    if here is not None and spots[0].t_s <= now_s:
+        deg = (here.az_deg % 360.0, here.el_deg)[axis]
+        cells.right(cells.width, y + (height - 1) // 2, f"{deg:.1f}°", "target")
+
+
+def _curve(canvas: Braille, series: Series, x_of: Callable[[float], float], up: Callable[[float], float], ink: str,
+           dotted: Callable[[float], bool], beside: Series = ()) -> None:  # fmt: skip
+    """Draw a curve; every third dot where it is dotted; nothing where it lies within a dot of the one `beside` it."""
+    near = dict(beside)
+    before: tuple[float, float] | None = None
+    for t_s, deg in series:
+        here = x_of(t_s), up(deg)
+        hidden = t_s in near and abs(here[1] - up(near[t_s])) < 1.0
+        # Two looks that are far apart in time are not joined: what lies between was not seen.
+        if before is not None and not hidden and here[0] - before[0] < canvas.width:
+            if not dotted(t_s):
+                canvas.line(*before, *here, ink)
+            elif int(here[0]) % 3 == 0:
+                canvas.dot(*here, ink)
+        before = here
+
+
+def _errors(cells: Cells, view: View, plan: Plan, box: tuple[int, int, int], x_of: Callable[[float], float]) -> None:
+    """Draw the error: expected, and as it was; degrees at the left, dB of the beam at the right."""
+    y, height, width = box
+    top = error_top(view, plan)
+    canvas, up = Braille(width, height), _scaled(0.0, top, height * 4 - 1)
+    if plan.forecast is not None:
+        times, errors = plan.forecast.t_s.tolist(), plan.forecast.error_deg.tolist()
+        every = max(1, len(times) // (width * 4))
+        _curve(canvas, list(zip(times, errors, strict=True))[::every], x_of, up, "dim", lambda _: False)
+    if shown_is_followed(view):
+        worst: dict[int, tuple[float, float]] = {}  # of each column of dots: what lies between is not to be seen
+        for look in view.followed:
+            t_s, column = look.utc.timestamp(), int(x_of(look.utc.timestamp()))
+            worst[column] = max(worst.get(column, (t_s, 0.0)), (t_s, look.error_deg), key=lambda pair: pair[1])
+        _curve(canvas, list(worst.values()), x_of, up, "accent", lambda _: False)
+    canvas.onto(cells, LEFT, y)
+    cells.right(LEFT - 1, y, degrees(top) if top < 10 else f"{top:.0f}°", "dim")
+    lost = loss_db(top, view.state.beam_deg)
+    cells.right(cells.width, y, "" if lost is None else f"-{lost:.2f}dB" if lost < 9.995 else f"-{lost:.0f}dB",
+              "dim")  # fmt: skip
+    if height > 1:
+        cells.right(LEFT - 1, y + height - 1, "0", "dim")
+        cells.right(cells.width, y + height - 1, "" if lost is None else "0 dB", "dim")
+    cells.put(0, y + (height - 1) // 2 if height > 2 else y + height - 1, "err", "strong")

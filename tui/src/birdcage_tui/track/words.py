@@ -1,0 +1,196 @@
+"""The pursuit in plain words: short, and as wide as their columns. Pure functions of a view."""
+
+from __future__ import annotations
+
+from datetime import datetime
+from typing import TYPE_CHECKING
+
+from birdcage.station.pursuit import Phase
+
+from birdcage_tui.passes.words import clock_text, count_text, length_text
+from birdcage_tui.track.pursuing import next_incident, pursuit_of, sample_of
+from birdcage_tui.view import View
+
+if TYPE_CHECKING:
+    from birdcage.tracking.plan import Plan
+
+PHASE = {
+    Phase.WAITING: "WAITING FOR",
+    Phase.COUNTDOWN: "ABOUT TO MOVE TO",
+    Phase.PREPOSITIONING: "GOING TO MEET",
+    Phase.READY: "READY FOR",
+    Phase.FOLLOWING: "FOLLOWING",
+    Phase.REWINDING: "TURNING BACK FOR",
+    Phase.YIELDED: "YIELDED, WAS ON",
+    Phase.INTERRUPTED: "INTERRUPTED ON",
+    Phase.PARKING: "PARKING AFTER",
+    Phase.OVER: "OVER:",
+}
+STATUS = {
+    Phase.WAITING: "WAIT", Phase.COUNTDOWN: "MOVES IN", Phase.PREPOSITIONING: "GO TO AOS", Phase.READY: "READY",
+    Phase.FOLLOWING: "FOLLOW", Phase.REWINDING: "REWIND", Phase.YIELDED: "YIELDED", Phase.INTERRUPTED: "CUT OFF",
+    Phase.PARKING: "PARKING", Phase.OVER: "IDLE",
+}  # fmt: skip
+"""One word for the status line."""
+SHORT = {Phase.FOLLOWING: "FOLLOW", Phase.PREPOSITIONING: "TO MEET", Phase.REWINDING: "REWIND FOR",
+         Phase.YIELDED: "YIELDED", Phase.INTERRUPTED: "CUT OFF", Phase.COUNTDOWN: "MOVES TO"}  # fmt: skip
+"""The same where there is little room."""
+
+
+def degrees(value_deg: float | None) -> str:
+    """Return an error: `0.04°`, from ten degrees on `12.3°`; dashes when it is not known."""
+    if value_deg is None:
+        return "-.--°"
+    return f"{value_deg:.2f}°" if value_deg < 9.995 else f"{value_deg:.1f}°"
+
+
+def decibels(value_db: float | None) -> str:
+    """Return what is lost: `-0.01 dB`; dashes when the beam is not known."""
+    if value_db is None:
+        return "--.-- dB"
+    return f"{-abs(value_db):.2f} dB" if abs(value_db) >= 0.005 else "0.00 dB"
+
+
+def seconds_to(view: View, moment: datetime | None) -> float | None:
+    """Return how long until then; None when that is not known."""
+    return None if moment is None else (moment - view.utc).total_seconds()
+
+
+def headline(view: View, *, brief: bool = False) -> str | None:
+    """Return what the pursuit does to whom: `FOLLOWING METEOR-M2 4`; None without one."""
+    pursuit = pursuit_of(view)
+    if pursuit is None:
+        return None
+    word = SHORT.get(pursuit.phase, PHASE[pursuit.phase]) if brief else PHASE[pursuit.phase]
+    return f"{word} {pursuit.plan.aim.name}"
+
+
+def error_words(view: View, *, brief: bool = False) -> str:
+    """Return the live error: `error 0.04°`; empty unless the dish follows and was looked at."""
+    sample = sample_of(view)
+    return "" if sample is None else f"{'err' if brief else 'error'} {degrees(sample.error_deg)}"
+
+
+def countdown_s(view: View) -> float | None:
+    """Return the seconds until it moves though nobody has just asked for it; None unless it counts down."""
+    pursuit = pursuit_of(view)
+    if pursuit is None or pursuit.phase is not Phase.COUNTDOWN:
+        return None
+    return seconds_to(view, pursuit.next_at)
+
+
+def countdown_words(view: View) -> str | None:
+    """Return what is about to move, where to, and what stops it; None unless it counts down."""
+    pursuit = pursuit_of(view)
+    if pursuit is None or pursuit.phase is not Phase.COUNTDOWN:
+        return None
+    where, point = "", pursuit.plan.preposition
+    if point is not None:
+        where = f" to {point.true_az_deg:.0f}°/{point.true_el_deg:.0f}°"
+    left_s = seconds_to(view, pursuit.next_at)
+    when = "soon" if left_s is None else f"in {max(left_s, 0.0):.0f} s"
+    return f"▲ MOVES{where} for {pursuit.plan.aim.name} {when}   Space stops it"
+
+
+def trouble(view: View) -> tuple[str, str] | None:
+    """Return ink and words for the row under the status line, where a pursuit wants to be noticed; else None."""
+    words = countdown_words(view)
+    if words is not None:
+        return "warn-row", words
+    pursuit = pursuit_of(view)
+    if pursuit is not None and pursuit.phase is Phase.INTERRUPTED:
+        return "warn-row", f"◌ PURSUIT INTERRUPTED  {pursuit.why}"
+    return None
+
+
+def _soon(word: str, left_s: float | None) -> str:
+    return word if left_s is None else f"{word} in {count_text(left_s)}"
+
+
+def next_words(view: View) -> str:
+    """Return what happens next and when: `18° floor in 02:43`; while it waits, what it waits for."""
+    pursuit = pursuit_of(view)
+    if pursuit is None:
+        return ""
+    if pursuit.phase in (Phase.FOLLOWING, Phase.REWINDING, Phase.READY):
+        coming = next_incident(view)
+        if coming is not None and coming.what != "los":
+            return _soon(coming.text, coming.at_s - view.utc.timestamp())
+    if not pursuit.next_what:
+        return ""
+    return _soon(pursuit.next_what, seconds_to(view, pursuit.next_at))
+
+
+def los_words(plan: Plan) -> str:
+    """Return when it sets; empty for what does not pass."""
+    return "" if plan.passing is None else f"LOS {plan.passing.los:%H:%M:%S}"
+
+
+def pass_words(plan: Plan) -> str:
+    """Return rise, highest point and set as one line: `AOS 301° 03:21:10  TCA 64° 03:27:02  LOS 121° 03:32:50`."""
+    passing = plan.passing
+    if passing is None:
+        return "does not pass: it can be followed for as long as it is up"
+    aos = "up before" if passing.already_up else f"AOS {passing.aos_azimuth_deg:.0f}° {passing.aos:%H:%M:%S}"
+    los = "LOS later" if passing.still_up else f"LOS {passing.los_azimuth_deg:.0f}° {passing.los:%H:%M:%S}"
+    return f"{aos}  TCA {passing.max_elevation_deg:.0f}° {passing.tca:%H:%M:%S}  {los}"
+
+
+def reach_words(plan: Plan, room: int) -> str:
+    """Return when it is in reach: as many intervals as there is room for, then how long in all."""
+    intervals = plan.reach.intervals
+    if not intervals:
+        reasons = ", ".join(plan.reach.reasons)
+        return f"never in reach: {reasons}" if reasons else "never in reach"
+    total = length_text(plan.reach.total_s)
+    spans = [f"{clock_text(one.start.timestamp())}-{clock_text(one.end.timestamp())}" for one in intervals]
+    for count in range(len(spans), 0, -1):
+        more = f" +{len(spans) - count}" if count < len(spans) else ""
+        words = f"in reach {', '.join(spans[:count])}{more}, {total}"
+        if len(words) <= room:
+            return words
+    return f"in reach {total}"
+
+
+def age_words(view: View) -> tuple[str, str]:
+    """Return ink and words of how old the elements are, and the error that means; empty for what has none."""
+    expected = None if view.track is None else view.track.expected
+    if expected is None:
+        return "dim", ""
+    from birdcage_tui.sky_convert import GRADE_INKS
+
+    return GRADE_INKS[expected.grade], f"{expected.glyph} elements {expected.words}"
+
+
+def brief_age(view: View) -> str:
+    """Return the same in a few columns: `◐ 6 h old ±0.11°`."""
+    expected = None if view.track is None else view.track.expected
+    if expected is None:
+        return ""
+    off = "" if expected.pointing_median_deg is None else f" ±{degrees(expected.pointing_median_deg)}"
+    return f"{expected.glyph} {expected.words.partition(',')[0]}{off}"
+
+
+def offset_words(view: View) -> str:
+    """Return the time offset, and what it is in degrees where the target stands now: `offset +0.3 s = 0.18°`."""
+    aim = None if view.track is None else view.track.aim
+    if aim is None:
+        return "offset --"
+    offset_s = aim.time_offset_s
+    return f"offset {offset_s:+.1f} s" + (f" = {degrees(abs(offset_s) * rate)}"
+                                           if (rate := rate_deg_s(view)) is not None and offset_s else "")  # fmt: skip
+
+
+def rate_deg_s(view: View) -> float | None:
+    """Return how fast the target goes over the sky, in degrees a second: now, or where the pass is highest."""
+    from birdcage.base.geometry import separation
+
+    from birdcage_tui.track.pursuing import plan_of
+
+    plan = plan_of(view)
+    if plan is None:
+        return None
+    t_s = view.utc.timestamp()
+    if not plan.sky.start_s <= t_s < plan.sky.end_s - 1.0:
+        t_s = (plan.sky.start_s + plan.sky.end_s) / 2 if plan.passing is None else plan.passing.tca.timestamp()
+    return separation(*plan.sky.at(t_s), *plan.sky.at(t_s + 1.0))
