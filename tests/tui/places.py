@@ -92,6 +92,7 @@ PLACES = (
     _dialog("horizon point", "HorizonHands._type", "f2", "t", **FIELDS),
     _dialog("draw the horizon", "HorizonHands._draw", "f2", "D", dialog="SketchScreen", holds="SketchScreen/SketchPane"),
     _dialog("clear the horizon", "HorizonHands._clear", "f2", "Z"),
+    _dialog("jump to a time", "PassesPage._ask_time", "f7", "t", **FIELDS),
     _dialog("new preset", "ControlPage._add", "f2", "a", **FIELDS),
     _dialog("edit preset", "ControlPage._edit", "f2", "p", "e", **FIELDS),
     _dialog("area clear", "SetupPage._when_clear", "f8", "enter"),

@@ -384,3 +384,16 @@ def test_the_end_of_the_search_is_no_event():
     assert held.next_event(last.aos_s) == (last.aos_s + 60.0, "reach")
     assert held.next_event(last.aos_s + 90.0) is None, "nobody knows when it ends"
     assert "LOS" not in [word for _, word in held.events()]
+
+
+def test_a_typed_time_is_shown_and_a_wrong_one_is_answered():
+    async def typed(app, pilot):
+        await pressed(app, pilot, "t", *("n", "o", "o", "n"), "enter")
+        wrong = text_of(app)
+        await pressed(app, pilot, *["backspace"] * 4, "plus", "2", "0", "m", "enter")
+        return wrong, await pressed(app, pilot)
+
+    wrong, after = on_page(typed, (120, 36))
+    assert "▲ Type 21:30, +1h30" in wrong
+    assert "12:20:00" in after
+    assert "12:00:00Z" in after  # the clock itself

@@ -1,0 +1,25 @@
+"""The question which moment the page of passes shall show."""
+
+from __future__ import annotations
+
+from datetime import datetime
+
+from birdcage_tui.control.fields import Field, FieldsScreen, Values
+from birdcage_tui.passes.time_text import EXAMPLES, moment_of
+
+
+def time_screen(shown: datetime) -> FieldsScreen:
+    """Return the form; `shown` is the moment that is shown now."""
+
+    def check(values: Values) -> str:
+        try:
+            moment_of(values[0], shown)
+        except ValueError as wrong:
+            return str(wrong)
+        return ""
+
+    words = (
+        f"Shown now is {shown:%Y-%m-%d %H:%M}Z. A time of day is the next one; a sign counts from what is shown. "
+        "It is a view alone: nothing moves, and no clock is set."
+    )
+    return FieldsScreen("Jump to a time", words, (Field("UTC", "", EXAMPLES),), check)
