@@ -18,6 +18,28 @@ WEAR = (
         reversals INTEGER NOT NULL, since TEXT NOT NULL, PRIMARY KEY (dish, axis)
     )""",
 )
+PASSES = (
+    """CREATE TABLE pass (
+        id INTEGER PRIMARY KEY, pursuit INTEGER NOT NULL, name TEXT NOT NULL, kind TEXT NOT NULL, norad_id INTEGER,
+        frequency_hz REAL, aos TEXT, los TEXT, reach_start TEXT, reach_end TEXT, max_el_deg REAL,
+        started TEXT NOT NULL, ended TEXT, outcome TEXT, controller TEXT NOT NULL, latency_s REAL,
+        forecast_rms_deg REAL, forecast_max_deg REAL, demo INTEGER NOT NULL, site TEXT NOT NULL,
+        elements_epoch TEXT, time_offset_s REAL NOT NULL, csv TEXT
+    )""",
+    "CREATE INDEX pass_by_started ON pass (started)",
+    """CREATE TABLE pass_sample (
+        pass INTEGER NOT NULL REFERENCES pass (id) ON DELETE CASCADE, utc TEXT NOT NULL,
+        target_az_deg REAL NOT NULL, target_el_deg REAL NOT NULL, planned_az_deg REAL NOT NULL,
+        planned_el_deg REAL NOT NULL, commanded_az_deg REAL NOT NULL, commanded_el_deg REAL NOT NULL,
+        reported_az_deg REAL NOT NULL, reported_el_deg REAL NOT NULL, error_deg REAL NOT NULL, loss_db REAL,
+        signal REAL, unit TEXT
+    )""",
+    "CREATE INDEX pass_sample_by_pass ON pass_sample (pass)",
+    """CREATE TABLE pass_remark (
+        pass INTEGER NOT NULL REFERENCES pass (id) ON DELETE CASCADE, utc TEXT NOT NULL, text TEXT NOT NULL
+    )""",
+    "CREATE INDEX pass_remark_by_pass ON pass_remark (pass)",
+)
 
-MIGRATIONS = (FAULTS, WEAR)
+MIGRATIONS = (FAULTS, WEAR, PASSES)
 """Of the whole file. Whoever opens it passes this, so that nobody takes the others' tables for a newer program's."""

@@ -40,10 +40,12 @@ class Paths:
     """Tables read from a dish before something was written to it."""
     catalogue: Path
     """The database of element sets and of what the user says about satellites."""
+    passes: Path
+    """A file of each pass that was followed: where the dish was sent, and where it was."""
 
     @property
     def journal(self) -> Path:
-        """The database of faults."""
+        """The database of faults, wear and passes."""
         return self.state / "journal.sqlite"
 
     @property
@@ -93,6 +95,7 @@ class Paths:
             state=state,
             backups=data / "backups",
             catalogue=data / "catalogue.sqlite",
+            passes=data / "passes",
         )
 
     def with_config(self, config_file: Path) -> Paths:

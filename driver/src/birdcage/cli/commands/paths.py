@@ -24,6 +24,7 @@ def command() -> None:
         "state": paths.state,
         "backups": paths.backups,
         "catalogue": paths.catalogue,
+        "passes": paths.passes,
         "places": paths.places_file,
         "alignments": paths.alignments_file,
         "downlinks": paths.downlinks_file,

@@ -1,0 +1,149 @@
+"""The log of passes: of every pass that was followed, where the dish was sent, where it was, and what it heard."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from datetime import datetime
+from pathlib import Path
+
+from birdcage.base.background import BackgroundWriter
+from birdcage.pursuit.hooks import HookLine
+from birdcage.pursuit.pass_log_items import Began, Ended, Item, Looked, Remarked, Told
+from birdcage.pursuit.pass_log_work import EpochOf, PassLogWork
+from birdcage.pursuit.pass_record import PassHead, PassSample, head_of
+from birdcage.station.events import Event, Followed, PursuitChanged, ReadingRead
+from birdcage.station.pursuit import Phase, Pursuit, Sample
+from birdcage.station.station import Station
+
+QUEUE_SIZE = 8192
+FRESH_S = 3.0
+"""How old a signal may be that stands beside a sample."""
+SELDOM_S = 10.0
+"""How often a target is kept that does not pass: it is followed for days."""
+TO_ITS_END = "Followed to its end."
+PROGRAM_ENDED = "The program was ended."
+_FOLLOWS = frozenset({Phase.FOLLOWING, Phase.REWINDING})
+_DUE = frozenset({Phase.YIELDED, Phase.INTERRUPTED, Phase.OVER})
+
+
+class PassLog:
+    """`hear` is for the station's thread, all else for any; nothing waits but `flush` and `close`."""
+
+    def __init__(
+        self, journal: Path, folder: Path, *, site: Callable[[], str] = str, epoch_of: EpochOf | None = None
+    ) -> None:
+        """Keep passes in the database `journal`, and each as CSV in `folder`.
+
+        `site`: names the place, asked at the beginning of each pass. `epoch_of`: tells the epoch of the elements by
+        which a satellite is followed, None for not known; called on the writer's thread, may raise BirdcageError.
+        """
+        self._work = PassLogWork(journal, folder, epoch_of)
+        self._writer: BackgroundWriter[Item] = BackgroundWriter("pass log", self._work.write, size=QUEUE_SIZE)
+        self._site = site
+        self._latest: Pursuit | None = None
+        self._open: PassHead | None = None
+        self._done = 0
+        """The number of the pursuit whose pass was closed last."""
+        self._last: tuple[float, datetime] | None = None
+        """When the last sample was kept: monotonic, UTC."""
+        self._reading: tuple[float, float, str] | None = None
+        self._strength: tuple[float, float, str] | None = None
+
+    @property
+    def problem(self) -> str:
+        """What is not being kept, and why; empty when all is well."""
+        return self._work.problem
+
+    def hear(self, event: Event, *, demo: bool) -> None:
+        """Take an event of the station; `demo`: whether its dish is a simulated one. Returns at once."""
+        if isinstance(event, PursuitChanged):
+            self._changed(event, demo)
+        elif isinstance(event, Followed):
+            pursuit = self._latest
+            if self._open is None and pursuit is not None and event.number == pursuit.number != self._done:
+                self._begin(pursuit, event.utc, demo)
+            if self._open is not None and event.number == self._open.pursuit:
+                self._keep(event.sample)
+        elif isinstance(event, ReadingRead) and event.feature == "rssi" and isinstance(event.value, int | float):
+            self._reading = (event.at, float(event.value), event.unit)
+
+    def signal(self, value: float, unit: str, at: float) -> None:
+        """Take the strength that a receiver tells, at a monotonic time; it goes before the dish's own signal."""
+        self._strength = (at, value, unit)
+
+    def hook_said(self, line: HookLine) -> None:
+        """Keep what a hook said, before, during or after its pass: the sink of `Hooks`."""
+        self._writer.offer(Remarked(line.name, line.utc, f"{line.event}: {line.text}"))
+
+    def flush(self, timeout_s: float = 2.0) -> bool:
+        """Wait until all is on disk; False if that took too long."""
+        return self._writer.flush(timeout_s)
+
+    def close(self, timeout_s: float = 2.0) -> None:
+        """Write what is waiting, and end. A pass under way is closed. After the station has been closed."""
+        if self._open is not None:
+            self._end(self._open.started if self._last is None else self._last[1], PROGRAM_ENDED)
+        self._writer.close(timeout_s)
+
+    def _changed(self, event: PursuitChanged, demo: bool) -> None:
+        pursuit = self._latest = event.pursuit
+        if self._open is not None and pursuit.number != self._open.pursuit:
+            self._end(event.utc, "Another pursuit began.")
+        if self._open is None and pursuit.number != self._done and self._is_due(pursuit, event.utc):
+            self._begin(pursuit, event.utc, demo)
+        if self._open is None:
+            return
+        head = head_of(pursuit, self._open.started, demo=self._open.demo, site=self._open.site)
+        # The latency changes with every command; the one at the end is kept.
+        if replace(head, latency_s=None) != replace(self._open, latency_s=None):
+            self._writer.offer(Told(head))
+        self._open = head
+        if pursuit.phase is Phase.PARKING:
+            self._end(event.utc, TO_ITS_END)
+        elif pursuit.phase is Phase.OVER:
+            self._end(event.utc, pursuit.why)
+
+    def _is_due(self, pursuit: Pursuit, utc: datetime) -> bool:
+        """Return whether the pass is followed, or should be by now: one that was missed belongs into the log too."""
+        if pursuit.phase in _FOLLOWS:
+            return True
+        stretches = pursuit.plan.reach.intervals
+        return pursuit.phase in _DUE and bool(stretches) and utc >= stretches[0].start
+
+    def _begin(self, pursuit: Pursuit, utc: datetime, demo: bool) -> None:
+        self._open = head_of(pursuit, utc, demo=demo, site=self._site())
+        self._last = None
+        self._writer.offer(Began(self._open))
+
+    def _end(self, utc: datetime, outcome: str) -> None:
+        if self._open is not None:
+            self._writer.offer(Ended(utc, outcome, self._open.latency_s))
+            self._done, self._open = self._open.pursuit, None
+
+    def _keep(self, sample: Sample) -> None:
+        seldom = self._open is not None and self._open.aos is None
+        if seldom and self._last is not None and sample.at - self._last[0] < SELDOM_S:
+            return
+        self._last = (sample.at, sample.utc)
+        value, unit = self._signal_at(sample.at)
+        self._writer.offer(
+            Looked(
+                PassSample(
+                    sample.utc, sample.target_az_deg, sample.target_el_deg, sample.planned_az_deg,
+                    sample.planned_el_deg, sample.commanded_az_deg, sample.commanded_el_deg, sample.reported_az_deg,
+                    sample.reported_el_deg, sample.error_deg, sample.loss_db, value, unit,
+                )
+            )
+        )  # fmt: skip
+
+    def _signal_at(self, at: float) -> tuple[float | None, str | None]:
+        for told in (self._strength, self._reading):
+            if told is not None and at - told[0] <= FRESH_S:
+                return told[1], told[2]
+        return None, None
+
+
+def keep_passes(station: Station, log: PassLog) -> Callable[[], None]:
+    """Keep every pass that a station follows; the result ends that."""
+    return station.subscribe(lambda event: log.hear(event, demo=station.state.demo))
