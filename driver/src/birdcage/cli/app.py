@@ -30,6 +30,7 @@ COMMANDS = {
     "sky": "List what is up now.",
     "passes": "List what comes over, and when this dish can follow it.",
     "autotrack": "Show which passes of the favourites would be followed, and why not the others.",
+    "log": "List the passes that were followed, and how well.",
     "downlinks": "List who sends what, and what your feed can hear.",
     "if": "Work out where a converter puts a frequency, and who can tune to it.",
     "ready": "Check what is missing before you leave home.",
