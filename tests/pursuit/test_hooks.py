@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import shlex
+import subprocess
 import sys
 import threading
 import time
@@ -89,7 +90,7 @@ def stage():
 
     yield make
     for each in stages:
-        each.hooks.close()
+        each.hooks.close(10.0)
 
 
 def test_each_runs_at_its_moment(stage):
@@ -166,7 +167,7 @@ def test_nobody_waits_for_a_command(stage):
     stage.run(101.0)
     assert time.monotonic() - began < 1.0
     assert stage.starts() == [("reach_start", 100)]
-    assert stage.hooks.close()
+    assert stage.hooks.close(10.0)
     assert time.monotonic() - began < 2.0
     assert stage.texts[-1].endswith("was ended by signal 15.")
 
@@ -218,7 +219,7 @@ class TestTheWholeFamily:
         stage.hooks.plan(FACTS)
         stage.run(101.0)
         until(lambda: "deaf" in stage.texts)
-        assert stage.hooks.close()
+        assert stage.hooks.close(10.0)
         assert any("did not end within 0.2 s, and was killed" in text for text in stage.texts)
         assert stage.texts[-1].endswith("was ended by signal 9.")
 
@@ -229,7 +230,7 @@ class TestTheWholeFamily:
         stage.run(101.0)
         pid = grandchild(stage)
         until(lambda: "deaf" in stage.texts)
-        assert stage.hooks.close()
+        assert stage.hooks.close(10.0)
         until(lambda: not alive(pid))
 
     def test_what_stays_behind_is_told_and_ends_with_us(self, stage):
@@ -240,7 +241,30 @@ class TestTheWholeFamily:
         stage.ended()
         assert stage.texts[-1].endswith("ended with status 0, but what it started still runs.")
         assert alive(pid)
-        assert stage.hooks.close()
+        assert stage.hooks.close(10.0)
+        until(lambda: not alive(pid))
+
+    def test_whoever_ends_first_leaves_nobody_behind(self, tmp_path):
+        """A program that ends at once, and a command that does not listen: it is killed all the same, later."""
+        code = f"""
+import sys
+from datetime import timedelta
+from birdcage.base.clock import RealClock
+from birdcage.base.config.tracking_sections import HookSettings
+from birdcage.pursuit.hooks import Hooks
+from birdcage.pursuit.pass_facts import PassFacts
+import queue
+clock, lines = RealClock(), queue.Queue()
+hooks = Hooks(HookSettings(at_reach_start={python(STUBBORN)!r}), lambda line: lines.put(line.text), clock, grace_s=0.3)
+hooks.plan(PassFacts("X", clock.utc(), clock.utc() + timedelta(seconds=60)))
+hooks.step()
+while lines.get(timeout=10) != "deaf":
+    pass
+print(hooks._runs[0]._group.child.pid)
+assert not hooks.close()
+"""
+        done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=30, check=True)
+        pid = int(done.stdout)
         until(lambda: not alive(pid))
 
     def test_has_a_group_of_its_own(self, stage):
@@ -317,5 +341,5 @@ def test_no_thread_is_left(stage):
     stage.hooks.plan(FACTS)
     stage.run(101.0)
     stage.ended()
-    assert stage.hooks.close()
+    assert stage.hooks.close(10.0)
     assert not [each for each in threading.enumerate() if each.name == "hook"]

@@ -36,7 +36,7 @@ class HookRun:
         self._say, self._deadline_s, self._grace_s = say, deadline_s, grace_s
         self._ending = threading.Event()
         self._lines = 0
-        self._what = f"{event}: {command}"
+        self._what = command.strip() or "(empty)"
         self._group = self._begin(event, command, facts)
         self._threads: list[threading.Thread] = []
         if self._group is not None:
@@ -51,7 +51,14 @@ class HookRun:
 
     def end(self) -> None:
         """Ask it to end, and have it killed when the grace is over. Does not wait."""
+        if self._group is not None and not self.over:
+            self._group.ask()  # at once: the program may be gone before a thread comes to it
         self._ending.set()
+
+    def leave(self) -> None:
+        """Have what was asked to end killed by somebody else when the grace is over, as this program ends before."""
+        if self._group is not None and self._group.alive():
+            self._group.kill_later(self._grace_s)
 
     def wait(self, timeout_s: float) -> bool:
         """Wait until it has ended; False if that took too long."""

@@ -83,17 +83,20 @@ class Hooks:
         # At most a second, as the time of day may be set meanwhile.
         return self._clock.monotonic() + min((next_s - now_s) / self._clock.rate, 1.0)
 
-    def close(self, timeout_s: float | None = None) -> bool:
-        """End what still runs: asked to, killed when the grace is over. False where `timeout_s` was too short for it.
+    def close(self, timeout_s: float = 0.0) -> bool:
+        """End what still runs: asked to, killed when the grace is over; wait for that no longer than `timeout_s`.
 
-        No further hook is started: an end hook would be ended with the rest.
+        False where something takes longer: that is killed in time also when this program has gone meanwhile. No further
+        hook is started: an end hook would be ended with the rest.
         """
         self._facts = None
         for each in self._runs:
             each.end()
-        longest_s = self._grace_s + 1.0 if timeout_s is None else timeout_s
-        until = self._clock.monotonic() + longest_s
-        return all(each.wait(max(until - self._clock.monotonic(), 0.0)) for each in self._runs)
+        until = self._clock.monotonic() + timeout_s
+        slow = [each for each in self._runs if not each.wait(max(until - self._clock.monotonic(), 0.0))]
+        for each in slow:
+            each.leave()
+        return not slow
 
     def _times(self, facts: PassFacts) -> list[tuple[Event, float]]:
         times: list[tuple[Event, float]] = [("reach_start", facts.reach_start.timestamp() - self._settings.pre_s)]

@@ -47,6 +47,17 @@ class ProcessGroup:
         else:
             self._signal(signal.SIGKILL)
 
+    def kill_later(self, seconds: float) -> None:
+        """Leave somebody behind who ends all of it after so long; on Windows it is ended at once."""
+        if sys.platform == "win32":
+            self.kill()
+            return
+        words = ["/bin/sh", "-c", f"sleep {seconds:g}; kill -s KILL -- -{self.child.pid}"]
+        subprocess.Popen(  # noqa: S603 - no word of anybody's
+            words, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+            start_new_session=True,
+        )  # fmt: skip
+
     def _signal(self, number: int) -> bool:
         """Whether there was somebody to send it to."""
         if sys.platform == "win32":
