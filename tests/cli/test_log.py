@@ -1,0 +1,137 @@
+"""`birdcage log` as a person and a script meet it."""
+
+from __future__ import annotations
+
+import csv
+import importlib.util
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from birdcage.base.paths import Paths
+from birdcage.pursuit.hooks import HookLine
+from birdcage.pursuit.pass_log import PassLog
+from birdcage.station.pursuit import Phase
+
+_file = Path(__file__).parents[1] / "pursuit" / "pass_events.py"
+_spec = importlib.util.spec_from_file_location("pass_events", _file)
+pass_events = importlib.util.module_from_spec(_spec)
+_spec.loader.exec_module(pass_events)
+at, plan = pass_events.at, pass_events.plan
+
+
+@pytest.fixture
+def three_passes():
+    """A good pass, one of a simulated dish that was 1.5° off for a moment, and one that was cut off."""
+    paths = Paths.default()
+    log = PassLog(paths.journal, paths.passes, site=lambda: "Home")
+    story = pass_events.Story(log)
+    story.phase(0, Phase.FOLLOWING)
+    for second in range(100):
+        story.look(float(second), 0.02)
+    story.phase(400, Phase.PARKING, latency_s=0.06)
+    story.demo = True
+    story.pursuit = replace(story.pursuit, number=2, plan=plan("METEOR-M2 4", 59051, start=6000.0))
+    story.phase(6000, Phase.FOLLOWING)
+    story.rssi(6049.5, 512.0)
+    for second in range(100):
+        story.look(6000.0 + second, 1.5 if second == 50 else 0.02, 4.0 if second == 50 else 0.01)
+    log.hook_said(HookLine(at(6050), "tca", "METEOR-M2 4", "recording"))
+    story.phase(6400, Phase.OVER, "Ended by operator.")
+    story.demo = False
+    story.pursuit = replace(story.pursuit, number=3, plan=plan("ISS (ZARYA)", start=12000.0))
+    story.phase(12000, Phase.FOLLOWING)
+    assert log.flush()
+    yield paths
+    log.close()
+
+
+def test_an_empty_log_says_so_and_makes_no_file(run, as_json):
+    result = run("log")
+    assert (result.exit_code, result.stdout, result.stderr.strip()) == (0, "", "No pass was followed yet.")
+    assert as_json(run("log", "--json"))["passes"] == []
+    assert not Paths.default().journal.exists()
+
+
+def test_the_table_has_a_line_a_pass_and_a_total(run, three_passes):
+    result = run("log")
+    head, first, second, third = result.stdout.splitlines()
+    assert head.split()[:2] == ["NO", "BEGAN"]
+    told = "1 2026-11-21 12:00:00 ISS (ZARYA) 61.5° 1:39 0.020° 0.020° 100.0 % fast Followed to its end."
+    assert " ".join(first.split()) == told
+    rms = (0.02**2 * 0.99 + 1.5**2 * 0.01) ** 0.5
+    assert f"DEMO METEOR-M2 4  61.5°      1:39  {rms:.3f}°  1.500°   99.0 %  fast  Ended by operator." in second
+    assert third.split()[-8:] == ["fast", "Under", "way,", "or", "cut", "off", "in", "mid-pass."]
+    assert third.split()[6:10] == ["-", "-", "-", "-"]
+    assert "3 passes, 3:18 followed: RMS 0.108°, at most 1.500°, within 0.5 dB 99.5 % of the time." in result.stderr
+    assert "DEMO was a simulated dish" in result.stderr
+
+
+def test_json_has_the_same(run, as_json, three_passes):
+    told = as_json(run("log", "--json"))
+    first, second, third = told["passes"]
+    assert (first["number"], first["name"], first["norad_id"], first["demo"]) == (1, "ISS (ZARYA)", 25544, False)
+    assert (first["reach_start"], first["ended"]) == ("2026-11-21T12:00:00.000Z", "2026-11-21T12:06:40.000Z")
+    assert (first["rms_deg"], first["within_half_db_share"], first["latency_s"]) == (0.02, 1.0, 0.06)
+    assert (second["demo"], second["max_error_deg"]) == (True, 1.5)
+    assert (third["ended"], third["outcome"], third["rms_deg"], third["samples"]) == (None, None, None, 0)
+    assert (told["total"]["passes"], told["total"]["within_half_db_share"]) == (3, 0.995)
+
+
+def test_choosing(run, as_json, three_passes):
+    def numbers(*words):
+        return [each["number"] for each in as_json(run("log", "--json", *words))["passes"]]
+
+    assert numbers("--last", 2) == [2, 3]
+    assert numbers("--since", "2026-11-21T13:00") == [2, 3]
+    assert numbers("--name", "meteor") == numbers("--name", "59051") == [2]
+    assert "No such pass" in run("log", "--name", "sputnik").stderr
+
+
+def test_one_pass_with_its_worst_moments_and_what_hooks_said(run, as_json, three_passes):
+    text = run("log", "show", 2).stdout
+    assert text.startswith("DEMO: a simulated dish")
+    assert "METEOR-M2 4 (59051)" in text
+    assert "at most 1.500°" in text
+    worst = text.split("worst moments\n")[1].splitlines()
+    told = "13:40:50 1.500° 4.0 dB 100.00° 40.00° 100.10° 40.00° 101.50° 40.00° 512 counts"
+    assert " ".join(worst[1].split()) == told
+    assert "13:40:50  tca: recording" in text
+    told = as_json(run("log", "show", 2, "--json"))
+    assert (len(told["all_samples"]), told["worst"][0]["error_deg"]) == (100, 1.5)
+    assert told["remarks"] == [{"utc": "2026-11-21T13:40:50.000Z", "text": "tca: recording"}]
+
+
+def test_csv_is_the_file_again(run, three_passes):
+    text = run("log", "--csv", 2).stdout
+    (file,) = three_passes.passes.glob("*METEOR*")
+    assert text == file.read_text()
+    rows = list(csv.DictReader(line for line in text.splitlines() if not line.startswith("#")))
+    assert (len(rows), rows[50]["error_deg"], rows[50]["signal"], rows[50]["unit"]) == (100, "1.5", "512.0", "counts")
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("show", "9"), "There is no pass 9 in the log"),
+        (("show", "x"), "log show NUMBER"),
+        (("shown",), "log show NUMBER"),
+        (("--csv", "9"), "There is no pass 9"),
+        (("show", "9" * 30), "There is no pass"),
+    ],
+)
+def test_what_is_not_there_is_said(run, three_passes, words, said):
+    result = run("log", *words)
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert said in result.stderr
+
+
+def test_a_damaged_journal_is_said(run, three_passes):
+    other = Paths.default()
+    other.journal.with_name("x").write_text("")
+    for file in other.journal.parent.glob("journal.sqlite*"):
+        file.unlink()
+    other.journal.write_bytes(b"no database at all" * 100)
+    result = run("log")
+    assert result.exit_code != 0
+    assert "journal.sqlite is damaged" in result.stderr
