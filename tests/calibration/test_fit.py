@@ -53,9 +53,9 @@ def sky_error(true: Alignment, fitted: Alignment) -> float:
 
 
 def table(directions: list[tuple[float, float]], terms: tuple[str, ...]) -> float:
-    """The error over the sky after the fit, over forty dishes: root mean square."""
+    """The error over the sky after the fit, over two dozen dishes: root mean square."""
     rng, errors = random.Random(4), []
-    for _ in range(40):
+    for _ in range(24):
         true = stand(rng)
         found = peaks(true, directions, rng)
         errors.append(sky_error(true, fit(found, priors_of(NOTHING, found), Alignment(), terms).alignment))
@@ -85,7 +85,7 @@ def test_offsets_alone_leave_what_the_lean_makes() -> None:
 
 def test_it_was_bad_before() -> None:
     rng = random.Random(4)
-    before = [sky_error(stand(rng), Alignment()) for _ in range(40)]
+    before = [sky_error(stand(rng), Alignment()) for _ in range(24)]
     assert 1.5 < math.sqrt(fmean(each**2 for each in before)) < 3.0
 
 
@@ -102,7 +102,7 @@ def test_without_noise_it_is_found_to_a_hundredth() -> None:
 
 def test_it_knows_how_well_it_knows() -> None:
     rng, beyond = random.Random(7), 0
-    for _ in range(60):
+    for _ in range(40):
         true = stand(rng)
         found = peaks(true, arc(8) + SUN, rng)
         result = fit(found, priors_of(NOTHING, found), Alignment())
@@ -111,7 +111,7 @@ def test_it_knows_how_well_it_knows() -> None:
         beyond += abs(result.alignment.an_deg - true.an_deg) > 2 * error
         assert result.leave_one_out_rms_deg is not None
         assert result.rms_deg < result.leave_one_out_rms_deg < 0.35
-    assert beyond <= 8  # one in twenty is expected
+    assert beyond <= 6  # one in twenty is expected
 
 
 def test_so_many_terms_as_the_peaks_carry() -> None:
@@ -148,7 +148,7 @@ def test_a_short_stretch_of_the_arc_is_warned_of() -> None:
     true = Alignment(10.0, 0.5, 0.1, 0.5, 0.2)
     narrow = peaks(true, [(150.0 + az, 30.0 + az / 10) for az in range(6)], None)
     told = fit(narrow, priors_of(NOTHING, narrow), Alignment())
-    assert told.condition is None or told.condition > 30.0
+    assert told.condition is None or told.condition > 100.0
     assert "add one far from them" in told.warning
     wide = peaks(true, arc(8) + SUN, None)
     assert fit(wide, priors_of(NOTHING, wide), Alignment()).warning == ""
@@ -162,3 +162,12 @@ def test_a_weak_peak_counts_less() -> None:
     assert sky_error(true, taken.alignment) < 0.1
     trusted = Peak(NOON, "Moon", 180.0, 40.0, 172.0, 40.0, sigma_deg=0.1)
     assert sky_error(true, fit([*good, trusted], priors_of(NOTHING, good), Alignment()).alignment) > 0.3
+
+
+def test_the_peak_that_contradicts_the_others_is_named() -> None:
+    true = Alignment(25.0, 0.0, 0.1, 0.5, 0.2)
+    found = peaks(true, arc(6), random.Random(2))
+    assert "agree" not in fit(found, priors_of(NOTHING, found), Alignment()).warning
+    wrong = Peak(NOON, "Sun", 150.0, 45.0, 0.0, 45.0, sigma_deg=NOISE_DEG, number=7)
+    told = fit([*found[:3], wrong, *found[3:]], priors_of(NOTHING, found), Alignment())
+    assert told.warning.startswith("Peak 7 (Sun) does not agree")

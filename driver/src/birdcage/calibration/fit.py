@@ -21,9 +21,11 @@ Floats = NDArray[np.float64]
 STEP_DEG = 1e-3
 """Of the numerical derivative."""
 TURNS_MOST = 20
-DONE_DEG = 1e-7
-ILL_CONDITIONED = 30.0
-"""Beyond it two terms do nearly the same to these peaks."""
+DONE_DEG = 1e-5
+ILL_CONDITIONED = 100.0
+"""Beyond it two terms do nearly the same to these peaks. The geostationary arc alone comes to some 60."""
+AGREE = 9.0
+"""Peaks that scatter by three times what they were said to, squared, contradict each other."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,9 +76,13 @@ def fit(peaks: Sequence[Peak], priors: Priors, before: Alignment, terms: Sequenc
     values = _solve(peaks, priors, free)
     alignment = Alignment(*map(float, values))
     spread = _spread(peaks, alignment, len(chosen))
-    covariance = covariance_of(peaks, priors, alignment) * spread
+    covariance = covariance_of(peaks, priors, alignment) * max(1.0, spread)
     condition = condition_of(peaks, alignment, free)
-    alone = [_alone(peaks, index, priors, free) for index in range(len(peaks))]
+    without = [_without(peaks, index, priors, free, values) for index in range(len(peaks))]
+    alone = [
+        (None, None) if others is None else peak.off(*others.to_true(peak.dish_az_deg, peak.dish_el_deg))
+        for peak, others in zip(peaks, without, strict=True)
+    ]
     residuals = tuple(
         Residual(peak, *peak.off(*alignment.to_true(peak.dish_az_deg, peak.dish_el_deg)), *out)
         for peak, out in zip(peaks, alone, strict=True)
@@ -92,7 +98,7 @@ def fit(peaks: Sequence[Peak], priors: Priors, before: Alignment, terms: Sequenc
         rms_deg=_rms([each.off_deg for each in residuals]),
         leave_one_out_rms_deg=_rms(outside) if outside else None,
         condition=condition,
-        warning=_warning(len(peaks), condition),
+        warning=_warning(peaks, condition, _odd_one(peaks, without) if spread > AGREE else None),
     )
 
 
@@ -140,9 +146,10 @@ def condition_of(peaks: Sequence[Peak], alignment: Alignment, free: Sequence[int
     return value if math.isfinite(value) and value < 1e9 else None
 
 
-def _solve(peaks: Sequence[Peak], priors: Priors, free: Sequence[int]) -> Floats:
-    """Return all five terms: Gauss and Newton, from what is believed."""
-    mean, values = np.array(priors.mean), np.array(priors.mean)
+def _solve(peaks: Sequence[Peak], priors: Priors, free: Sequence[int], start: Floats | None = None) -> Floats:
+    """Return all five terms: Gauss and Newton, from what is believed or from a `start` that is near."""
+    mean = np.array(priors.mean)
+    values = mean.copy() if start is None else start.copy()
     ridge = 1.0 / np.square(np.array(priors.sigma)[free])
     weights = np.repeat([peak.weight for peak in peaks], 2)
     dish = [(peak.dish_az_deg, peak.dish_el_deg) for peak in peaks]
@@ -158,15 +165,10 @@ def _solve(peaks: Sequence[Peak], priors: Priors, free: Sequence[int]) -> Floats
     return values
 
 
-def _alone(
-    peaks: Sequence[Peak], index: int, priors: Priors, free: Sequence[int]
-) -> tuple[float, float] | tuple[None, None]:
-    """Return how far one peak lies from what the others say."""
+def _without(peaks: Sequence[Peak], index: int, priors: Priors, free: Sequence[int], start: Floats) -> Alignment | None:
+    """Return what the others say without one of the peaks; None where there are none."""
     others = [*peaks[:index], *peaks[index + 1 :]]
-    if not others:
-        return None, None
-    alignment = Alignment(*map(float, _solve(others, priors, free)))
-    return peaks[index].off(*alignment.to_true(peaks[index].dish_az_deg, peaks[index].dish_el_deg))
+    return Alignment(*map(float, _solve(others, priors, free, start))) if others else None
 
 
 def _offs(peaks: Sequence[Peak], alignment: Alignment) -> list[tuple[float, float]]:
@@ -174,23 +176,40 @@ def _offs(peaks: Sequence[Peak], alignment: Alignment) -> list[tuple[float, floa
 
 
 def _spread(peaks: Sequence[Peak], alignment: Alignment, count: int) -> float:
-    """Return by how much the peaks scatter more than they were said to; never less than 1."""
+    """Return by how much the peaks scatter more than they were said to, squared; 1 where that can't be told."""
     freedom = 2 * len(peaks) - count
     if freedom <= 0:
         return 1.0
-    chi2 = sum(
-        peak.weight * (right**2 + up**2) for peak, (right, up) in zip(peaks, _offs(peaks, alignment), strict=True)
-    )
-    return max(1.0, chi2 / freedom)
+    return _chi2(peaks, alignment) / freedom
+
+
+def _chi2(peaks: Sequence[Peak], alignment: Alignment) -> float:
+    offs = zip(peaks, _offs(peaks, alignment), strict=True)
+    return sum(peak.weight * (right**2 + up**2) for peak, (right, up) in offs)
+
+
+def _odd_one(peaks: Sequence[Peak], without: Sequence[Alignment | None]) -> Peak | None:
+    """Return the peak without which the others agree best; None where so few do not tell which it is."""
+    if len(peaks) < 4:
+        return None
+    left = [
+        _chi2([*peaks[:index], *peaks[index + 1 :]], others)
+        for index, others in enumerate(without)
+        if others is not None
+    ]
+    return peaks[left.index(min(left))]
 
 
 def _rms(values: Sequence[float]) -> float:
     return math.sqrt(sum(value**2 for value in values) / len(values))
 
 
-def _warning(count: int, condition: float | None) -> str:
-    if count < 3:
+def _warning(peaks: Sequence[Peak], condition: float | None, odd: Peak | None) -> str:
+    if len(peaks) < 3:
         return "Only the offsets are fitted: three objects show the tilt, four or more the beam's collimation too."
+    if odd is not None:
+        name = f"Peak {odd.number} ({odd.target})" if odd.number else odd.target
+        return f"{name} does not agree with the others: take it again, or forget it."
     if condition is None or condition > ILL_CONDITIONED:
         told = "These peaks do not tell all terms apart" if condition is None else (
             f"These peaks hardly tell the terms apart (condition number {condition:.0f})"

@@ -1,0 +1,52 @@
+"""`birdcage calibrate next`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import click
+
+from birdcage.cli.exits import DATA_EPILOG
+from birdcage.cli.options import flags, global_options, wanted
+from birdcage.cli.sky_options import UTC_TIME
+
+if TYPE_CHECKING:
+    from datetime import datetime
+
+SHOWN = 8
+
+
+@click.command("next", short_help="Name what to peak on next.", epilog=DATA_EPILOG)
+@click.option("--at", type=UTC_TIME, help="Another time than now, UTC unless it names a zone.")
+@click.option("--all", "every", is_flag=True, help=f"All that is up and in reach, not the best {SHOWN} alone.")
+@global_options("firmware", "json", "config", "verbose", firmware="none, and no limits of the dish")
+def next_(at: datetime | None, every: bool) -> None:
+    """Name what to peak on next: what makes the pointing known best over the whole sky.
+
+    Sun, Moon and geostationary places that are up, in reach and not known to be beyond the feed's hearing. RISE is the
+    signal to expect, FOUND TO how well a person finds its middle, SKY THEN the error to expect all over the sky
+    afterwards. No dish is needed.
+    """
+    from datetime import UTC, datetime
+
+    from birdcage.calibration.peaks_file import load_peaks, peaks_file
+    from birdcage.calibration.work import fit_for, proposals_for
+    from birdcage.cli.calibrate_words import proposal_values, tell_proposals
+    from birdcage.cli.say import say, tell_json
+    from birdcage.cli.standing import limits_of
+
+    dish = wanted()
+    peaks = load_peaks(peaks_file(dish.paths))
+    for problem in peaks.problems:
+        say(problem)
+    fitted = fit_for(dish.settings, peaks.entries)
+    found = proposals_for(dish.settings, peaks.entries, at or datetime.now(UTC), limits_of(dish), fitted)
+    shown = found if every else found[:SHOWN]
+    if flags().json:
+        tell_json([proposal_values(each) for each in shown])
+        return
+    if not found:
+        say("Nothing is up that this feed may hear and the dish reaches, but for what was peaked on already.")
+        return
+    tell_proposals(shown)
+    say(f"Best: {found[0].candidate.name} {found[0].words()}.")
