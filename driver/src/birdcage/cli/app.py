@@ -34,6 +34,7 @@ COMMANDS = {
     "downlinks": "List who sends what, and what your feed can hear.",
     "if": "Work out where a converter puts a frequency, and who can tune to it.",
     "ready": "Check what is missing before you leave home.",
+    "calibrate": "Find how the dish stands: peaks, pointing model, named alignments.",
     "craft": "Ask a remote prediction service, if you have set one.",
     "config": "Show and check birdcage.toml.",
     "paths": "Print where files are kept.",
