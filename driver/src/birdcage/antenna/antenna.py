@@ -11,6 +11,8 @@ from birdcage.antenna.alignment import Alignment
 from birdcage.antenna.config import AntennaConfig, DialectBaud
 from birdcage.antenna.foresight import foresee
 from birdcage.antenna.motion import STOP_LATENCY_S, DishMotion, start_motion
+from birdcage.antenna.odometer import Odometer
+from birdcage.antenna.steering import steered
 from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused, MotionRefused, Stopped, WrongThread
 from birdcage.base.geometry import shortest_turn, wrap_360
@@ -44,6 +46,8 @@ class BirdcageAntenna:
         """How many motions the dish has taken, at least in one axis."""
         self.is_kept = False
         """Whether nothing of the motion as modelled was let out yet: a STOP that is latched now keeps all of it."""
+        self.odometer = Odometer()
+        """How far each axis was sent; for whoever counts wear."""
         self._begun_by: dict[int, float] = {}
         """When each axis had taken its last command."""
         self._modelling = threading.RLock()
@@ -198,6 +202,7 @@ class BirdcageAntenna:
             before, self.motion, self.is_kept = self.motion, planned, True
         try:
             yield
+            self.odometer.take(before, planned)
         except (Stopped, CommandRefused, MotionRefused) as error:
             with self._modelling:
                 if self.taken == taken and self.motion is planned and error.reason != "closing":
@@ -236,6 +241,29 @@ class BirdcageAntenna:
                 self._protocol.move_motor(motor, angle)
                 self.taken, self._begun_by[motor] = taken + 1, self._clock.monotonic()
         self._moves += 1
+
+    def steer(self, motor: int, dish_deg: float) -> None:
+        """Send one axis to its dish angle, as one of a stream; returns when the dish has taken it.
+
+        `dish_deg` may lie beyond 0..360 in azimuth. Nothing is read before it: the gate judges the way from the last
+        position that was read to where both axes are then sent. Where moves queue, whoever calls has to wait until the
+        one under way ends. Raises as `move_to`; PositionUnknown where nothing was read yet.
+        """
+        self._check_thread()
+        gate, clock = self._protocol.gate, self._clock
+        azimuth = self.model.azimuth
+        if motor == azimuth.index and azimuth.max_deg - azimuth.min_deg >= 360.0:
+            dish_deg = round(wrap_360(dish_deg), 2) % 360.0  # as it is printed: never 360.00
+        turns_az = motor == azimuth.index
+        az_deg, el_deg = (None, None) if self.motion is None else self.motion.rest
+        gate.check(dish_deg if turns_az else az_deg, el_deg if turns_az else dish_deg)
+        here = gate.position
+        assert here is not None, "the gate has just checked this"
+        turn = self.turn_known(dish_deg) if turns_az else None
+        now = clock.monotonic()
+        with self.begun(steered(self.model, self.motion, here, motor, dish_deg, turn, now, clock.rate)):
+            self._protocol.move_motor(motor, dish_deg)
+            self.taken, self._begun_by[motor] = self.taken + 1, clock.monotonic()
 
     def stop_lines(self) -> tuple[str, ...]:
         """Return the lines that stop the motion under way, computed for this moment; empty at rest. Any thread.

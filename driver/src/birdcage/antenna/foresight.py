@@ -11,6 +11,9 @@ from birdcage.protocol.belief import JITTER_S, NEAR_DEG, Expected, Span
 from birdcage.protocol.types import Position
 
 _HALVINGS = 24
+_STREAM_EARLY_S = 0.25
+"""How much earlier than now a reading may have been made, or the dish be by its latency, in a stream."""
+_STREAM_LATE_S = 0.03
 _LOOSE_DEG = 0.02
 """How far a way that is no longer than the overshoot may end from where it began, `ROUND_DEG` aside."""
 
@@ -44,6 +47,8 @@ def foresee(
 
 def _spans(axis: AxisMotion, last_deg: float, begun_by: dict[int, float], moment: _Moment) -> tuple[Span, ...]:
     slew, overshoot_deg = axis.slew, axis.axis.overshoot_deg
+    if axis.streamed:
+        return (_stream_span(axis, moment, overshoot_deg),)
     if not slew.segments:
         return (Span(last_deg - _LOOSE_DEG, last_deg + _LOOSE_DEG, 0.0),)
     here_deg = axis.read_deg + shortest_turn(axis.read_deg, last_deg)
@@ -66,6 +71,19 @@ def _spans(axis: AxisMotion, last_deg: float, begun_by: dict[int, float], moment
     if span.high_deg - span.low_deg <= overshoot_deg + NEAR_DEG:
         spans.append(span)
     return tuple(spans)
+
+
+def _stream_span(axis: AxisMotion, moment: _Moment, overshoot_deg: float) -> Span:
+    """Return where an axis is that gets one target after the other, of which the dish has the latest by now, or not."""
+    slew, rate = axis.slew, moment.rate
+    at_s = (moment.now - axis.started) * rate
+    early_s, late_s = at_s - _STREAM_EARLY_S * rate, at_s + _STREAM_LATE_S * rate
+    begins_deg, begins_deg_s = slew.at(0.0)
+    angles = [slew.at(t_s)[0] for t_s in (early_s, (early_s + at_s) / 2, at_s, late_s)]
+    if early_s < 0.0:
+        angles.append(begins_deg + begins_deg_s * early_s)
+    loose_deg = overshoot_deg + NEAR_DEG
+    return Span(min(angles) - loose_deg, max(angles) + loose_deg, slew.at(at_s)[1] * rate)
 
 
 def _span(slew: Slew, early_s: float, late_s: float, overshoot_deg: float, rate: float) -> Span:

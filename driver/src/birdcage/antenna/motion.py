@@ -16,6 +16,8 @@ AGAINST_DEG_S = 2.0
 """A mean rate above this tells the direction: noise and overshoot are slower."""
 MODEL_TRUST_DEG = 1.0
 """A position that was read within this of the model's confirms the model."""
+STREAM_AGAINST_DEG = 2.0
+"""In a stream the dish is now ahead of its target and now behind: only so far from it the direction tells anything."""
 
 
 def plan_axis(axis: Axis, start_deg: float, end_deg: float, velocity_deg_s: float = 0.0) -> Slew:
@@ -37,6 +39,10 @@ class AxisMotion:
     read_at: float
     rate_deg_s: float | None = None
     """Mean rate between the last two readings; None before there were two."""
+    streamed: bool = False
+    """Whether it was sent as one of a stream, with a new target before the last one was reached."""
+    trusted: bool = True
+    """Whether the last reading before a streamed command was where the model had the axis."""
 
     def modelled(self, now: float, rate: float) -> tuple[float, float]:
         """Return where the model has the axis, and its velocity, in mechanical seconds."""
@@ -62,6 +68,7 @@ class AxisMotion:
         return (
             self.axis.index == MOTOR_AZIMUTH
             and abs(mean_deg_s) > AGAINST_DEG_S
+            and (not self.streamed or abs(self.slew.end_deg - self.read_deg) > STREAM_AGAINST_DEG)
             and (self.slew.end_deg - self.read_deg) * mean_deg_s < 0
         )
 
@@ -72,15 +79,17 @@ class AxisMotion:
         velocity = max(-axis.speed_deg_s, min(axis.speed_deg_s, mean_deg_s))
         return replace(self, slew=plan_axis(axis, self.read_deg, end, velocity), started=self.read_at)
 
-    def _as_modelled(self, rate: float) -> bool:
+    def is_as_modelled(self, rate: float) -> bool:
         """Return whether the last reading lies where the model has the axis, give or take the latency."""
+        if self.streamed and self.read_at < self.started:
+            return self.trusted
         low, high = sorted(self.modelled(self.read_at - early_s, rate)[0] for early_s in (0.0, STOP_LATENCY_S))
         return low - MODEL_TRUST_DEG <= self.read_deg <= high + MODEL_TRUST_DEG
 
     def eta(self, rate: float) -> float:
         """Return the monotonic time of arrival: as modelled, or at the mean rate that was seen if that contradicts."""
         modelled = self.started + self.slew.duration_s / rate
-        if self._as_modelled(rate) or not self.rate_deg_s:
+        if self.is_as_modelled(rate) or not self.rate_deg_s:
             return modelled
         return max(modelled, self.read_at + abs(self.slew.end_deg - self.read_deg) / abs(self.rate_deg_s) / rate)
 
@@ -101,7 +110,7 @@ class AxisMotion:
         axis, end = self.axis, self.slew.end_deg
         if velocity == 0.0 and abs(self.read_deg - end) <= MODEL_TRUST_DEG:
             return end
-        if not self._as_modelled(rate) and self.rate_deg_s is not None:
+        if not self.is_as_modelled(rate) and self.rate_deg_s is not None:
             elapsed_s = (now - self.read_at) * rate
             sign = math.copysign(1.0, self.rate_deg_s)
             speed = min(axis.speed_deg_s, abs(self.rate_deg_s) + axis.acceleration_deg_s2 * elapsed_s)

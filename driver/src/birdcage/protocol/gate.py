@@ -144,6 +144,11 @@ class MotionGate:
                 reason="skew_limit", limit_deg=limit, by_deg=abs(deg - limit),
             )  # fmt: skip
 
+    def require_position(self) -> None:
+        """Raise `PositionUnknown`, which says what to do, where it is not known."""
+        if self.position is None:
+            raise self._unknown()
+
     def _check_limits(self, az_deg: float | None, el_deg: float | None) -> Position:
         """Return the position; MotionRefused when it is not known, or when an axis or the cable does not allow it."""
         if self.bounds.closed_because is not None:

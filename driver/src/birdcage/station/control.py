@@ -33,6 +33,11 @@ class Control:
 
     def admit(self, holder: str, az_deg: float | None = None, el_deg: float | None = None) -> None:
         """Let `holder` move the dish, to where it says, or raise Held, LeaseDenied or MotionRefused."""
+        self.refuse(holder, az_deg, el_deg)
+        self.take(holder)
+
+    def refuse(self, holder: str, az_deg: float | None = None, el_deg: float | None = None) -> None:
+        """Raise Held or MotionRefused where nobody may move the dish now; the lease stays where it is."""
         state = self._board.state
         if self.latched:
             held = state.held
@@ -48,7 +53,12 @@ class Control:
             raise MotionRefused(state.motion_refused_because, reason="settings")
         if state.fault is not None:
             raise Held(f"A fault waits to be acknowledged: {state.fault.what}.", reason="fault")
-        self.take(holder)
+
+    def announce(self, holder: str, az_deg: float, el_deg: float) -> None:
+        """While it is held, say who would move first after the release, and where to; it changes as time goes on."""
+        held = self._board.state.held
+        if held is not None:
+            self._board.change(held=replace(held, next_holder=holder, next_az_deg=az_deg, next_el_deg=el_deg))
 
     def hold(self, by: str, reason: str) -> None:
         """Latch, and take the lease away from whoever has it."""

@@ -14,6 +14,7 @@ from birdcage.station.events import End, FaultAcknowledged
 from birdcage.station.look import Look
 from birdcage.station.motors import Motors
 from birdcage.station.mover import Job, Mover
+from birdcage.station.pursuing import Pursuing
 from birdcage.station.raw import CONSOLE
 from birdcage.station.rewire import Rewire
 from birdcage.station.search import SearchSwitch
@@ -31,11 +32,11 @@ class Desk:
     def __init__(
         self, board: Board, antenna: BirdcageAntenna, control: Control, mover: Mover, stopper: Stopper, look: Look,
         watches: Watches, vigil: Vigil, rewire: Rewire, talk: Talk,
-        applying: Applying, settings: StationSettings,
+        applying: Applying, settings: StationSettings, pursuing: Pursuing,
     ) -> None:  # fmt: skip
         self._board, self._antenna, self._control, self._mover = board, antenna, control, mover
         self._stopper, self._look, self._watches, self._vigil = stopper, look, watches, vigil
-        self._rewire, self._talk, self._applying = rewire, talk, applying
+        self._rewire, self._talk, self._applying, self._pursuing = rewire, talk, applying, pursuing
         self._motors = Motors(board, antenna, control, mover, stopper, look, self._free_wire)
         self._search = SearchSwitch(board, antenna, look, settings)
 
@@ -48,6 +49,11 @@ class Desk:
             case ask.Goto() | ask.Follow() | ask.Jog():
                 self._move(request, future)
                 return
+            case ask.Pursue():
+                future.set_result(self._pursuing.take_on(request))
+                return
+            case ask.EndPursuit(by):
+                self._pursuing.end(by)
             case ask.TurnSkew():
                 self._turn_skew(request, future)
                 return
@@ -56,6 +62,7 @@ class Desk:
             case ask.ReleaseMotors(holder):
                 self._make_way(holder)
                 self._motors.release(holder, stops_seen)
+                self._pursuing.by_hand(holder)
             case ask.Engage(holder):
                 self._motors.engage(holder)
             case ask.Stow(holder):
@@ -137,6 +144,7 @@ class Desk:
         clamp = isinstance(request, ask.Goto) and request.clamp
         try:
             self._mover.go(job, clamp=clamp, leapfrog=isinstance(request, ask.Follow) and request.leapfrog)
+            self._pursuing.by_hand(request.holder)
         except MotionRefused:
             if not had_lease:
                 self._control.give_back(request.holder)
@@ -150,6 +158,7 @@ class Desk:
         az_deg, el_deg = (here.az_deg, here.el_deg) if here is not None else (0.0, 0.0)
         try:
             self._mover.turn_skew(Job(az_deg, el_deg, request.holder, future, skew_deg=request.deg))
+            self._pursuing.by_hand(request.holder)
         except MotionRefused:
             if not had_lease:
                 self._control.give_back(request.holder)
@@ -174,6 +183,7 @@ class Desk:
         if not set(request.axes) <= set(axes):
             raise MotionRefused(f"This dish has the axes {axes} only. Nothing was sent.", reason="unsupported")
         self._ready(request.holder)
+        self._pursuing.by_hand(request.holder)
         self._mover.fail(End.SUPERSEDED, "homing", Stopped("Homing replaced the motion."))
         self._antenna.motion = None
         self._board.change(homed=None, position=None, position_lost="homing")

@@ -89,6 +89,12 @@ class Mover(ABC):
         self.forget_target()
         self._job, self.due = job, self._board.clock.monotonic() + POLL_S
 
+    def await_stream_end(self) -> None:
+        """Follow a dish that was sent one target after the other until it rests at, or near, the last one."""
+        if self._job is None and self._antenna.motion is not None:
+            self.await_rest(Job(0.0, 0.0, self._board.state.holder or "", Future()))
+            self.activity(Activity.SLEWING, "")
+
     def tick(self) -> None:
         """Look at the motion under way."""
         job = self._job

@@ -22,6 +22,7 @@ from birdcage.station.connection import Connection
 from birdcage.station.control import Control
 from birdcage.station.desk import Desk
 from birdcage.station.look import Look
+from birdcage.station.pursuing import Pursuing
 from birdcage.station.queued_mover import QueuedMover
 from birdcage.station.raw import MenuCommand, Verdict
 from birdcage.station.raw_effects import RawEffects
@@ -69,6 +70,12 @@ class Station:
         applying.use(settings)
         self._watches = Watches()
         self._vigil = Vigil(board, antenna, self._control, self._mover, self._stopper, look, self._watches)
+        self._pursuing = Pursuing(
+            board, antenna, self._control, self._mover, self._stopper, look, self._watches
+        )  # fmt: skip
+        self._vigil.on_interrupted = self._pursuing.interrupted
+        self._pursued = False
+        """Whether the last piece of work was the pursuit's: then a request has its turn."""
         self._connection = Connection(board, antenna, settings, look, self._wake, self._on_wake, self._vigil.on_line)
         rewire = Rewire(
             board, antenna, settings, self._connection, self._stopper, look, self._vigil, self._wake, self._on_wake
@@ -79,7 +86,7 @@ class Station:
         )  # fmt: skip
         self._desk = Desk(
             board, antenna, self._control, self._mover, self._stopper, look, self._watches, self._vigil, rewire,
-            self._talk, applying, settings,
+            self._talk, applying, settings, self._pursuing,
         )  # fmt: skip
 
     @property
@@ -177,6 +184,7 @@ class Station:
         self._closing.set()
         self._drop_inbox()
         try:
+            self._pursuing.shut()
             self._mover.fail(*self._desk.ending())
             self._talk.line.shut()
         finally:
@@ -189,8 +197,10 @@ class Station:
     def _due(self) -> float:
         if self._inbox:
             return -math.inf
-        times = [self._talk.due(), self._connection.due, self._stopper.due]
+        times = [self._talk.due(), self._connection.due, self._stopper.due, self._pursuing.due]
         if self._connection.is_up:
+            if self._pursuing.restore_due:
+                return -math.inf
             times += [self._mover.due, self._vigil.due()]
         return min((time for time in times if time is not None), default=math.inf)
 
@@ -200,6 +210,7 @@ class Station:
         def is_due(time: float | None) -> bool:
             return time is not None and time <= now
 
+        pursued, self._pursued = self._pursued, False
         if is_due(self._talk.due()):
             self._guard(self._talk.tick)  # before STOP's follow-up, which needs the console
         elif is_due(self._stopper.due):
@@ -208,8 +219,13 @@ class Station:
                 self._vigil.met()
         elif is_due(self._connection.due):
             self._guard(self._connect)
+        elif self._connection.is_up and self._pursuing.restore_due:
+            self._guard(self._pursuing.restore)
         elif self._connection.is_up and is_due(self._mover.due):
             self._guard(self._mover.tick)
+        elif is_due(self._pursuing.due) and not (pursued and self._inbox):
+            self._pursued = True
+            self._guard(self._pursuing.tick)
         elif self._inbox:
             self._serve(*self._inbox.popleft())
         else:
@@ -271,6 +287,7 @@ class Station:
         self._wake.clear()
         self._stopper.take_calls()
         self._vigil.check_clock()
+        self._pursuing.stopped()
 
     def _on_wake(self) -> None:
         """Notice what happened in the middle of an exchange; end it when the station ends."""

@@ -144,7 +144,7 @@ class Talk:
         link, state = self._board.state.link, self._board.state
         if link.state is not Link.UP:
             raise LinkError(f"Nothing can be said to the dish without a link ({link.detail}).", reason=link.state.value)
-        busy = state.activity in (Activity.SLEWING, Activity.STOWING)
+        busy = state.activity in (Activity.SLEWING, Activity.FOLLOWING, Activity.STOWING)
         if busy or self._mover.is_moving or self._stopper.is_pending:
             raise CommandRefused(
                 "The dish is on its way for birdcage, which must hear it. Wait until it rests, or STOP. "

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 from birdcage.antenna.antenna import STILL_DEG, BirdcageAntenna
 from birdcage.base.errors import BirdcageError, CommandRefused, Stopped
@@ -52,6 +53,8 @@ class Vigil:
         """Whether the dish has answered this station before: else its boot text is the beginning, not a restart."""
         self._doubted: Pointing | None = None
         """Where the dish rested before a reading that says otherwise, until a second one agrees with either."""
+        self.on_interrupted: Callable[[str], None] = lambda _reason: None
+        """Told before the latch closes: `link`, `fault` or `clock`."""
         self._starting = Starting(board, antenna, mover)
         mover.on_stall, mover.on_astray = self._stalled, self._moves_unasked
         look.on_forgotten = self._forgotten
@@ -263,8 +266,9 @@ class Vigil:
     def interrupted(self, reason: str) -> None:
         """The dish was out of sight: what moved is given up, and nothing moves by itself afterwards."""
         state = self._board.state
-        moving = self._mover.is_moving
+        moving = self._mover.is_moving or state.activity is Activity.FOLLOWING
         holder = state.holder
+        self.on_interrupted(reason)
         self._mover.fail(
             End.STOPPED, f"interrupted: {reason}", Stopped(f"The motion was given up: {reason}.", reason=reason)
         )
@@ -283,6 +287,7 @@ class Vigil:
         if abs(step_s) <= CLOCK_STEP_S:
             return
         reason = f"suspend or clock step of {step_s:+.0f} s"
+        self.on_interrupted("clock")
         self._look.forget("clock")
         self.look_again()
         self._mover.fail(End.STOPPED, "the clock stepped", Stopped("The clock stepped: the motion was given up."))

@@ -1,0 +1,247 @@
+"""Carries out the steps of a pursuit on the wire, one at a time, between the station's other exchanges."""
+
+from __future__ import annotations
+
+from collections import deque
+from concurrent.futures import Future
+
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.base.errors import BirdcageError, CommandRefused, NoReply, PositionUnknown
+from birdcage.base.geometry import shortest_turn
+from birdcage.protocol.model import SecondMove
+from birdcage.station.board import Board
+from birdcage.station.look import Look
+from birdcage.station.mover import ARRIVED_DEG, POLL_S, Job, Mover
+from birdcage.station.speeds import Speeds
+from birdcage.station.stalls import stalled_axis
+from birdcage.station.state import Activity, Motion, Pointing
+from birdcage.station.stop_power import stop_power
+from birdcage.tracking.steps import Answer, Limit, Send, Slew, Step, Wait
+from birdcage.tracking.steps import Look as Read
+
+MOST_LOST = 2
+"""So many answers in a row may be lost or damaged while it follows; after one more, the dish counts as silent."""
+ROUNDING_DEG = 0.05
+"""A command this little beyond the limit of elevation means the limit."""
+ON_ITS_WAY_S = 0.15
+"""On a dish whose moves queue, the next command may leave so long before the one under way ends."""
+
+
+class Helmsman:
+    """Knows one step at a time: `take` it, then `carry_out` until it gives the answer."""
+
+    def __init__(self, board: Board, antenna: BirdcageAntenna, look: Look, mover: Mover) -> None:
+        self._board, self._antenna, self._look, self._mover = board, antenna, look, mover
+        self.speeds = Speeds(antenna, look)
+        self.step: Step | None = None
+        self.holder = ""
+        self.hurry = False
+        """Whether a wait ends now: the plan was replaced."""
+        self._stops: deque[tuple[float, float]] = deque()
+        self._arrival: Future[object] | None = None
+        self._lost = 0
+        self._az_deg: float | None = None
+        """Where the azimuth was sent last, unrolled."""
+        self._ends_at = 0.0
+        """When the move under way ends, on a dish whose moves queue."""
+
+    @property
+    def now_s(self) -> float:
+        """POSIX seconds."""
+        return self._board.clock.utc().timestamp()
+
+    @property
+    def needs_wire(self) -> bool:
+        """Whether the step says anything to the dish."""
+        return not isinstance(self.step, Wait)
+
+    @property
+    def moves(self) -> bool:
+        """Whether the step may move the dish, and needs the lease."""
+        return isinstance(self.step, Send | Slew | Limit)
+
+    @property
+    def due(self) -> float | None:
+        """When to go on with the step, in monotonic seconds; None while the mover has it."""
+        clock, step = self._board.clock, self.step
+        now = clock.monotonic()
+        if isinstance(step, Wait) and not self.hurry:
+            return now + max(0.0, step.until_s - self.now_s) / clock.rate
+        if isinstance(step, Send):
+            return max(now, self._ends_at)
+        return None if self._arrival is not None and not self._arrival.done() else now
+
+    def begin(self, holder: str) -> None:
+        """A pursuit begins, or goes on."""
+        self.holder, self.step, self._arrival, self._lost = holder, None, None, 0
+        self._ends_at = 0.0
+
+    def forget_turn(self) -> None:
+        """Another pursuit begins: its azimuths are counted from where the dish stands."""
+        self._az_deg = None
+
+    def take(self, step: Step) -> None:
+        """Take the next step on."""
+        self.step, self._arrival, self.hurry = step, None, False
+        if isinstance(step, Slew):
+            self._stops = deque(step.waypoints)
+
+    def carry_out(self) -> Answer | None:
+        """Go on with the step; return its answer when it is done.
+
+        MotionRefused and its kin: the gate does not let it. LinkError, NoReply, CommandRefused: the dish does not
+        answer, more than once in a row.
+        """
+        step = self.step
+        if isinstance(step, Send):
+            return self._send(step)
+        if isinstance(step, Slew):
+            return self._slew()
+        if isinstance(step, Read):
+            return self._read()
+        if isinstance(step, Limit):
+            sent_s = self.now_s
+            self.speeds.set(step.axis, step.speed_deg_s)
+            return Answer(self.now_s, sent_s)
+        return Answer(self.now_s)
+
+    def unrolled(self, dish_az_deg: float) -> float:
+        """Return an azimuth as the course counts it."""
+        cable_deg = self._antenna.protocol.gate.cable_deg
+        reference = cable_deg if cable_deg is not None else self._az_deg
+        return dish_az_deg if reference is None else reference + shortest_turn(reference, dish_az_deg)
+
+    # A stream's command
+
+    def _send(self, step: Send) -> Answer | None:
+        model = self._antenna.model
+        queues = model.second_move is SecondMove.QUEUE
+        if queues and not self._is_free():
+            return None
+        elevation, deg = step.axis == model.elevation.index, step.deg
+        gate = self._antenna.protocol.gate
+        if elevation:
+            limit = min(max(deg, gate.el_floor_deg), gate.el_max_deg)
+            deg = limit if abs(limit - deg) <= ROUNDING_DEG else deg
+        if queues and model.slew is not None and self._way_deg(step) > model.slew.least_deg:
+            return self._send_long(step)
+        sent_s = self.now_s
+        try:
+            self._antenna.steer(step.axis, deg)
+        except (CommandRefused, NoReply) as error:
+            self._bear(error)
+            return Answer(self.now_s)
+        self._lost = 0
+        if not elevation:
+            self._az_deg = deg
+        self._show()
+        return Answer(self.now_s, sent_s)
+
+    def _is_free(self) -> bool:
+        """Return whether a dish whose moves queue has at most the end of one before it."""
+        motion, clock = self._antenna.motion, self._board.clock
+        if motion is None:
+            return True
+        now = clock.monotonic()
+        self._ends_at = motion.eta(clock.rate) - ON_ITS_WAY_S / clock.rate
+        if now < self._ends_at:
+            return False
+        here = self._board.state.position
+        if here is None or here.at < motion.eta(clock.rate) + POLL_S or self._off_deg(here) <= ARRIVED_DEG:
+            return True
+        self._ends_at = now + POLL_S  # slower than modelled: nothing is to wait behind it
+        self._look.position()
+        return False
+
+    def _off_deg(self, here: Pointing) -> float:
+        motion = self._antenna.motion
+        if motion is None:
+            return 0.0
+        az_deg, el_deg = motion.rest
+        return max(abs(shortest_turn(az_deg, here.dish_az_deg)), abs(el_deg - here.dish_el_deg))
+
+    def _way_deg(self, step: Send) -> float:
+        position, motion = self._antenna.protocol.gate.position, self._antenna.motion
+        if position is None:
+            return 0.0
+        az_deg, el_deg = (position.azimuth, position.elevation) if motion is None else motion.rest
+        if step.axis == self._antenna.model.elevation.index:
+            return abs(step.deg - el_deg)
+        return abs(shortest_turn(az_deg, step.deg))
+
+    def _send_long(self, step: Send) -> Answer | None:
+        """Let the mover go a way that must be stoppable while it lasts; the other axis stays where it was sent."""
+        position, motion = self._antenna.protocol.gate.position, self._antenna.motion
+        assert position is not None, "its way was measured from there"
+        az_deg, el_deg = (position.azimuth, position.elevation) if motion is None else motion.rest
+        to = (az_deg, step.deg) if step.axis == self._antenna.model.elevation.index else (step.deg, el_deg)
+        self.take(Slew((to,)))
+        return self._slew()
+
+    def _show(self) -> None:
+        """Show where it was sent, and what stops it."""
+        antenna, clock, here = self._antenna, self._board.clock, self._board.state.position
+        motion = antenna.motion
+        if motion is None:
+            return
+        now = clock.monotonic()
+        az_deg, el_deg = antenna.alignment.to_true(*motion.rest)
+        power = stop_power(antenna.model, motion, clock.rate)
+        self._board.change(
+            motion=Motion(
+                here.az_deg if here else az_deg, here.el_deg if here else el_deg, az_deg, el_deg, now,
+                motion.eta(clock.rate), power.seconds, power.means, rests_at=power.rests_at,
+            ),
+            target_az_deg=az_deg, target_el_deg=el_deg,
+        )  # fmt: skip
+        self._mover.activity(Activity.FOLLOWING, "")
+
+    def _bear(self, error: BirdcageError) -> None:
+        """Bear a lost or damaged answer, for a line that is otherwise sound has them too."""
+        self._lost += 1
+        if self._lost > MOST_LOST or stalled_axis(str(error)) is not None:
+            raise error
+
+    # The whole dish
+
+    def _slew(self) -> Answer | None:
+        arrival = self._arrival
+        if arrival is not None:
+            if not arrival.done():
+                return None
+            arrival.result(0)
+            self._arrival = None
+        if self._stops:
+            az_deg, el_deg = self._stops.popleft()
+            self._go(az_deg, el_deg)
+            return None
+        here = self._board.state.position
+        if here is None:
+            return Answer(self.now_s)
+        return Answer(self.now_s, None, self.unrolled(here.dish_az_deg), here.dish_el_deg, self.now_s)
+
+    def _go(self, az_deg: float, el_deg: float) -> None:
+        azimuth, gate = self._antenna.model.azimuth, self._antenna.protocol.gate
+        limit = min(max(el_deg, gate.el_floor_deg), gate.el_max_deg)
+        el_deg = limit if abs(limit - el_deg) <= ROUNDING_DEG else el_deg
+        whole = azimuth.max_deg - azimuth.min_deg >= 360.0
+        true = self._antenna.alignment.to_true(az_deg % 360.0 if whole else az_deg, el_deg)
+        arrival: Future[object] = Future()
+        self._mover.go(Job(*true, self.holder, arrival))
+        self._arrival, self._az_deg = arrival, az_deg
+
+    def _read(self) -> Answer | None:
+        before_s = self.now_s
+        try:
+            pointing = self._look.position()
+        except NoReply as error:
+            self._bear(error)
+            return Answer(self.now_s)
+        self._lost = 0
+        if pointing is None:
+            raise PositionUnknown("The dish no longer knows where it is. Home it first.", reason="unhomed")
+        now_s = self.now_s
+        az_deg = self.unrolled(pointing.dish_az_deg)
+        if self._az_deg is None:
+            self._az_deg = az_deg
+        return Answer(now_s, None, az_deg, pointing.dish_el_deg, (before_s + now_s) / 2)

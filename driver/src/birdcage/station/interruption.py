@@ -1,0 +1,60 @@
+"""What broke into a pursuit, and whether the dish is still as it was then."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.base.geometry import shortest_turn
+from birdcage.station.state import Activity, Link, StationState
+
+AS_BEFORE_DEG = 0.5
+"""How far it may stand from where its last motion led."""
+
+SENTENCES = {
+    "link": "The link to the dish was lost: it stays still.",
+    "fault": "The dish has lost its bearings: it stays still.",
+    "clock": "The clock was stepped, or the computer slept: the dish stays still.",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Interruption:
+    """One of them."""
+
+    reason: str
+    """`link`, `fault` or `clock`."""
+    at: float
+    """Monotonic seconds."""
+    stops: int
+    """How often STOP had been called."""
+    rest_az_deg: float | None
+    """Where the dish comes to rest by itself, in its own degrees; None where that was not known."""
+    rest_el_deg: float | None
+    cable_deg: float | None
+    """On which turn of the cable that is; None where it was not known."""
+
+    @classmethod
+    def now(cls, reason: str, at: float, stops: int, state: StationState, antenna: BirdcageAntenna) -> Interruption:
+        """Note how the dish is left."""
+        motion, here, cable = antenna.motion, state.position, antenna.protocol.gate.cable_deg
+        rest = None if here is None else (here.dish_az_deg, here.dish_el_deg)
+        if motion is not None:
+            rest = motion.rest
+        if rest is None:
+            return cls(reason, at, stops, None, None, None)
+        if cable is not None and here is not None:
+            cable += shortest_turn(here.dish_az_deg, rest[0])
+        return cls(reason, at, stops, *rest, cable)
+
+    def is_as_before(self, state: StationState, within_s: float) -> bool:
+        """Return whether the gap was short, and the dish is seen at rest where it must be."""
+        here, link, rest_az, rest_el = state.position, state.link, self.rest_az_deg, self.rest_el_deg
+        if self.reason != "link" or link.state is not Link.UP or link.since - self.at > within_s:
+            return False
+        if state.fault is not None or not state.homed or state.activity is not Activity.IDLE:
+            return False
+        if here is None or state.position_lost is not None or here.at < self.at or rest_az is None or rest_el is None:
+            return False
+        off = max(abs(shortest_turn(rest_az, here.dish_az_deg)), abs(rest_el - here.dish_el_deg))
+        return off <= AS_BEFORE_DEG

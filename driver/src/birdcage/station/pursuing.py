@@ -1,0 +1,372 @@
+"""Drives a pursuit between the station's exchanges: who may move the dish when, and what ends or interrupts it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Generator
+from contextlib import suppress
+from datetime import UTC, datetime
+from typing import TYPE_CHECKING
+
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.base.errors import BirdcageError, CommandRefused, Held, LeaseDenied, LinkError, MotionRefused, Stopped
+from birdcage.station import pursuit_words as words
+from birdcage.station.board import Board
+from birdcage.station.control import Control
+from birdcage.station.events import End
+from birdcage.station.helmsman import Helmsman
+from birdcage.station.interruption import Interruption
+from birdcage.station.look import Look
+from birdcage.station.mover import Mover
+from birdcage.station.pursuit import Phase, Pursuit
+from birdcage.station.state import Activity, Link
+from birdcage.station.stopper import Stopper
+from birdcage.station.telling import Telling
+from birdcage.station.watches import Watches
+from birdcage.tracking.steps import Answer, Step
+
+if TYPE_CHECKING:
+    from birdcage.station.requests import Pursue
+    from birdcage.tracking.plan import Plan
+    from birdcage.tracking.voyage import Notice, Voyage
+
+POLL_S = 0.2
+"""How often a pursuit that cannot go on looks whether it can."""
+QUIET = (Phase.WAITING, Phase.YIELDED)
+"""Where nothing of the pursuit's moves, nor is about to."""
+
+
+class Pursuing:
+    """One pursuit at a time. `due` and `tick` belong to the station's loop, the rest to its desk and its alarms."""
+
+    def __init__(
+        self, board: Board, antenna: BirdcageAntenna, control: Control, mover: Mover, stopper: Stopper, look: Look,
+        watches: Watches,
+    ) -> None:  # fmt: skip
+        self._board, self._antenna, self._control = board, antenna, control
+        self._mover, self._stopper, self._watches = mover, stopper, watches
+        self._helm = Helmsman(board, antenna, look, mover)
+        self._run: Generator[Step, Answer, None] | None = None
+        self._voyage: Voyage | None = None
+        self._told = Telling(board, antenna)
+        self._interruption: Interruption | None = None
+        self._leads = False
+        """Whether it has taken the lease since it began or went on."""
+        self._number = 0
+        self._poll_at = 0.0
+
+    @property
+    def _now_s(self) -> float:
+        return self._helm.now_s
+
+    @property
+    def _live(self) -> Pursuit | None:
+        return self._told.live
+
+    # What faces ask for
+
+    def take_on(self, request: Pursue) -> int:
+        """Begin a pursuit, or give the one under way another plan; return its number.
+
+        MotionRefused (`unreachable`, `over`, `controller`, …), Held, LinkError: nothing has changed.
+        """
+        from birdcage.tracking.same_pass import same_pass
+
+        live = self._live
+        self._refuse(request.plan)
+        if live is not None and live.holder == request.holder and same_pass(live.plan, request.plan):
+            self._renew(request.plan)
+            return live.number
+        voyage, name = self._voyage_for(request)
+        link = self._board.state.link
+        if link.state is not Link.UP:
+            raise LinkError(f"Nothing is followed without a link to the dish ({link.detail}).", reason=link.state.value)
+        self._antenna.protocol.gate.require_position()
+        self._control.refuse(request.holder)
+        if live is not None:
+            if self._leads and live.holder != request.holder:
+                raise LeaseDenied(f"{live.holder} follows {live.plan.aim.name}. Take control over first.")
+            self._over(words.REPLACED)
+        self._number += 1
+        at = self._board.clock.monotonic()
+        pursuit = Pursuit(
+            self._number, request.holder, request.plan, request.options, Phase.WAITING, at, "", controller=name
+        )
+        self._interruption, self._voyage = None, voyage
+        self._helm.forget_turn()
+        self._told.begin(pursuit)
+        self._set_out(asked=request.asked)
+        return self._number
+
+    def end(self, by: str) -> None:
+        """End the pursuit, and what it has set in motion. Nothing happens when there is none."""
+        if self._live is None:
+            return
+        leads = self._leads
+        self._over(words.ended_by(by))
+        if leads:
+            self._come_to_rest()
+
+    def by_hand(self, holder: str) -> None:
+        """Somebody moves the dish: if it is whose pursuit this is, that ends it."""
+        live = self._live
+        if live is not None and live.holder == holder and (self._leads or live.phase is Phase.COUNTDOWN):
+            self._over(words.by_hand(holder), keep_lease=True)
+
+    def _refuse(self, plan: Plan) -> None:
+        if plan.course is None or not plan.legs:
+            why = plan.notes[0] if plan.notes else f"{plan.aim.name} is nowhere within this dish's reach."
+            raise MotionRefused(f"{why} Nothing was sent.", reason="unreachable")
+        if plan.legs[-1].end_s <= self._now_s:
+            raise MotionRefused(f"This pass of {plan.aim.name} is over. Nothing was sent.", reason="over")
+
+    def _voyage_for(self, request: Pursue) -> tuple[Voyage, str]:
+        from birdcage.tracking.choose import controller_for
+        from birdcage.tracking.voyage import Voyage
+
+        options, antenna = request.options, self._antenna
+        name, controller = controller_for(
+            antenna.protocol.model, options.controller, velocity_allowed=options.velocity_allowed
+        )
+        park = None
+        if options.at_end == "park" and options.park_az_deg is not None and options.park_el_deg is not None:
+            park = antenna.alignment.to_dish(options.park_az_deg, options.park_el_deg)
+        beam_deg, db = self._board.state.beam_deg, options.dead_band_db
+        gate = antenna.protocol.gate
+        voyage = Voyage(
+            request.plan, controller, lambda: antenna.model, self._hear, request.asked, park,
+            gate.cable_limits if gate.cable_deg is not None else None, options.dead_band_steps,
+            beam_deg * math.sqrt(db / 12.0) if beam_deg is not None and db is not None else 0.0,
+        )  # fmt: skip
+        return voyage, name
+
+    def _renew(self, plan: Plan) -> None:
+        assert self._voyage is not None, "a live pursuit has one"
+        self._voyage.replace(plan, self._now_s)
+        self._helm.hurry = True
+        self._told.change(plan=self._voyage.plan)
+
+    # The station's loop
+
+    @property
+    def due(self) -> float | None:
+        """When there is something to do, in monotonic seconds."""
+        live = self._live
+        if live is None:
+            return None
+        now = self._board.clock.monotonic()
+        if self._run is not None:
+            return self._helm.due if not self._control.latched else now + POLL_S
+        if live.phase is Phase.YIELDED and self._is_free(live):
+            return now
+        return max(now, self._poll_at)
+
+    @property
+    def restore_due(self) -> bool:
+        """Whether speeds that a pursuit has changed are to be put back now, before anything else moves."""
+        return self._run is None and self._helm.speeds.are_changed and not self._stopper.is_pending
+
+    def restore(self) -> None:
+        """Put them back."""
+        self._helm.speeds.restore()
+
+    def tick(self) -> None:
+        """Go on with the pursuit, as far as one exchange."""
+        live = self._live
+        if live is None or self.stopped():
+            return
+        self._poll_at = self._board.clock.monotonic() + POLL_S
+        if self._run is None:
+            self._see_whether_to_go_on(live)
+        elif self._leads and self._board.state.holder not in (None, live.holder):
+            self._yield(live)
+        else:
+            self._go_on(live)
+
+    def stopped(self) -> bool:
+        """Take in that STOP, or a fault, has latched meanwhile; return whether the pursuit is over. Sends nothing."""
+        live, held = self._live, self._board.state.held
+        if live is None:
+            return True
+        if not self._control.latched or held is None:
+            return False
+        if held.reason != "stop" and live.phase is Phase.INTERRUPTED:
+            return False
+        self._over(words.held(held, self._board.state.fault))
+        return True
+
+    def interrupted(self, reason: str) -> None:
+        """The dish is out of sight, has restarted, or the clock has stepped: it stays still. Sends nothing."""
+        live = self._live
+        if reason == "fault":
+            self._helm.speeds.forget()
+        if live is None or live.phase is Phase.INTERRUPTED or (reason == "link" and live.phase in QUIET):
+            return
+        state, now = self._board.state, self._board.clock.monotonic()
+        self._interruption = Interruption.now(reason, now, self._stopper.count, state, self._antenna)
+        self._drop()
+        self._told.enter(Phase.INTERRUPTED, words.interrupted(reason, live.options))
+
+    def shut(self) -> None:
+        """The station ends: put speeds back as far as that can be done."""
+        if self._live is not None:
+            self._over("birdcage has ended.")
+        if self._helm.speeds.are_changed and self._board.state.link.state is Link.UP:
+            with suppress(BirdcageError):
+                self._helm.speeds.restore()
+
+    # One run of the activity
+
+    def _set_out(self, *, asked: bool) -> None:
+        """Begin, or go on: the activity joins the plan at this moment."""
+        from birdcage.tracking.pursue import pursue
+
+        live, voyage = self._live, self._voyage
+        assert live is not None, "one has just begun, or goes on"
+        assert voyage is not None, "a live pursuit has one"
+        voyage.asked, self._leads = asked, False
+        self._helm.begin(live.holder)
+        self._run = pursue(voyage, self._now_s)
+        self._advance(None)
+
+    def _advance(self, answer: Answer | None) -> None:
+        run = self._run
+        assert run is not None, "somebody drives it"
+        try:
+            step = next(run) if answer is None else run.send(answer)
+        except StopIteration:
+            if self._run is run:
+                self._over(words.DONE)
+            return
+        if self._run is run:
+            self._helm.take(step)
+
+    def _go_on(self, live: Pursuit) -> None:
+        helm, run = self._helm, self._run
+        if helm.needs_wire and not self._may_talk(live):
+            return
+        try:
+            answer = helm.carry_out()
+        except MotionRefused as refused:
+            if self._run is run:
+                self._over(str(refused))
+            return
+        except (CommandRefused, Stopped) as error:
+            if self._run is run and error.reason not in ("stall", "closing") and not self._control.latched:
+                self._over(str(error))
+                return
+            raise
+        if answer is None or self._run is not run or self.stopped():
+            return
+        if answer.seen_s is not None and live.phase is Phase.FOLLOWING and self._voyage is not None:
+            self._told.sample(self._voyage, answer.seen_s, self._now_s)
+        self._advance(answer)
+
+    def _may_talk(self, live: Pursuit) -> bool:
+        """Return whether the pursuit's next words may go out; else it is in another phase now."""
+        if self._board.state.link.state is not Link.UP:
+            self.interrupted("link")
+            return False
+        if self._board.state.holder not in (None, live.holder):
+            self._yield(live)
+            return False
+        if self._helm.moves:
+            try:
+                self._control.admit(live.holder)
+            except (Held, MotionRefused) as refused:
+                self._over(str(refused))
+                return False
+            self._leads = True
+        self._watches.end_excursion()
+        return True
+
+    def _yield(self, live: Pursuit) -> None:
+        streamed = live.phase is Phase.FOLLOWING
+        holder = self._board.state.holder
+        self._drop()
+        self._told.enter(Phase.YIELDED, f"{holder} has control.")
+        if streamed:
+            self._come_to_rest()
+
+    @staticmethod
+    def _over_at(live: Pursuit) -> float:
+        return live.plan.legs[-1].end_s
+
+    def _is_free(self, live: Pursuit) -> bool:
+        state = self._board.state
+        return state.holder in (None, live.holder) and state.link.state is Link.UP and not self._control.latched
+
+    def _see_whether_to_go_on(self, live: Pursuit) -> None:
+        if self._now_s >= self._over_at(live):
+            self._over(words.too_late(live))
+        elif live.phase is Phase.YIELDED:
+            if self._is_free(live):
+                self._set_out(asked=False)
+        else:
+            self._see_whether_all_is_well(live)
+
+    def _see_whether_all_is_well(self, live: Pursuit) -> None:
+        state, cut = self._board.state, self._interruption
+        if self._control.latched:
+            options = live.options
+            if cut is None or not options.resume or not cut.is_as_before(state, options.resume_within_s):
+                az_deg, el_deg = live.plan.sky.at(self._now_s)
+                self._control.announce(live.holder, az_deg % 360.0, el_deg)
+                return
+            try:
+                self._stopper.release(cut.stops)
+            except Held:
+                return
+            if cut.cable_deg is not None:
+                self._antenna.protocol.gate.cable_deg = cut.cable_deg
+        state = self._board.state
+        at_rest = state.activity is Activity.IDLE and state.position is not None and state.position_lost is None
+        if state.link.state is Link.UP and state.fault is None and at_rest:
+            self._interruption = None
+            self._set_out(asked=False)
+
+    # What is told
+
+    def _hear(self, notice: Notice) -> None:
+        """The activity enters a stage."""
+        live = self._live
+        streamed = live is not None and live.phase is Phase.FOLLOWING
+        at = None if notice.next_at_s is None else datetime.fromtimestamp(notice.next_at_s, UTC)
+        self._told.enter(Phase[notice.stage.name], notice.why, notice.next_what, at)
+        if live is not None and self._live is not None and self._live.phase is Phase.FOLLOWING:
+            self._mover.activity(Activity.FOLLOWING, "")
+        elif streamed:
+            self._settle()
+
+    # How it ends
+
+    def _drop(self) -> None:
+        """Drop the run of the activity; what it has sent goes on."""
+        run, self._run, self._leads = self._run, None, False
+        if run is not None and not getattr(run, "gi_running", False):
+            run.close()
+
+    def _over(self, why: str, *, keep_lease: bool = False) -> None:
+        live, leads = self._live, self._leads
+        assert live is not None, "only a live one ends"
+        self._drop()
+        self._interruption = None
+        if leads and not keep_lease:
+            self._control.give_back(live.holder)
+        self._told.enter(Phase.OVER, why)
+        if live.phase is Phase.FOLLOWING and not keep_lease and not self._control.latched:
+            self._settle()
+
+    def _settle(self) -> None:
+        """Watch the dish come to rest where the stream has led it."""
+        self._mover.await_stream_end()
+
+    def _come_to_rest(self) -> None:
+        """Stop what the pursuit has set in motion, and hold nothing."""
+        if self._control.latched or self._board.state.link.state is not Link.UP:
+            return
+        sentence = "The pursuit was ended."
+        self._mover.fail(End.STOPPED, sentence, Stopped(sentence))
+        with suppress(CommandRefused):  # it ends its move, or takes no new target: then it rests where it was sent
+            self._antenna.stop()
+        self._settle()

@@ -1,0 +1,44 @@
+"""Why a pursuit is in its phase: sentences for a person."""
+
+from __future__ import annotations
+
+from birdcage.station.interruption import SENTENCES
+from birdcage.station.pursuit import Phase, Pursuit, PursuitOptions
+from birdcage.station.state import Fault, HeldState
+
+REPLACED = "Another pursuit replaced it."
+DONE = "The pass is over."
+
+
+def ended_by(by: str) -> str:
+    """It was ended by somebody."""
+    return f"Ended by {by}."
+
+
+def by_hand(holder: str) -> str:
+    """Whose pursuit it is has moved the dish otherwise."""
+    return "You moved the dish by hand." if holder == "you" else f"{holder} moved the dish otherwise."
+
+
+def held(held: HeldState, fault: Fault | None) -> str:
+    """STOP, or something that went wrong."""
+    if held.reason == "stop":
+        return f"STOP by {held.by}."
+    return f"{fault.what}." if fault is not None else f"The dish was stopped: {held.reason}."
+
+
+def interrupted(reason: str, options: PursuitOptions) -> str:
+    """What broke in, and what would make it go on."""
+    if reason == "link" and options.resume:
+        return (
+            f"{SENTENCES[reason]} It goes on by itself if the link is back within {options.resume_within_s:g} s and "
+            "the dish is as it was; else a person releases it."
+        )
+    return f"{SENTENCES.get(reason, SENTENCES['clock'])} It goes on when a person releases it, if the pass still lasts."
+
+
+def too_late(live: Pursuit) -> str:
+    """It could not go on in time."""
+    if live.phase is Phase.YIELDED:
+        return f"{live.why} The pass is over."
+    return "The pass was over before it could go on."

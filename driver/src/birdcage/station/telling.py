@@ -1,0 +1,70 @@
+"""Tells of a pursuit: its phase on the board, and how well the dish points."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from datetime import UTC, datetime
+from typing import TYPE_CHECKING
+
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.station.board import Board
+from birdcage.station.events import Followed, PursuitChanged
+from birdcage.station.followed import EVERY_S, Errors, sample_of
+from birdcage.station.pursuit import Phase, Pursuit
+
+if TYPE_CHECKING:
+    from birdcage.tracking.voyage import Voyage
+
+
+class Telling:
+    """The pursuit on the board is its only memory of it, the errors aside."""
+
+    def __init__(self, board: Board, antenna: BirdcageAntenna) -> None:
+        self._board, self._antenna = board, antenna
+        self._errors = Errors()
+        self._sampled_s = -math.inf
+
+    @property
+    def live(self) -> Pursuit | None:
+        """The pursuit, unless it is over."""
+        pursuit = self._board.state.pursuit
+        return None if pursuit is None or pursuit.phase is Phase.OVER else pursuit
+
+    def begin(self, pursuit: Pursuit) -> None:
+        """A pursuit begins; its first phase is told as soon as it is known."""
+        self._errors, self._sampled_s = Errors(), -math.inf
+        self._board.change(pursuit=pursuit)
+
+    def enter(self, phase: Phase, why: str, next_what: str = "", next_at: datetime | None = None) -> None:
+        """It is in another phase."""
+        since = self._board.clock.monotonic()
+        self.change(phase=phase, why=why, next_what=next_what, next_at=next_at, since=since)
+
+    def change(self, **fields: object) -> None:
+        """Replace fields of it, and tell everybody."""
+        pursuit = self._board.state.pursuit
+        assert pursuit is not None, "something is said of one"
+        pursuit = replace(pursuit, **fields)  # type: ignore[arg-type]
+        self._board.change(pursuit=pursuit)
+        self._board.tell(PursuitChanged(*self._board.stamp(), pursuit))
+
+    def sample(self, voyage: Voyage, seen_s: float, now_s: float) -> None:
+        """Tell how well the last reading points, which was made at `seen_s`; about once a second (POSIX seconds)."""
+        live = self.live
+        if live is None or seen_s - self._sampled_s < EVERY_S:
+            return
+        sample = sample_of(live.plan, self._board.state, self._antenna.alignment, seen_s)
+        if sample is None:
+            return
+        self._sampled_s = seen_s
+        self._errors.take(sample)
+        what, at_s = voyage.upcoming(now_s)
+        self._board.change(
+            pursuit=replace(
+                live, sample=sample, rms_error_deg=self._errors.rms_deg, max_error_deg=self._errors.max_deg,
+                latency_s=None if voyage.helm is None else voyage.helm.latency_s, next_what=what,
+                next_at=None if at_s is None else datetime.fromtimestamp(at_s, UTC),
+            )
+        )  # fmt: skip
+        self._board.tell(Followed(*self._board.stamp(), live.number, sample))

@@ -1,0 +1,184 @@
+"""The pursuit as an activity: wait, be in place, follow every leg, turn the cable back as announced, and park.
+
+It can begin at any time of the pass: then it joins the course where the target is now.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+
+from birdcage.base.geometry import shortest_turn
+from birdcage.tracking import ways
+from birdcage.tracking.controller import Helm
+from birdcage.tracking.plan import Leg, Part
+from birdcage.tracking.steps import Activity, Answer, Look, Send, Slew, Step, Wait
+from birdcage.tracking.voyage import Notice, Stage, Voyage, clock_text
+
+COUNTDOWN_S = 5.0
+"""Before motion that no person has just asked for (DESIGN section 5)."""
+JUST_ASKED_S = 60.0
+"""So long after a person has asked for it, a first motion is what they asked for."""
+LEAD_S = 1.0
+"""How long before a leg begins the controller takes over."""
+IN_PLACE_DEG = 0.1
+JOIN_DEG = 1.0
+"""Further from the course than this the whole dish is sent there first."""
+
+
+class Pursuer:
+    """Where a pursuit stands. One use each: `run` is the activity."""
+
+    def __init__(self, voyage: Voyage, now_s: float) -> None:
+        self._voyage = voyage
+        self._begun_s = self._now_s = now_s
+        self._done_s = float("-inf")
+        """The end of the last leg that is over."""
+        self._place: ways.Place | None = None
+        """Where the dish was sent last, as the course counts it; None before it was sent anywhere."""
+
+    def run(self) -> Activity:
+        """Carry it out."""
+        voyage, rolling = self._voyage, False
+        while (leg := voyage.leg_after(max(self._now_s, self._done_s))) is not None:
+            if not rolling:
+                if (yield from self._may_leave(leg)):
+                    rolling = True
+            elif leg.part is Part.REWIND:
+                yield from self._rewind(leg)
+            elif self._now_s < leg.start_s - LEAD_S:
+                yield from self._be_ready(leg)
+            else:
+                yield from self._follow(leg)
+        if rolling and voyage.park is not None:
+            yield from self._park(voyage.park)
+
+    def _may_leave(self, leg: Leg) -> Generator[Step, Answer, bool]:
+        """Wait for the time to leave; return whether it has come, and was counted down to if nobody has just asked."""
+        leave_s = self._voyage.leave_s(leg)
+        asked = self._voyage.asked and max(leave_s, self._now_s) - self._begun_s <= JUST_ASKED_S
+        begin_s = leave_s if asked else leave_s - COUNTDOWN_S
+        if self._now_s < begin_s:
+            self._tell(Stage.WAITING, f"It leaves at {clock_text(leave_s)}.", "pre-position", leave_s)
+            yield from self._wait(begin_s)
+            return False
+        if not asked:
+            what = "pre-position" if self._now_s < leg.start_s - COUNTDOWN_S else "follow"
+            yield from self._count_down("The dish is about to move.", what, leave_s)
+        return True
+
+    def _count_down(self, why: str, what: str, at_s: float) -> Activity:
+        at_s = max(at_s, self._now_s + COUNTDOWN_S)
+        self._tell(Stage.COUNTDOWN, why, what, at_s)
+        while self._now_s < at_s:
+            yield from self._wait(at_s)
+
+    def _rewind(self, leg: Leg) -> Activity:
+        self._tell(
+            Stage.REWINDING, "The cable is turned back, as planned: the target is lost meanwhile.", "follow", leg.end_s
+        )
+        yield from self._slew((leg.to_az_deg, self._voyage.course().at(leg.end_s)[1]), leg)
+        self._done_s = leg.end_s
+
+    def _be_ready(self, leg: Leg) -> Activity:
+        """Be where the leg begins, and wait for it."""
+        start = self._voyage.course().at(leg.start_s)
+        if not self._is_at(start, IN_PLACE_DEG):
+            self._tell(Stage.PREPOSITIONING, "Going to where the target comes into reach.", "reach", leg.start_s)
+            yield from self._slew(start, leg)
+            return
+        self._tell(
+            Stage.READY, f"In place: the target comes into reach at {clock_text(leg.start_s)}.", "reach", leg.start_s
+        )
+        yield from self._wait(leg.start_s - LEAD_S)
+
+    def _follow(self, leg: Leg) -> Activity:
+        voyage = self._voyage
+        if not self._is_at(voyage.course().at(self._now_s), JOIN_DEG):
+            self._tell(Stage.PREPOSITIONING, "Going to where the target is now.", "follow", None)
+            yield from self._join(leg)
+        if self._place is None:
+            return
+        what, at_s = voyage.upcoming(self._now_s)
+        self._tell(Stage.FOLLOWING, f"On the target until {clock_text(leg.end_s)}.", what, at_s)
+        helm = voyage.helm = Helm(
+            voyage.course, voyage.model(), *self._place, self._now_s, leg.end_s, voyage.latency_s,
+            voyage.dead_band_steps, voyage.dead_band_deg,
+        )  # fmt: skip
+        try:
+            yield from self._steer(helm)
+        finally:
+            voyage.helm = None
+        voyage.latency_s, self._done_s = helm.latency_s, max(helm.until_s, self._now_s)
+
+    def _steer(self, helm: Helm) -> Activity:
+        """Hand the controller's steps on, and note where they send the dish."""
+        controller = self._voyage.controller(helm)
+        elevation = helm.model.elevation.index
+        try:
+            step = next(controller)
+            while True:
+                answer = yield step
+                self._now_s = answer.now_s
+                if isinstance(step, Send) and self._place is not None:
+                    az_deg, el_deg = self._place
+                    self._place = (az_deg, step.deg) if step.axis == elevation else (step.deg, el_deg)
+                step = controller.send(answer)
+        except StopIteration:
+            return
+        finally:
+            controller.close()
+
+    def _park(self, place: ways.Place) -> Activity:
+        yield from self._count_down("The pass is over. The dish is about to park.", "park", self._now_s)
+        here = yield from self._here()
+        if here is None:
+            return
+        self._tell(Stage.PARKING, "Going to the park position.", "", None)
+        az_deg = ways.nearest_turn(here[0], place[0], self._voyage.cable)
+        yield Slew(ways.way(here, (az_deg, place[1]), turn_known=True))
+
+    def _join(self, leg: Leg) -> Activity:
+        """Go to where the target will be when the dish gets there."""
+        here = yield from self._here()
+        if here is None:
+            return
+        course, known = self._voyage.course(), leg.turn is not None
+        to = course.at(self._now_s)
+        for _ in range(2):
+            takes_s = ways.seconds(self._voyage.model(), here, to, turn_known=known)
+            to = course.at(min(self._now_s + takes_s, leg.end_s))
+        yield from self._slew(to, leg, here)
+
+    def _slew(self, to: ways.Place, leg: Leg, here: ways.Place | None = None) -> Activity:
+        if here is None:
+            here = yield from self._here()
+        stops = (to,) if here is None else ways.way(here, to, turn_known=leg.turn is not None)
+        planned = self._voyage.plan.preposition
+        if here is not None and planned is not None and to == (planned.az_deg, planned.el_deg):
+            first, *rest = planned.waypoints or (to,)
+            stops = (*ways.way(here, first, turn_known=leg.turn is not None), *rest)
+        self._now_s = (yield Slew(stops)).now_s
+        self._place = to
+
+    def _here(self) -> Generator[Step, Answer, ways.Place | None]:
+        seen = yield Look()
+        self._now_s = seen.now_s
+        return None if seen.az_deg is None or seen.el_deg is None else (seen.az_deg, seen.el_deg)
+
+    def _is_at(self, place: ways.Place, within_deg: float) -> bool:
+        here = self._place
+        if here is None:
+            return False
+        return max(abs(shortest_turn(here[0], place[0])), abs(here[1] - place[1])) <= within_deg
+
+    def _wait(self, until_s: float) -> Activity:
+        """Wait; whoever drives may end it early, when the plan was replaced."""
+        self._now_s = (yield Wait(until_s)).now_s
+
+    def _tell(self, stage: Stage, why: str, what: str, at_s: float | None) -> None:
+        self._voyage.tell(Notice(stage, why, what, at_s))
+
+
+def pursue(voyage: Voyage, now_s: float) -> Activity:
+    """Carry out a voyage from now on (POSIX seconds)."""
+    return Pursuer(voyage, now_s).run()

@@ -1,0 +1,37 @@
+"""A whole pass, from waiting to parked."""
+
+from __future__ import annotations
+
+from birdcage.base.geometry import separation
+from birdcage.station.pursuit import Phase
+from birdcage.station.state import Activity
+
+from .pursuit_bench import PARK, at, g2, plan_of
+
+
+def test_a_whole_pass_from_waiting_to_parked():
+    bench = g2()
+    start = at(bench) + 100.0
+    assert bench.pursue(plan_of(start), **PARK) == 1
+    assert bench.pursuit.phase is Phase.WAITING
+    assert bench.state.holder is None, "a plan that waits leaves the dish to others"
+    bench.until(Phase.FOLLOWING)
+    assert bench.state.holder == "you"
+    assert bench.state.activity is Activity.FOLLOWING
+    bench.step(60)
+    assert bench.state.motion is not None
+    assert bench.state.motion.stop_means == "retarget"
+    assert bench.clock.monotonic() - bench.state.position.at < 1.5
+    bench.until(Phase.OVER)
+    assert bench.phases == [
+        Phase.WAITING, Phase.COUNTDOWN, Phase.PREPOSITIONING, Phase.READY, Phase.FOLLOWING, Phase.COUNTDOWN,
+        Phase.PARKING, Phase.OVER,
+    ]  # fmt: skip
+    truth = bench.device.truth()
+    assert separation(truth.az_deg, truth.el_deg, 180.0, 45.0) < 0.1
+    assert bench.state.holder is None
+    assert bench.state.activity is Activity.IDLE
+    assert bench.pursuit.rms_error_deg < 0.1
+    assert bench.pursuit.max_error_deg < 0.3
+    assert 100 < len(bench.samples) < 130
+    assert bench.state.fault is None
