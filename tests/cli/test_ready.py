@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 import socket
+import threading
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 
@@ -187,6 +189,77 @@ def test_ones_own_table_of_downlinks_is_read(ready, prepared):
     found = ready()[1]["downlinks"]
     assert found["state"] == "look"
     assert "satellite is missing" in found["words"] or "freq_mhz is missing" in found["words"]
+
+
+RADIO = "\n[radio]\nrigctld = '127.0.0.1:{}'\n"
+
+
+@pytest.fixture
+def set_up(prepared):
+    def set_up(text):
+        with (prepared / "birdcage.toml").open("a") as file:
+            file.write(text)
+
+    return set_up
+
+
+def test_without_receiver_and_hooks_there_is_nothing_to_check(ready, prepared):
+    assert not {"radio", "hooks"} & ready()[1].keys()
+
+
+@pytest.mark.parametrize(
+    ("reply", "state", "words"),
+    [
+        (b"137912500\n", "good", "answers, tuned to 137.9125 MHz"),
+        (b"RPRT -11\n", "good", "answers"),
+        (b"220 ftp ready\n", "look", "that is no rigctld"),
+        (b"", "look", "has not answered within 1 s|No answer to 'f' within 1 s"),
+    ],
+)
+def test_the_receiver_is_asked_whether_it_is_there(ready, set_up, reply, state, words):
+    heard = []
+
+    def serve(listening):
+        client, _ = listening.accept()
+        with client:
+            heard.append(client.recv(100))
+            client.sendall(reply)
+            client.recv(100)
+
+    with socket.create_server(("127.0.0.1", 0)) as listening:
+        serving = threading.Thread(target=serve, args=(listening,), daemon=True)
+        serving.start()
+        set_up(RADIO.format(listening.getsockname()[1]))
+        status, found = ready()
+        serving.join(5.0)
+    assert (status, found["radio"]["state"]) == (0, state)
+    assert re.search(words, found["radio"]["words"])
+    assert heard == [b"f\n"]  # and nothing else: it stays where it is
+
+
+def test_a_receiver_that_is_not_there(ready, set_up):
+    with socket.create_server(("127.0.0.1", 0)) as free:
+        port = free.getsockname()[1]
+    set_up(RADIO.format(port))
+    found = ready()[1]["radio"]
+    assert found["state"] == "look"
+    assert f"Nothing listens at 127.0.0.1:{port}" in found["words"]
+    assert "SDR++" in found["remedy"]
+
+
+@pytest.mark.parametrize(
+    ("command", "state", "words"),
+    [
+        ("sh -c 'true'", "good", "at_tca can be started"),
+        ("no-such-recorder --now", "look", "there is no program 'no-such-recorder'"),
+        ("sh -c 'true", "look", "cannot be read"),
+    ],
+)
+def test_hooks_are_looked_for_and_not_run(ready, set_up, command, state, words):
+    set_up(f'\n[hooks]\nat_tca = "{command}"\n')
+    found = ready()[1]["hooks"]
+    assert found["state"] == state
+    assert words in found["words"]
 
 
 def test_no_network_is_touched_and_no_file_is_made(ready, at_home, monkeypatch):

@@ -14,8 +14,8 @@ from birdcage.cli.options import find_paths, flags, global_options, load_setting
 def command(context: click.Context) -> None:
     """Go through all that is needed where there is no network: elements, clock, ephemeris, place, port, settings.
 
-    Nothing is sent, no port is opened and the dish stays as it is. ✓ is good, ! is worth a look, ✗ must be mended:
-    then the exit status is 1.
+    No port is opened and the dish stays as it is; a receiver that is set is asked for its frequency. ✓ is good, ! is
+    worth a look, ✗ must be mended: then the exit status is 1.
     """
     from birdcage.base.clock import RealClock
     from birdcage.cli.ready_checks import GLYPHS, checks
