@@ -147,11 +147,11 @@ def test_works_without_a_link():
 def test_the_start_and_run_time_derive_the_same(bench):
     settings = replace(
         Settings(),
-        alignment=AlignmentSettings(az_offset_deg=12.0, el_offset_deg=-1.0),
+        alignment=AlignmentSettings(az_offset_deg=12.0, el_offset_deg=-1.0, ca_deg=0.1, an_deg=0.5, aw_deg=-0.4),
         motion=MotionSettings(min_elevation_deg=22.0, stop_releases_motors=True),
     )
     rules = rules_from(settings)
-    assert rules.alignment == Alignment(12.0, -1.0)
+    assert rules.alignment == Alignment(12.0, -1.0, 0.1, 0.5, -0.4)
     assert isinstance(StationSettings("p", "g2", lambda *_: None), type(rules))
     started = Bench(options={name: getattr(rules, name) for name in rules.__dataclass_fields__}).connect()
     bench.do(ApplySettings(settings, "you"))
@@ -159,6 +159,7 @@ def test_the_start_and_run_time_derive_the_same(bench):
         "el_min_deg",
         "el_max_deg",
         "az_offset_deg",
+        "alignment",
         "feed_name",
         "beam_deg",
         "stow_allowed",

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
+from birdcage.base.config import AlignmentSettings, Settings
 from birdcage.station.report import status_report
-from birdcage.station.requests import Goto
+from birdcage.station.requests import ApplySettings, Goto
 from birdcage.station.state import StationState
 
 
@@ -55,3 +57,10 @@ def test_a_position_that_no_longer_holds_is_not_told(bench) -> None:
     told = report(bench)
     assert told["azimuth_deg"] is told["elevation_deg"] is told["age_s"] is told["activity"] is None
     assert (told["connected"], told["link"], told["position_lost"]) == (False, "lost", "link")
+
+
+def test_an_alignment_is_told_whenever_it_is_not_zero(bench) -> None:
+    assert report(bench)["alignment"] is None
+    aligned = replace(Settings(), alignment=AlignmentSettings(az_offset_deg=12.0, an_deg=0.3, aw_deg=0.4, ca_deg=-0.1))
+    bench.do(ApplySettings(aligned, "you"))
+    assert report(bench)["alignment"] == "az +12.00°, el +0.00°, tilt 0.50° to 307°, beam 0.10° right"

@@ -50,7 +50,8 @@ class Applying:
             az_deg, el_deg = alignment.to_true(position.dish_az_deg, position.dish_el_deg)
             position = replace(position, az_deg=az_deg, el_deg=el_deg)
         self._board.change(
-            position=position, az_offset_deg=alignment.az_offset_deg, el_offset_deg=alignment.el_offset_deg,
+            position=position, alignment=alignment,
+            az_offset_deg=alignment.az_offset_deg, el_offset_deg=alignment.el_offset_deg,
             feed_name=rules.feed_name, beam_deg=rules.beam_deg, stow_allowed=rules.stow_allowed,
             motion_refused_because=rules.refuse_motion,
         )  # fmt: skip

@@ -45,6 +45,7 @@ def status_report(state: StationState, now: float) -> dict[str, Value | dict[str
         "motion_refused_because": state.motion_refused_because,
         "search": None if state.search is Search.UNKNOWN else state.search.value,
         "turn_of_cable": None if state.turn is Turn.UNKNOWN else state.turn.value,
+        "alignment": state.alignment.words() or None,
         "cable_deg": _rounded(pointing.cable_deg) if pointing and pointing.cable_deg is not None else None,
         "stop_power_s": motion.stop_power_s if motion else None,
         "stop_means": motion.stop_means if motion else None,

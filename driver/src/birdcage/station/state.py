@@ -8,6 +8,7 @@ from datetime import datetime
 from enum import Enum
 from types import MappingProxyType
 
+from birdcage.antenna.alignment import Alignment
 from birdcage.base.config.sections import NoGoSector
 from birdcage.protocol.model import DishModel, Turn
 from birdcage.station.pursuit import Pursuit
@@ -232,6 +233,8 @@ class StationState:
     menu: str | None = None
     az_offset_deg: float = 0.0
     el_offset_deg: float = 0.0
+    alignment: Alignment = field(default_factory=Alignment)
+    """The whole of what is in force: the offsets above, tilt and collimation. Shown whenever it is not zero."""
     feed_name: str = ""
     beam_deg: float | None = None
     stow_allowed: bool = False
