@@ -33,7 +33,7 @@ class Tuner:
         *,
         connect: Connect | None = None,
     ) -> None:
-        self._clock = clock
+        self._clock, self._publish = clock, publish
         self._hurry, self._wake = Wake(), Wake()
         self._wanted: Tuning | None = None
         self._tuning: Tuning | None = None
@@ -53,7 +53,9 @@ class Tuner:
     @property
     def now(self) -> RadioNow:
         """What is known of the receiver; any thread may ask."""
-        return RadioNow(sentence=self._problem) if self._receiver is None else self._receiver.now
+        if self._receiver is None or self._problem:
+            return RadioNow(sentence=self._problem)
+        return self._receiver.now
 
     def follow(self, tuning: Tuning | None) -> None:
         """Tune for this pass from a minute before it; None lets go of the receiver, and ends a recording, at once.
@@ -105,8 +107,11 @@ class Tuner:
                 due = self.step()
                 self._clock.wait(None, due, self._wake)
                 self._wake.clear()
-        finally:
-            self._end()
+        except Exception as fault:  # noqa: BLE001 - a traceback from here would land in the middle of a screen
+            self._problem = f"Nothing is tuned any more, by a fault of birdcage: {fault!r}"
+        self._end()
+        if self._problem:
+            self._publish(self.now)
 
     def _end(self) -> None:
         self._heard = self._receiver is None or self._receiver.finish()

@@ -74,7 +74,9 @@ class HookSettings(Section):
 
     section: ClassVar[str] = "hooks"
 
-    at_reach_start: str | None = setting(None, "Run when the target comes into reach.")
+    at_reach_start: str | None = setting(
+        None, "Run when the target comes into reach. Words as in a shell, without one: sh -c '...' where one is wanted."
+    )
     at_tca: str | None = setting(None, "Run when it is highest.")
     at_reach_end: str | None = setting(None, "Run when it goes out of reach.")
     pre_s: float = setting(0.0, "How much earlier the first one runs.", minimum=0.0, maximum=600.0)
