@@ -84,10 +84,14 @@ class Alignment:
         return start_deg - margin, end_deg + margin, width_deg + 2.0 * margin
 
     def words(self) -> str:
-        """Return what is not zero, for people: `az +1.20, el -0.30, tilt 0.52 to 45 deg, beam 0.10 left`; else ``."""
+        """Return what is not zero, for people: `az +1.20°, el -0.30°, tilt 0.52° to 45°, beam 0.10° left`; else ``."""
+        offsets = f"az {self.az_offset_deg:+.2f}°, el {self.el_offset_deg:+.2f}°"
+        parts = (offsets if self.az_offset_deg or self.el_offset_deg else "", self.lean_words())
+        return ", ".join(part for part in parts if part)
+
+    def lean_words(self) -> str:
+        """Return tilt and collimation alone, for people; empty where there is neither."""
         parts = []
-        if self.az_offset_deg or self.el_offset_deg:
-            parts.append(f"az {self.az_offset_deg:+.2f}°, el {self.el_offset_deg:+.2f}°")
         if self.an_deg or self.aw_deg:
             towards = wrap_360(math.degrees(math.atan2(-self.aw_deg, self.an_deg)))
             parts.append(f"tilt {math.hypot(self.an_deg, self.aw_deg):.2f}° to {towards:.0f}°")

@@ -37,7 +37,7 @@ class ReadoutPane(Pane):
         put_big(cells, start_el, 0, el + "°", ink, large=large)
         y = rows
         if cells.height >= rows + 3:
-            true = view.state.az_offset_deg or view.state.el_offset_deg
+            true = view.state.az_offset_deg or view.state.el_offset_deg or view.state.alignment.model is not None
             name = "azimuth true" if true else "azimuth"
             cells.put(1, y, name if position is None else f"{name}  {wind_of(position.az_deg)}", "dim")
             cells.put(start_el, y, "elevation", "dim")

@@ -52,6 +52,8 @@ class HealthPane(Pane):
         if state.el_min_deg is not None and state.el_max_deg is not None:
             limits = f"{state.el_min_deg:.1f}° to {state.el_max_deg:.1f}° elevation"
         offset = f"az {state.az_offset_deg:+.2f}°  el {state.el_offset_deg:+.2f}°"
+        if lean := state.alignment.lean_words():
+            offset += f"  {lean}"
         beam = "beam unknown" if state.beam_deg is None else f"beam {state.beam_deg:.1f}°"
         homed = {True: "yes", False: "NO", None: "--"}[state.homed]
         by_itself = state.dish is not None and state.dish.homing_s is None

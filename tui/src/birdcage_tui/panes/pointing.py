@@ -106,7 +106,8 @@ class PointingPane(Pane):
             note, note_ink = f"{age_text(age_s)} old", "warn"
         else:
             note, note_ink = "", "dim"
-        known = view.state.az_offset_deg == 0 and view.state.el_offset_deg == 0
+        state = view.state
+        known = state.az_offset_deg == 0 and state.el_offset_deg == 0 and state.alignment.model is None
         cells.put(left, y, "azimuth" if known or note else "azimuth true", "dim")
         cells.put(start_el, y, "elevation", "dim")
         cells.put(left + 9, y, note, note_ink)
