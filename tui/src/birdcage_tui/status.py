@@ -88,8 +88,10 @@ class StatusLine(Pane):
         ]
         if has_skew(view):
             fields.append((f"SK{skew_text(view)}", ink))
-        if state.az_offset_deg or state.el_offset_deg:
-            fields.append((f"offset {state.az_offset_deg:+.2f} {state.el_offset_deg:+.2f}", "bar"))
+        leans = state.alignment.model is not None
+        if state.az_offset_deg or state.el_offset_deg or leans:
+            tilt = " tilt" if leans else ""
+            fields.append((f"offset {state.az_offset_deg:+.2f} {state.el_offset_deg:+.2f}{tilt}", "bar"))
         if wide and state.port:
             fields.append((state.port.split("?")[0], "bar-dim"))
         if wide and state.firmware_version:

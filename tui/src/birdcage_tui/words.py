@@ -238,6 +238,8 @@ def _standing(view: View, *, brief: bool) -> str:
         parts.append(f"beam {state.beam_deg:.1f}°")
     if state.az_offset_deg or state.el_offset_deg:
         parts.append(f"offset az {state.az_offset_deg:+.2f}° el {state.el_offset_deg:+.2f}°")
+    if lean := state.alignment.lean_words():
+        parts.append(lean)
     if place is not None and place.name:
         parts.append(place.name)
     if doubt:
