@@ -10,7 +10,7 @@ import pytest
 from birdcage.pursuit.memory import FILE, Kept, Memory
 
 NOW = datetime(2026, 11, 21, 12, 0, 0, 123456, tzinfo=UTC)
-KEPT = Kept("25544", "ISS (ZARYA)", NOW, NOW + timedelta(minutes=5), NOW, 123.4, 56.7, NOW, 145.8e6, -0.5)
+KEPT = Kept("25544", "ISS (ZARYA)", NOW, NOW + timedelta(minutes=5), NOW, 123.4, 56.7, 125.0, 56.5, NOW, 145.8e6, -0.5)
 
 
 @pytest.mark.parametrize("kept", [KEPT, replace(KEPT, aos=None, frequency_hz=None, left=True)])

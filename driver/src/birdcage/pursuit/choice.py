@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from copy import copy
 from dataclasses import dataclass, field
 from datetime import datetime, timedelta
 from typing import TYPE_CHECKING
@@ -66,6 +67,13 @@ class Choice:
         """Let the plan be made anew, by the dish as it then stands."""
         self._plan_key = None
 
+    def for_another_pass(self, wanted_at: datetime) -> Choice:
+        """Return a choice of the same target, and of the pass that goes on at that time."""
+        other = copy(self)
+        other.wanted_at, other.plan = wanted_at, None
+        other.forget_plan()
+        return other
+
     def look(self, at: Circumstances) -> LookAngle | None:
         """Return where it stands, without refraction; None where that is not known."""
         try:
@@ -128,10 +136,10 @@ class Choice:
 
     def refine(self, at: Circumstances) -> bool:
         """Choose the share of a dish whose axes move in turn, if that is still to be done; return whether it was."""
-        from birdcage.tracking.planner import refine
-
         if self.plan is None or self.plan.refined:
             return False
+        from birdcage.tracking.planner import refine
+
         self.plan = refine(self.plan, at.mount)
         return True
 
@@ -163,9 +171,8 @@ class Choice:
         before, self._standing = self.plan, at.mount.standing
         try:
             self.plan = plan_pass(
-                self.target, at.observer, at.mount, at.now, passing=passing, frequency_hz=self.frequency_hz,
-                refraction=tracking.refraction, time_offset_s=self.time_offset_s,
-                preposition_s=tracking.preposition_s, hours=HOURS,
+                self._shifted(), at.observer, at.mount, at.now, passing=passing, frequency_hz=self.frequency_hz,
+                refraction=tracking.refraction, preposition_s=tracking.preposition_s, hours=HOURS,
             )  # fmt: skip
         except BirdcageError as error:
             self.plan, self.problem = None, str(error)

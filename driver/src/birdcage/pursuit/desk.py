@@ -37,7 +37,7 @@ class PursuitDesk:
     ) -> None:  # fmt: skip
         self._clock, self._tell, self._threads = clock, tell, threads
         self._orders = Orders()
-        self._work = DeskWork(station, clock, setup, self._orders.put)
+        self._work = DeskWork(station, clock, setup, self._orders.put, threads=threads)
         self._thread: threading.Thread | None = None
         self._closing = False
         self._now = DeskNow(clock.utc())

@@ -33,3 +33,5 @@ class DeskSetup:
     controller: ControllerName | None = None
     """Counts instead of the one in the settings."""
     holder: str = HOLDER
+    takes_up: bool = True
+    """Whether it offers, or goes on with, what was being followed when the program before it ended."""

@@ -21,11 +21,13 @@ from birdcage.pursuit.now import DeskNow, Found, Mode
 from birdcage.pursuit.sheet import Sheet
 from birdcage.pursuit.timetable import Timetable
 from birdcage.pursuit.unfinished import Keeper
+from birdcage.radio.now import RadioNow
 from birdcage.station.requests import Goto
 from birdcage.station.station import Station
 
 if TYPE_CHECKING:
     from birdcage.base.config import Settings
+    from birdcage.pursuit.beside import Beside
     from birdcage.sky.observer import Observer
     from birdcage.sky.targets import Target
 
@@ -44,18 +46,19 @@ NO_FAVOURITES = "Autotrack follows favourites, and there are none: make some sat
 class DeskWork:
     """Everything here belongs to one thread."""
 
-    def __init__(self, station: Station, clock: Clock, setup: DeskSetup, post: Post) -> None:
+    def __init__(self, station: Station, clock: Clock, setup: DeskSetup, post: Post, *, threads: bool) -> None:
+        self._threads = threads
+        self._beside: Beside | None = None
         self._station, self._clock, self._setup, self._post = station, clock, setup, post
         self._follower = Follower(station, setup.holder, post)
         self._sheet = Sheet(station, clock, setup, self._follower)
-        self._keeper = Keeper(None if setup.demo else Memory(setup.paths.state))
+        self._keeper = Keeper(None if setup.demo else Memory(setup.paths.state), takes_up=setup.takes_up)
         self._auto = Autotrack(Timetable())
         self._by_autotrack = False
         """Whether autotrack has asked for what is followed, and not a person."""
         self._query = ""
         self._found: tuple[Found, ...] = ()
         self._mode, self._problem = Mode.WATCH, ""
-        self._begun = False
         self._file_at = self._tell_at = -math.inf
         self._changed = True
 
@@ -82,7 +85,7 @@ class DeskWork:
         """Choose a pass."""
         if self._sheet.choice is not None:
             # Another one, so that the one that may be followed keeps its pass.
-            self._sheet.take(replace(self._sheet.choice, wanted_at=aos, plan=None))
+            self._sheet.take(self._sheet.choice.for_another_pass(aos))
             self._changed = True
 
     def set_time_offset(self, seconds: float) -> None:
@@ -183,9 +186,8 @@ class DeskWork:
     def step(self) -> float:
         """Do what there is to do; return how many seconds it may rest then."""
         now, monotonic = self._clock.utc(), self._clock.monotonic()
-        if not self._begun:
-            self._begun = True
-            self._keeper.begin(now)
+        if self._beside is None:
+            self._beside = self._begin(now)
         if monotonic >= self._file_at:
             self._file_at = monotonic + LOOK_AT_FILE_S
             if self._sheet.read_catalogue():
@@ -203,7 +205,8 @@ class DeskWork:
                 self._changed = any(self._sheet.refine(choice, at) for choice in self._sheet.all)
             if self._sheet.unrefined:
                 return 0.0
-        return LOOK_S if self._sheet.all or self._auto.on or self._keeper.may_resume else REST_S
+        rest_s = LOOK_S if self._sheet.all or self._auto.on or self._keeper.may_resume else REST_S
+        return min(rest_s, max(self._beside.step() - monotonic, 0.0))
 
     def told(self) -> DeskNow | None:
         """Return what there is to be shown; None while that is the same."""
@@ -216,6 +219,7 @@ class DeskWork:
         shown = DeskNow(
             now, self._query, self._found, mode=self._mode, autotrack=self._auto.on,
             schedule=self._auto.timetable.rows, unfinished=self._keeper.unfinished,
+            radio=RadioNow() if self._beside is None else self._beside.radio,
         )  # fmt: skip
         if choice is not None:
             shown = replace(
@@ -225,8 +229,20 @@ class DeskWork:
         return replace(shown, problem=self._why())
 
     def end(self) -> None:
-        """Leave what there is to be remembered."""
+        """Leave what there is to be remembered, and end what runs beside."""
         self._keeper.end()
+        if self._beside is not None:
+            self._beside.close()
+            self._beside = None
+
+    def _begin(self, now: datetime) -> Beside:
+        from birdcage.pursuit.beside import Beside
+
+        self._keeper.begin(now)
+        return Beside(
+            self._station, self._clock, self._setup.paths, self._sheet.settings, threads=self._threads,
+            changed=lambda: self._post(self.look_again),
+        )  # fmt: skip
 
     def _why(self) -> str:
         """Return the one thing that a person should know."""
@@ -238,6 +254,7 @@ class DeskWork:
             or ("" if choice is None else choice.problem)
             or self._sheet.finder.problem
             or self._keeper.problem
+            or ("" if self._beside is None else self._beside.problem)
         )
 
     def _say(self, problem: str) -> None:
@@ -256,7 +273,11 @@ class DeskWork:
             self._auto.timetable.choose_again()
             if self._mode is Mode.FOLLOW:
                 self._mode = Mode.WATCH
-        self._keeper.note(self._follower.live, self._sheet.followed, now, monotonic)
+        live, followed = self._follower.live, self._sheet.followed
+        if self._beside is not None:
+            elements = None if followed is None else followed.elements
+            self._beside.follow(live, self._sheet.settings, self._sheet.observer, elements)
+        self._keeper.note(live, followed, now, monotonic)
         self._changed |= self._keeper.forget_old(now)
         tracking = self._sheet.settings.tracking
         if not self._follower.is_busy and self._keeper.resumes(

@@ -9,7 +9,6 @@ from datetime import UTC, datetime
 from typing import TYPE_CHECKING
 
 from birdcage.base.errors import BirdcageError
-from birdcage.pursuit.passes_of import SAME_S
 from birdcage.station.pursuit import Phase, Pursuit, PursuitOptions
 from birdcage.station.requests import EndPursuit, Pursue
 
@@ -72,8 +71,10 @@ class Follower:
 
     def renew(self, plan: Plan) -> None:
         """Bring a better plan in, if it is one for what is being followed."""
+        from birdcage.tracking.same_pass import same_pass
+
         live = self.live
-        if live is not None and plan is not live.plan and same(plan, live.plan):
+        if live is not None and plan is not live.plan and same_pass(plan, live.plan):
             # Its options stay; a person has asked for it before, and nothing begins that had not begun.
             self._send(Pursue(plan, self.holder, replace(live.options), asked=True))
 
@@ -99,19 +100,6 @@ class Follower:
             self.problem = str(error)
         else:
             raise error
-
-
-def same(one: Plan, other: Plan) -> bool:
-    """Return whether two plans are for one target and one pass of it."""
-    if (one.aim.kind, one.aim.name, one.aim.norad_id) != (other.aim.kind, other.aim.name, other.aim.norad_id):
-        return False
-    if one.passing is None or other.passing is None:
-        return one.passing is other.passing
-    apart = min(abs((a - b).total_seconds()) for a, b in (
-        (one.passing.aos, other.passing.aos), (one.passing.tca, other.passing.tca)))  # fmt: skip
-    # An offset of time moves all of a pass.
-    moved = abs(one.aim.time_offset_s - other.aim.time_offset_s)
-    return apart <= SAME_S + moved
 
 
 def reach_start(plan: Plan) -> datetime | None:

@@ -29,6 +29,9 @@ class Kept:
     az_deg: float
     """True: where the dish was last sent."""
     el_deg: float
+    ahead_az_deg: float
+    """Where it was to be a moment later: it may have come that far before the program died."""
+    ahead_el_deg: float
     aos: datetime | None = None
     """Of the pass; None for what does not pass."""
     frequency_hz: float | None = None
@@ -91,7 +94,9 @@ def _kept(values: dict[str, object]) -> Kept:
     return Kept(
         text=_of(str, values["text"]), name=_of(str, values["name"]), since=moment("since"),
         reach_end=moment("reach_end"), seen=moment("seen"), az_deg=_number(values["az_deg"]),
-        el_deg=_number(values["el_deg"]), aos=None if values["aos"] is None else moment("aos"),
+        el_deg=_number(values["el_deg"]),
+        ahead_az_deg=_number(values["ahead_az_deg"]), ahead_el_deg=_number(values["ahead_el_deg"]),
+        aos=None if values["aos"] is None else moment("aos"),
         frequency_hz=None if frequency is None else _number(frequency),
         time_offset_s=_number(values["time_offset_s"]), left=_of(bool, values["left"]),
     )  # fmt: skip

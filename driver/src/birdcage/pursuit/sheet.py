@@ -10,7 +10,7 @@ from birdcage.pursuit.choosing import bring_up_to_date, choice_of, listen_at
 from birdcage.pursuit.circumstances import Circumstances
 from birdcage.pursuit.desk_setup import DeskSetup
 from birdcage.pursuit.finder import Finder
-from birdcage.pursuit.follower import BEFORE_LEAVING, Follower, reach_start, same
+from birdcage.pursuit.follower import BEFORE_LEAVING, Follower, reach_start
 from birdcage.station.station import Station
 
 if TYPE_CHECKING:
@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from birdcage.sky.observer import Observer
     from birdcage.sky.targets import Target
 
-BEFORE_S = 5.0
-"""So long before the dish has to leave, the plan is made anew if it stands elsewhere than it did."""
+BEFORE_S = 12.0
+"""So long before the dish has to leave, and before the countdown to that, the plan is made anew if it stands elsewhere."""
 ELSEWHERE_DEG = 1.0
 
 
@@ -119,6 +119,8 @@ class Sheet:
 
     def look_before_leaving(self, at: Circumstances) -> None:
         """Let the plan be made anew shortly before the dish leaves, if it stands elsewhere than when it was made."""
+        from birdcage.tracking.same_pass import same_pass
+
         live, choice = self._follower.live, self.followed
         if live is None or choice is None or live.phase not in BEFORE_LEAVING or live.plan.preposition is None:
             return
@@ -126,5 +128,5 @@ class Sheet:
         if self._looked_before == leave_s or at.now.timestamp() < leave_s - max(BEFORE_S, 2.0 * self._clock.rate):
             return
         self._looked_before = leave_s
-        if choice.plan is not None and same(choice.plan, live.plan) and choice.stood_elsewhere(at, ELSEWHERE_DEG):
+        if choice.plan is not None and same_pass(choice.plan, live.plan) and choice.stood_elsewhere(at, ELSEWHERE_DEG):
             choice.forget_plan()

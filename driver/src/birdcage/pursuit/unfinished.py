@@ -6,7 +6,7 @@ from dataclasses import replace
 from datetime import datetime, timedelta
 from typing import TYPE_CHECKING
 
-from birdcage.base.geometry import separation
+from birdcage.base.geometry import separation, shortest_turn
 from birdcage.pursuit.follower import IN_MID_PASS, reach_end
 from birdcage.pursuit.memory import Kept, Memory
 from birdcage.pursuit.now import Unfinished
@@ -15,19 +15,21 @@ from birdcage.station.state import Link
 
 if TYPE_CHECKING:
     from birdcage.pursuit.choice import Choice
-    from birdcage.station.state import StationState
+    from birdcage.station.state import Pointing, StationState
 
 STANDS_WITHIN_DEG = 0.5
 """How far from where it was last sent the dish may stand, to count as left alone."""
 HEARTBEAT_S = 1.0
-"""How often what is followed is written, in monotonic seconds: the dish goes some 0.3 degrees meanwhile."""
+"""How often what is followed is written, in monotonic seconds."""
+AHEAD_S = 2.5
+"""So much of the way ahead is written with it: until the next time, and what is under way then."""
 
 
 class Keeper:
     """For the desk's thread alone. Keeps nothing, and finds nothing, where there is no `memory`."""
 
-    def __init__(self, memory: Memory | None) -> None:
-        self._memory = memory
+    def __init__(self, memory: Memory | None, *, takes_up: bool = True) -> None:
+        self._memory, self._takes_up = memory, takes_up
         self._kept: Kept | None = None
         """Of the pursuit under way."""
         self._written_at = 0.0
@@ -38,7 +40,7 @@ class Keeper:
 
     def begin(self, now: datetime) -> None:
         """Look for what was being followed when the program ended."""
-        if self._memory is None:
+        if self._memory is None or not self._takes_up:
             return
         self.found = self._memory.read()
         self.may_resume = self.found is not None and not self.found.left
@@ -78,8 +80,7 @@ class Keeper:
         if state.link.state is not Link.UP or state.position is None or state.position_lost is not None:
             return False
         self.may_resume = False
-        off_deg = separation(state.position.az_deg, state.position.el_deg, found.az_deg, found.el_deg)
-        return state.homed is True and off_deg <= STANDS_WITHIN_DEG
+        return state.homed is True and _off_deg(found, state.position) <= STANDS_WITHIN_DEG
 
     def note(self, pursuit: Pursuit | None, choice: Choice | None, now: datetime, monotonic: float) -> None:
         """Write what is being followed, or remove it once that has ended in order."""
@@ -97,19 +98,18 @@ class Keeper:
             if end is None:
                 return
             passing = pursuit.plan.passing
+            sample = pursuit.sample
             self._kept = Kept(
                 text=choice.text, name=pursuit.plan.aim.name, since=now, reach_end=end, seen=now,
-                az_deg=pursuit.sample.commanded_az_deg, el_deg=pursuit.sample.commanded_el_deg,
+                az_deg=sample.commanded_az_deg, el_deg=sample.commanded_el_deg,
+                ahead_az_deg=sample.commanded_az_deg, ahead_el_deg=sample.commanded_el_deg,
                 aos=None if passing is None else passing.aos, frequency_hz=choice.wanted_hz,
                 time_offset_s=choice.time_offset_s,
             )  # fmt: skip
             self.found, self.may_resume = None, False
         elif monotonic < self._written_at + HEARTBEAT_S:
             return
-        sample = pursuit.sample
-        self._kept = replace(self._kept, seen=now)
-        if sample is not None:
-            self._kept = replace(self._kept, az_deg=sample.commanded_az_deg, el_deg=sample.commanded_el_deg)
+        self._kept = replace(self._kept, seen=now, **_directions(pursuit, now))
         self._written_at = monotonic
         self._memory.write(self._kept)
 
@@ -122,3 +122,26 @@ class Keeper:
     def problem(self) -> str:
         """Why nothing could be written."""
         return "" if self._memory is None else self._memory.problem
+
+
+def _directions(pursuit: Pursuit, now: datetime) -> dict[str, float]:
+    """Return where the dish is, and where it may be when the program dies before it writes again."""
+    sample = pursuit.sample
+    if sample is None:
+        return {}
+    az_deg, el_deg = sample.commanded_az_deg, sample.commanded_el_deg
+    found = {"az_deg": az_deg, "el_deg": el_deg, "ahead_az_deg": az_deg, "ahead_el_deg": el_deg}
+    if pursuit.phase is Phase.FOLLOWING:
+        ahead_deg = pursuit.plan.sky.at(now.timestamp() + AHEAD_S)
+        found |= {"ahead_az_deg": ahead_deg[0] % 360.0, "ahead_el_deg": ahead_deg[1]}
+    return found
+
+
+def _off_deg(found: Kept, position: Pointing) -> float:
+    """Return how far the dish stands from the way that it was on."""
+    turn_deg = shortest_turn(found.az_deg, found.ahead_az_deg)
+    rise_deg = found.ahead_el_deg - found.el_deg
+    return min(
+        separation(position.az_deg, position.el_deg, found.az_deg + turn_deg * share, found.el_deg + rise_deg * share)
+        for share in (step / 20.0 for step in range(21))
+    )
