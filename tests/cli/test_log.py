@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import csv
-import importlib.util
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 from birdcage.base.paths import Paths
@@ -13,11 +11,8 @@ from birdcage.pursuit.hooks import HookLine
 from birdcage.pursuit.pass_log import PassLog
 from birdcage.station.pursuit import Phase
 
-_file = Path(__file__).parents[1] / "pursuit" / "pass_events.py"
-_spec = importlib.util.spec_from_file_location("pass_events", _file)
-pass_events = importlib.util.module_from_spec(_spec)
-_spec.loader.exec_module(pass_events)
-at, plan = pass_events.at, pass_events.plan
+from tests.pursuit import pass_events
+from tests.pursuit.pass_events import at, plan
 
 
 @pytest.fixture

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import csv
 import errno
-import importlib.util
 import os
 import sqlite3
 import subprocess
 import sys
 import threading
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 from birdcage.base.errors import StoreError
@@ -23,10 +21,8 @@ from birdcage.pursuit.pass_book import list_passes, read_remarks, read_samples, 
 from birdcage.pursuit.pass_log import PassLog
 from birdcage.station.pursuit import Phase
 
-_spec = importlib.util.spec_from_file_location("pass_events", Path(__file__).with_name("pass_events.py"))
-pass_events = importlib.util.module_from_spec(_spec)
-_spec.loader.exec_module(pass_events)
-Story, at, plan = pass_events.Story, pass_events.at, pass_events.plan
+from . import pass_events
+from .pass_events import Story, at, plan
 
 
 @pytest.fixture
