@@ -10,6 +10,7 @@ from birdcage.base.config import FeedProfile
 from birdcage.base.config.feeds import STOCK_FEED
 from birdcage.base.config.sections import AlignmentSettings
 from birdcage.calibration.candidates import Candidate, candidates
+from birdcage.calibration.fit import fit
 from birdcage.calibration.next_best import rank, sky_error_deg
 from birdcage.calibration.peak import Peak
 from birdcage.calibration.terms import priors_of
@@ -43,22 +44,28 @@ def test_a_faint_one_is_worth_less():
     assert order([at(60.0, 30.0, sigma=3.0), at(150.0, 30.0)], [peak(180.0, 40.0)])[0] == "150/30"
 
 
+def now(peaks, settings=None):
+    """The error to expect over the sky with these peaks."""
+    settings = settings or AlignmentSettings()
+    return rank([at(60.0, 30.0)], peaks, priors_of(settings, peaks), Alignment(), REACH)[0].error_now_deg
+
+
 def test_what_is_promised_is_what_comes():
     peaks = [peak(180.0, 40.0), peak(230.0, 30.0)]
-    priors = priors_of(AlignmentSettings(), peaks)
-    best = rank([at(60.0, 30.0)], peaks, priors, Alignment(), REACH)[0]
-    assert best.error_now_deg == pytest.approx(sky_error_deg(peaks, priors, Alignment(), REACH))
-    after = sky_error_deg([*peaks, peak(60.0, 30.0)], priors, Alignment(), REACH)
-    assert best.error_then_deg == pytest.approx(after)
+    best = rank([at(60.0, 30.0)], peaks, priors_of(AlignmentSettings(), peaks), Alignment(), REACH)[0]
+    assert best.error_then_deg == pytest.approx(now([*peaks, peak(60.0, 30.0)]))
     assert 0.0 < best.gain_deg < best.error_now_deg
 
 
+def test_a_fit_is_as_good_as_was_promised():
+    peaks = [peak(180.0, 40.0), peak(230.0, 30.0), peak(60.0, 30.0), peak(120.0, 50.0)]
+    fitted = fit(peaks, priors_of(AlignmentSettings(), peaks), Alignment())
+    assert sky_error_deg(fitted, REACH) == pytest.approx(now(peaks))
+
+
 def test_a_base_that_was_leveled_is_known_better_from_the_start():
-    leveled = AlignmentSettings(pitch_deg=0.0, roll_deg=0.0)
     one = [peak(180.0, 40.0)]
-    known = sky_error_deg(one, priors_of(leveled, one), Alignment(), REACH)
-    unknown = sky_error_deg(one, priors_of(AlignmentSettings(), one), Alignment(), REACH)
-    assert known < unknown / 2
+    assert now(one, AlignmentSettings(pitch_deg=0.0, roll_deg=0.0)) < now(one) / 2
 
 
 def test_only_what_the_feed_may_hear_and_the_dish_reaches():

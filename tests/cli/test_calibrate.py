@@ -73,6 +73,7 @@ def test_the_fit_tells_how_the_dish_stands(peaked, as_json, home):
     assert told["terms_deg"]["an_deg"] == pytest.approx(0.9, abs=0.15)
     assert told["rms_deg"] < 0.05 < 10.0 < told["rms_before_deg"]
     assert len(told["residuals"]) == 7
+    assert 0.0 < told["sky_error_deg"] < 0.5
     shown = peaked("fit", "--save", "Roof").stdout
     assert "axis leans north" in shown
     assert "leaving each out" in shown

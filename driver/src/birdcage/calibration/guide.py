@@ -17,7 +17,7 @@ from birdcage.calibration.candidates import Candidate
 from birdcage.calibration.expected import expected
 from birdcage.calibration.peak import SLOT_RISE_DB, Peak, sigma_by_hand
 from birdcage.calibration.peaks_file import add_peak, load_peaks, peaks_file, remove_peaks
-from birdcage.calibration.work import fit_for, in_force, observer_of, proposals_for, set_from
+from birdcage.calibration.work import fit_for, in_force, observer_of, proposals_for, set_from, sky_error_for
 from birdcage.sky.rise import Ear, expected_rise_db
 from birdcage.sky.targets.model import SlotTarget
 from birdcage.station.reach_limits import reach_limits_of
@@ -46,6 +46,8 @@ class GuideView:
 
     peaks: tuple[Peak, ...]
     fit: Fit | None
+    sky_error_deg: float | None
+    """The error to expect by the fit, over all of the sky that this dish reaches; None without a peak."""
     proposals: tuple[Proposal, ...]
     """As `refresh` found them, best first."""
     target: str
@@ -116,7 +118,7 @@ class Guide:
             across, above = _off(self._aim.to_true(position.dish_az_deg, position.dish_el_deg), stands)
             nudged = (across, above)
         return GuideView(
-            peaks=self.peaks, fit=self._fit, proposals=self._proposals,
+            peaks=self.peaks, fit=self._fit, sky_error_deg=self._sky_error_deg, proposals=self._proposals,
             target="" if self._target is None else self._target.name, expected=stands, position=position,
             nudged=nudged, may_not_take=self._may_not_take(), busy=self._busy, failure=self._failure,
             active=self.settings.alignment.active or "",
@@ -205,6 +207,8 @@ class Guide:
         self._peaks = load_peaks(peaks_file(self._paths))
         self._fit = fit_for(self.settings, self._peaks.entries)
         self._aim = in_force(self.settings) if self._fit is None else self._fit.alignment
+        limits = reach_limits_of(self._station.state, self.settings)
+        self._sky_error_deg = None if self._fit is None else sky_error_for(self._fit, limits)
 
     @property
     def _position(self) -> Pointing | None:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from birdcage.antenna.alignment import Alignment
 from birdcage.calibration.candidates import Candidate
-from birdcage.calibration.fit import Floats, covariance_of, jacobian
+from birdcage.calibration.fit import Fit, Floats, covariance_of, jacobian
 from birdcage.calibration.peak import Peak
 from birdcage.calibration.terms import Priors
 
@@ -57,11 +57,9 @@ def rank(
     return tuple(sorted(proposals, key=lambda each: each.error_then_deg))
 
 
-def sky_error_deg(
-    peaks: Sequence[Peak], priors: Priors, alignment: Alignment, el_range_deg: tuple[float, float]
-) -> float:
-    """Return the error to expect over the sky, as known from these peaks and the priors."""
-    return expected_error_deg(covariance_of(peaks, priors, alignment), _over_the_sky(alignment, el_range_deg))
+def sky_error_deg(fitted: Fit, el_range_deg: tuple[float, float]) -> float:
+    """Return the error to expect over the sky by a fit, as well as its peaks and priors know it."""
+    return expected_error_deg(np.array(fitted.covariance), _over_the_sky(fitted.alignment, el_range_deg))
 
 
 def expected_error_deg(covariance: NDArray[np.floating], sky: Floats) -> float:

@@ -55,6 +55,13 @@ def fit_for(settings: Settings, peaks: Sequence[Peak]) -> Fit | None:
     return fit(peaks, priors_for(settings, peaks), in_force(settings)) if peaks else None
 
 
+def sky_error_for(fitted: Fit, limits: ReachLimits) -> float:
+    """Return the error to expect over all of the sky that this dish reaches, in degrees."""
+    from birdcage.calibration.next_best import sky_error_deg
+
+    return sky_error_deg(fitted, (limits.el_floor_deg, limits.el_ceiling_deg))
+
+
 def set_from(settings: Settings, fitted: Fit, name: str, utc: datetime) -> AlignmentSet:
     """Return a fit as a set with a name: without what the feed adds, to a ten-thousandth of a degree."""
     feed, found = settings.active_feed, fitted.alignment

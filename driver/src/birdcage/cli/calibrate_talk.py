@@ -166,10 +166,11 @@ class CalibrateTalk:
     def _show_fit(self) -> None:
         from birdcage.cli.calibrate_words import tell_fit
 
-        if self._guide.fit is None:
+        view = self._guide.view()
+        if view.fit is None or view.sky_error_deg is None:
             say("There is no peak yet.")
         else:
-            tell_fit(self._guide.fit)
+            tell_fit(view.fit, view.sky_error_deg)
 
 
 def _whole(text: str) -> int:

@@ -45,7 +45,7 @@ def tell_peaks(peaks: Sequence[Peak]) -> None:
     tell_table(["NO", "TAKEN", "OBJECT", "AZ", "EL", "DISH AZ", "DISH EL", "±", "BY"], rows, "r  rrrrr")
 
 
-def fit_values(fit: Fit) -> dict[str, object]:
+def fit_values(fit: Fit, sky_error_deg: float) -> dict[str, object]:
     """Return a fit for JSON. Residuals are on the sky: how far the object lay right of and above the modelled beam."""
     return {
         "terms_deg": {term: round(getattr(fit.alignment, term), 4) for term in TERMS},
@@ -56,6 +56,7 @@ def fit_values(fit: Fit) -> dict[str, object]:
         "rms_before_deg": round(fit.rms_before_deg, 4),
         "rms_deg": round(fit.rms_deg, 4),
         "leave_one_out_rms_deg": _maybe(fit.leave_one_out_rms_deg, 4),
+        "sky_error_deg": round(sky_error_deg, 4),
         "condition": _maybe(fit.condition, 1),
         "warning": fit.warning or None,
         "residuals": [
@@ -67,7 +68,7 @@ def fit_values(fit: Fit) -> dict[str, object]:
     }  # fmt: skip
 
 
-def tell_fit(fit: Fit) -> None:
+def tell_fit(fit: Fit, sky_error_deg: float) -> None:
     """Print a fit: terms, how good it is, residuals, and a plot of these."""
     rows = []
     for term, error in zip(TERMS, fit.errors_deg, strict=True):
@@ -78,8 +79,8 @@ def tell_fit(fit: Fit) -> None:
     alone = "-" if fit.leave_one_out_rms_deg is None else f"{fit.leave_one_out_rms_deg:.3f}°"
     condition = "-" if fit.condition is None else f"{fit.condition:.0f}"
     tell("")
-    tell(f"rms {fit.rms_before_deg:.3f}° before, {fit.rms_deg:.3f}° after; leaving each out {alone}; "
-         f"condition {condition}")  # fmt: skip
+    tell(f"rms {fit.rms_before_deg:.3f}° before, {fit.rms_deg:.3f}° after; leaving each out {alone}")
+    tell(f"expected all over the sky that this dish reaches {sky_error_deg:.2f}°; condition {condition}")
     tell("")
     tell_table(
         ["NO", "OBJECT", "RIGHT", "UP", "OFF", "ALONE"],

@@ -44,9 +44,10 @@ def fit_(terms: int | None, name: str | None) -> None:
     from birdcage.base.errors import BirdcageError
     from birdcage.calibration.fit import fit
     from birdcage.calibration.terms import OFFSETS_ONLY, TERMS, WITH_TILT
-    from birdcage.calibration.work import in_force, priors_for, set_from
+    from birdcage.calibration.work import in_force, priors_for, set_from, sky_error_for
     from birdcage.cli.calibrate_words import fit_values, tell_fit
     from birdcage.cli.say import say, tell_json
+    from birdcage.cli.standing import limits_of
 
     dish = wanted()
     peaks = _read_peaks(dish).entries
@@ -56,10 +57,11 @@ def fit_(terms: int | None, name: str | None) -> None:
         raise click.UsageError("--terms is 2, 4 or 5: the two of the tilt go together.")
     chosen = None if terms is None else {2: OFFSETS_ONLY, 4: WITH_TILT, 5: TERMS}[terms]
     found: Fit = fit(peaks, priors_for(dish.settings, peaks), in_force(dish.settings), chosen)
+    sky_error_deg = sky_error_for(found, limits_of(dish))
     if flags().json:
-        tell_json(fit_values(found))
+        tell_json(fit_values(found, sky_error_deg))
     else:
-        tell_fit(found)
+        tell_fit(found, sky_error_deg)
     if found.warning:
         say(found.warning)
     if name is not None:
