@@ -102,7 +102,7 @@ class Beside:
         self._log.close(CLOSE_S)
 
     def _said(self, line: HookLine) -> None:
-        self._log.remark(self._number, f"{line.event}: {line.text}", line.utc)
+        self._log.hook_said(line)
 
     def _heard(self, now: RadioNow) -> None:
         if now.strength_db is not None:
