@@ -141,6 +141,7 @@ class Desk:
         self._ready(request.holder, az_deg, el_deg)
         follow = isinstance(request, ask.Follow)
         job = Job(az_deg, el_deg, request.holder, future, follow=follow)
+        self._pursuing.make_way(request.holder)
         clamp = isinstance(request, ask.Goto) and request.clamp
         try:
             self._mover.go(job, clamp=clamp, leapfrog=isinstance(request, ask.Follow) and request.leapfrog)

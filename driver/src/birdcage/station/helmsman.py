@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import deque
 from concurrent.futures import Future
 
@@ -27,6 +28,10 @@ ON_ITS_WAY_S = 0.15
 """On a dish whose moves queue, the next command may leave so long before the one under way ends."""
 
 
+SHOW_S = 0.1
+"""How often a stream's motion is shown anew: commands come faster than anybody can see."""
+
+
 class Helmsman:
     """Knows one step at a time: `take` it, then `carry_out` until it gives the answer."""
 
@@ -44,6 +49,7 @@ class Helmsman:
         """Where the azimuth was sent last, unrolled."""
         self._ends_at = 0.0
         """When the move under way ends, on a dish whose moves queue."""
+        self._shown_at = -math.inf
 
     @property
     def now_s(self) -> float:
@@ -74,7 +80,7 @@ class Helmsman:
     def begin(self, holder: str) -> None:
         """A pursuit begins, or goes on."""
         self.holder, self.step, self._arrival, self._lost = holder, None, None, 0
-        self._ends_at = 0.0
+        self._ends_at, self._shown_at = 0.0, -math.inf
 
     def forget_turn(self) -> None:
         """Another pursuit begins: its azimuths are counted from where the dish stands."""
@@ -134,7 +140,8 @@ class Helmsman:
         self._lost = 0
         if not elevation:
             self._az_deg = deg
-        self._show()
+        if self._board.clock.monotonic() >= self._shown_at + SHOW_S:
+            self._show()
         return Answer(self.now_s, sent_s)
 
     def _is_free(self) -> bool:
@@ -184,7 +191,7 @@ class Helmsman:
         motion = antenna.motion
         if motion is None:
             return
-        now = clock.monotonic()
+        now = self._shown_at = clock.monotonic()
         az_deg, el_deg = antenna.alignment.to_true(*motion.rest)
         power = stop_power(antenna.model, motion, clock.rate)
         self._board.change(
@@ -238,6 +245,8 @@ class Helmsman:
             self._bear(error)
             return Answer(self.now_s)
         self._lost = 0
+        if self._board.state.activity is Activity.FOLLOWING:
+            self._show()
         if pointing is None:
             raise PositionUnknown("The dish no longer knows where it is. Home it first.", reason="unhomed")
         now_s = self.now_s

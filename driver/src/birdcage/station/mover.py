@@ -13,7 +13,7 @@ from birdcage.base.geometry import separation
 from birdcage.station.board import Board
 from birdcage.station.events import ActivityChanged, End, MoveEnded, MoveProgress, MoveStarted
 from birdcage.station.look import Look
-from birdcage.station.state import Activity, Motion, Pointing
+from birdcage.station.state import MOVING, Activity, Motion, Pointing
 
 POLL_S = 0.1
 ARRIVED_DEG = 0.08
@@ -91,7 +91,8 @@ class Mover(ABC):
 
     def await_stream_end(self) -> None:
         """Follow a dish that was sent one target after the other until it rests at, or near, the last one."""
-        if self._job is None and self._antenna.motion is not None:
+        moves = self._antenna.motion is not None or self._board.state.activity in MOVING
+        if self._job is None and moves:
             self.await_rest(Job(0.0, 0.0, self._board.state.holder or "", Future()))
             self.activity(Activity.SLEWING, "")
 

@@ -85,7 +85,9 @@ class Pursuing:
         self._control.refuse(request.holder)
         if live is not None:
             if self._leads and live.holder != request.holder:
-                raise LeaseDenied(f"{live.holder} follows {live.plan.aim.name}. Take control over first.")
+                raise LeaseDenied(
+                    f"{live.holder} follows {live.plan.aim.name}. Take control over first, or wait until that is over."
+                )
             self._over(words.REPLACED)
         self._number += 1
         at = self._board.clock.monotonic()
@@ -106,6 +108,15 @@ class Pursuing:
         self._over(words.ended_by(by))
         if leads:
             self._come_to_rest()
+
+    def make_way(self, holder: str) -> None:
+        """Somebody is about to move the dish: if this pursuit of theirs has changed its speeds, end it and restore them.
+
+        Else it goes on until the dish has taken the motion: see `by_hand`.
+        """
+        if self._helm.speeds.are_changed:
+            self.by_hand(holder)
+            self._helm.speeds.restore()
 
     def by_hand(self, holder: str) -> None:
         """Somebody moves the dish: if it is whose pursuit this is, that ends it."""
@@ -155,6 +166,8 @@ class Pursuing:
         if live is None:
             return None
         now = self._board.clock.monotonic()
+        if self._leads and self._is_robbed(live):
+            return now
         if self._run is not None:
             return self._helm.due if not self._control.latched else now + POLL_S
         if live.phase is Phase.YIELDED and self._is_free(live):
@@ -164,7 +177,9 @@ class Pursuing:
     @property
     def restore_due(self) -> bool:
         """Whether speeds that a pursuit has changed are to be put back now, before anything else moves."""
-        return self._run is None and self._helm.speeds.are_changed and not self._stopper.is_pending
+        live = self._live
+        over = self._run is None or live is None or live.phase is not Phase.FOLLOWING
+        return over and self._helm.speeds.are_changed and not self._stopper.is_pending
 
     def restore(self) -> None:
         """Put them back."""
@@ -178,7 +193,7 @@ class Pursuing:
         self._poll_at = self._board.clock.monotonic() + POLL_S
         if self._run is None:
             self._see_whether_to_go_on(live)
-        elif self._leads and self._board.state.holder not in (None, live.holder):
+        elif self._leads and self._is_robbed(live):
             self._yield(live)
         else:
             self._go_on(live)
@@ -267,7 +282,7 @@ class Pursuing:
         if self._board.state.link.state is not Link.UP:
             self.interrupted("link")
             return False
-        if self._board.state.holder not in (None, live.holder):
+        if self._is_robbed(live):
             self._yield(live)
             return False
         if self._helm.moves:
@@ -282,11 +297,13 @@ class Pursuing:
 
     def _yield(self, live: Pursuit) -> None:
         streamed = live.phase is Phase.FOLLOWING
-        holder = self._board.state.holder
         self._drop()
-        self._told.enter(Phase.YIELDED, f"{holder} has control.")
+        self._told.enter(Phase.YIELDED, words.yielded(self._board.state.holder))
         if streamed:
             self._come_to_rest()
+
+    def _is_robbed(self, live: Pursuit) -> bool:
+        return self._board.state.holder not in (None, live.holder)
 
     @staticmethod
     def _over_at(live: Pursuit) -> float:

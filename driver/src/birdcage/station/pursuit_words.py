@@ -20,6 +20,11 @@ def by_hand(holder: str) -> str:
     return "You moved the dish by hand." if holder == "you" else f"{holder} moved the dish otherwise."
 
 
+def yielded(holder: str | None) -> str:
+    """Somebody else has the lease."""
+    return "You have control." if holder == "you" else f"{holder} has control."
+
+
 def held(held: HeldState, fault: Fault | None) -> str:
     """STOP, or something that went wrong."""
     if held.reason == "stop":

@@ -1,0 +1,87 @@
+"""Speeds that a pursuit has changed are put back on every way out of it."""
+
+from __future__ import annotations
+
+import pytest
+from birdcage.station.pursuit import Phase
+from birdcage.station.requests import AcquireLease, EndPursuit, Goto, Release
+from birdcage.tracking.steps import Limit, Look, Wait
+
+from .pursuit_bench import PARK, at, g2, plan_of
+
+
+def slowing(helm):
+    """A controller that slows the azimuth down, and then only looks."""
+    now = (yield Limit(0, 7.0)).now_s
+    while now < helm.until_s:
+        yield Look()
+        now = (yield Wait(now + 1.0)).now_s
+
+
+@pytest.fixture
+def bench(monkeypatch):
+    monkeypatch.setattr("birdcage.tracking.choose.controller_for", lambda *_args, **_more: ("slowing", slowing))
+    bench = g2()
+    bench.pursue(plan_of(at(bench) + 40.0), **PARK)
+    bench.until(Phase.FOLLOWING).step(8.0)
+    assert speed(bench) == pytest.approx(7.0, abs=0.02)
+    return bench
+
+
+def speed(bench):
+    """What the dish itself goes at."""
+    with bench.device.lock:
+        bench.device.machine.run()
+        return bench.device.dish.axes[0].data.max_rate_deg_s
+
+
+def settled(bench):
+    return speed(bench) == pytest.approx(65.0, abs=0.02) and bench.state.readings["speed.0"].value > 64.9
+
+
+def test_at_the_end_before_it_parks(bench):
+    bench.until(Phase.PARKING)
+    assert settled(bench)
+
+
+def test_when_it_is_ended(bench):
+    bench.do(EndPursuit("you"))
+    bench.step(3)
+    assert settled(bench)
+
+
+def test_after_stop(bench):
+    bench.station.stop("you")
+    bench.step(8)
+    assert settled(bench)
+    assert bench.state.held is not None
+
+
+def test_before_whoever_takes_over_moves_anything(bench):
+    bench.do(AcquireLease("Gpredict", take_over=True))
+    bench.station.submit(Goto(200, 40, "Gpredict"))
+    bench.step(5)
+    lines = bench.lines()
+    assert lines.index("mv 0 7222") < next(i for i, line in enumerate(lines) if line.startswith("a 0 200"))
+    assert settled(bench)
+
+
+def test_by_a_hand(bench):
+    bench.do(Goto(200, 40, "you"))
+    bench.step(5)
+    assert settled(bench)
+
+
+def test_at_reconnection_after_a_lost_link(bench):
+    bench.device.unplug()
+    bench.step(2)
+    bench.device.plug()
+    bench.step(12)
+    assert bench.pursuit.phase is Phase.INTERRUPTED
+    assert settled(bench)
+    bench.do(Release("you"))
+
+
+def test_when_the_program_is_closed(bench):
+    bench.session.close()
+    assert speed(bench) == pytest.approx(65.0, abs=0.02)

@@ -1,0 +1,119 @@
+"""Somebody else takes control in the middle of a pursuit, and gives it back."""
+
+from __future__ import annotations
+
+import pytest
+from birdcage.base.errors import LinkError, MotionRefused, PositionUnknown
+from birdcage.base.geometry import separation
+from birdcage.station.pursuit import Phase
+from birdcage.station.requests import AcquireLease, Goto, Pursue, ReleaseLease
+
+from .conftest import Bench
+from .pursuit_bench import PARK, PursuitBench, at, g2, plan_of
+
+
+def following(**options):
+    bench = g2()
+    bench.pursue(plan_of(at(bench) + 40.0), **PARK | options)
+    return bench.until(Phase.FOLLOWING)
+
+
+def off_deg(bench):
+    truth, target = bench.device.truth(), bench.pursuit.plan.sky.at(at(bench))
+    return separation(truth.az_deg, truth.el_deg, *target)
+
+
+def test_another_holder_takes_over_and_gives_back():
+    bench = following()
+    bench.step(10)
+    bench.do(AcquireLease("Gpredict", take_over=True))
+    bench.until(Phase.YIELDED, 1.0)
+    assert bench.pursuit.why == "Gpredict has control."
+    bench.do(Goto(250, 30, "Gpredict"))
+    since = bench.clock.monotonic()
+    bench.step(10)
+    assert bench.moves_since(since) == []
+    bench.do(ReleaseLease("Gpredict"))
+    bench.until(Phase.COUNTDOWN, 1.0)
+    assert (bench.pursuit.next_at - bench.clock.utc()).total_seconds() == pytest.approx(5.0, abs=0.3)
+    since = bench.clock.monotonic()
+    bench.step(4.5)
+    assert bench.moves_since(since) == []
+    bench.until(Phase.FOLLOWING, 20.0)
+    assert bench.state.holder == "you"
+    bench.step(2)
+    assert off_deg(bench) < 0.2, "on the path where the target is now"
+    bench.until(Phase.OVER)
+    assert bench.phases[-2:] == [Phase.PARKING, Phase.OVER]
+
+
+def test_it_yields_to_whoever_has_control_when_it_is_time_to_leave():
+    bench = g2()
+    bench.pursue(plan_of(at(bench) + 200.0), asked=False, holder="autotrack", **PARK)
+    bench.do(Goto(150, 40, "you"))
+    assert bench.pursuit.phase is Phase.WAITING
+    bench.until(Phase.YIELDED, 300.0)
+    assert bench.pursuit.why == "You have control."
+    bench.step(400)
+    assert bench.pursuit.phase is Phase.OVER
+    assert separation(bench.device.truth().az_deg, bench.device.truth().el_deg, 150, 40) < 0.1, "nor is it parked"
+
+
+def test_a_plan_replaced_in_mid_pass_goes_on_without_a_break():
+    bench = following()
+    bench.step(10)
+    number, phases = bench.pursuit.number, list(bench.phases)
+    later = plan_of(bench.pursuit.plan.legs[0].start_s, late_s=2.0)
+    assert bench.pursue(later) == number
+    bench.step(5)
+    assert bench.phases == phases
+    assert bench.pursuit.plan.aim.time_offset_s == 2.0
+    assert off_deg(bench) < 0.2
+
+
+def test_another_target_ends_the_pursuit_and_begins_its_own():
+    bench = following()
+    bench.step(5)
+    other = plan_of(at(bench) + 30, name="METEOR", from_az=200.0)
+    assert bench.pursue(other) == 2
+    assert bench.phases[-2:] in ([Phase.OVER, Phase.WAITING], [Phase.OVER, Phase.PREPOSITIONING])
+    bench.until(Phase.FOLLOWING).step(5)
+    assert off_deg(bench) < 0.2
+
+
+def test_it_joins_in_the_middle_of_a_pass_at_once_when_a_person_asks():
+    bench = g2()
+    bench.pursue(plan_of(at(bench) - 50.0), **PARK)
+    bench.until(Phase.FOLLOWING, 8.0)
+    bench.step(1)
+    assert Phase.COUNTDOWN not in bench.phases
+    assert off_deg(bench) < 0.2
+
+
+def test_a_gap_between_legs_is_bridged_to_where_the_next_begins():
+    bench = g2()
+    start = at(bench) + 30
+    bench.pursue(plan_of(start, gap=(40.0, 80.0)), **PARK)
+    bench.until(Phase.FOLLOWING).step(50)
+    bench.until(Phase.READY, 20)
+    az_deg, el_deg = bench.pursuit.plan.course.at(start + 80)
+    assert separation(bench.device.truth().az_deg, bench.device.truth().el_deg, az_deg, el_deg) < 0.2
+    bench.until(Phase.FOLLOWING, 60)
+
+
+def test_an_unhomed_dish_says_what_to_do():
+    bench = PursuitBench("g2?seed=1&unhomed=1").connect()
+    with pytest.raises(PositionUnknown, match="Home it"):
+        bench.pursue(plan_of(at(bench) + 40))
+    assert bench.pursuit is None
+
+
+def test_without_a_link_or_a_reachable_pass_it_is_refused():
+    bench = g2()
+    with pytest.raises(MotionRefused, match="over"):
+        bench.pursue(plan_of(at(bench) - 500))
+    lost = Bench()
+    lost.device.unplug()
+    lost.step(3.0)
+    with pytest.raises(LinkError, match="without a link"):
+        lost.do(Pursue(plan_of(at(lost) + 40), "you"))
