@@ -25,6 +25,7 @@ from birdcage_tui.run import DEMO_PLACE, demo_port
 from birdcage_tui.settings import AppSettings
 from birdcage_tui.sky_feed import make_sky
 from birdcage_tui.themes import LOOKS
+from birdcage_tui.track_source import make_track
 from textual.pilot import Pilot
 
 STEP_S = 0.1
@@ -57,6 +58,8 @@ class Stage:
             self.app.session.step(STEP_S)
             if self.app.sky.source is not None:
                 self.app.sky.source.step()
+            if self.app.track.source is not None:
+                self.app.track.source.step()
             await self.pilot.pause()
             self.app._tick()  # noqa: SLF001 - its timer runs in real time
         self.app.paint()
@@ -100,6 +103,7 @@ async def demo(
             presets_file=paths.presets_file,
             setup=lambda: Setup(session, HERE, paths, environ={}, ports=list, system=SystemFacts),
             sky=make_sky(HERE, paths, clock, demo=True, threads=False),
+            track=make_track(session, HERE, lambda: HERE, paths, demo=True, threads=False),
             horizon=ConfigHorizon(paths, HERE, lambda: load(paths.config_file, environ={})),
         )
         app = BirdcageApp(session, settings)

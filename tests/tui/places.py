@@ -10,6 +10,7 @@ import horizon_stand_in
 import setup_stand_in
 import sky_stand_in
 import stand_in
+import track_stand_in
 from birdcage.base.presets import Preset, add_preset
 from birdcage.protocol.hal.model import TRAVLER
 from birdcage_tui.app import BirdcageApp
@@ -31,6 +32,7 @@ class Place:
     size: tuple[int, int] = (80, 24)
     engine: str = "home"
     state: dict[str, object] = field(default_factory=dict)
+    track: str = "craft-idle"
 
 
 def _page(name: str, *keys: str, holds: str = "", **more: object) -> Place:
@@ -65,6 +67,13 @@ PLACES = (
     _page("go to, over passes", "f7", "g", holds="PassesPage/PassList GotoLine/Input"),
     _page("control", "f2", holds=HANDS),
     _page("control, roomy", "f2", holds=f"{HANDS} {LIST}", size=(120, 36)),
+    _page("control, presets tab", "f2", "P", holds=LIST),
+    _page("control, network", "f2", "N"),
+    _page("craft", "f2", "c"),
+    _page("craft, roomy", "f2", "c", size=(120, 36)),
+    _page("craft, passes", "f2", "c", "v", track="craft-following"),
+    _page("craft, search", "f2", "c", "slash", holds="CraftTab/Input"),
+    _page("craft, following", "f2", "c", track="craft-following"),
     _page("control, presets", "f2", "p", holds=f"ControlPage/RosePane {LIST}"),
     _page("control, filter", "f2", "slash", holds=f"ControlPage/RosePane PresetsBox/Input {LIST}"),
     _page("go to", "g", holds="GotoLine/Input"),
@@ -90,9 +99,11 @@ PLACES = (
     _dialog("stow", "ControlPage._question", "f2", "W", state={"stow_allowed": True}),
     _dialog("speeds", "ControlPage._ask_speeds", "f2", "v", **FIELDS),
     _dialog("horizon point", "HorizonHands._type", "f2", "t", **FIELDS),
-    _dialog("draw the horizon", "HorizonHands._draw", "f2", "D", dialog="SketchScreen", holds="SketchScreen/SketchPane"),
+    _dialog("draw the horizon", "HorizonHands._draw", "f2", "D", dialog="SketchScreen",
+            holds="SketchScreen/SketchPane"),
     _dialog("clear the horizon", "HorizonHands._clear", "f2", "Z"),
     _dialog("jump to a time", "PassesPage._ask_time", "f7", "t", **FIELDS),
+    _dialog("frequency", "CraftTab._ask_frequency", "f2", "c", "F", track="craft-following", **FIELDS),
     _dialog("new preset", "ControlPage._add", "f2", "a", **FIELDS),
     _dialog("edit preset", "ControlPage._edit", "f2", "p", "e", **FIELDS),
     _dialog("area clear", "SetupPage._when_clear", "f8", "enter"),
@@ -124,6 +135,7 @@ def at(place, folder, test, *, state="slewing", size=None, **settings):
             state, setup=setup_stand_in.ENGINES[place.engine], presets_file=presets, history_file=folder / "history",
             sky=sky_stand_in.make(), horizon=horizon_stand_in.File(), **settings,
         )  # fmt: skip
+        app.track._make = track_stand_in.Source(track_stand_in.desk_in(place.track, app.session.clock))
         app.station.state = replace(app.station.state, **place.state)
 
         def push_screen(*args, **options):

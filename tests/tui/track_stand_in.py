@@ -273,7 +273,7 @@ def held(clock):
         state,
         activity=Activity.IDLE,
         pursuit=replace(state.pursuit, phase=Phase.OVER, why="Stopped by you."),
-        held=HeldState("you", clock.monotonic(), clock.utc()),
+        held=HeldState("you", clock.monotonic(), clock.utc(), "stop", None, None, None, 0),
     )
     return state, now, seen
 
@@ -300,6 +300,9 @@ class Source:
 
     def start(self):
         self.show(self.now)
+
+    def keep(self, place):
+        self.place = place
 
     def search(self, text):
         self.asked.append(("search", text))
@@ -341,7 +344,12 @@ class Source:
         self.asked.append(("forget_unfinished",))
 
     def close(self):
-        self.asked.append(("close",))
+        self.closed = True
+
+
+def desk_in(name, clock):
+    """What the desk shows in one of the scenes."""
+    return SCENES[name](clock)[1]
 
 
 def app_in(name, **options):

@@ -25,6 +25,7 @@ from birdcage_tui.control.horizon_file import ConfigHorizon
 from birdcage_tui.glyphs import fitting
 from birdcage_tui.settings import AppSettings, Place
 from birdcage_tui.sky_feed import make_sky
+from birdcage_tui.track_source import make_track
 
 if TYPE_CHECKING:
     from birdcage_tui.setup.engine import SetupEngine
@@ -146,6 +147,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSetti
         _app_settings(settings, paths, demo=options.demo),
         setup=make_setup,
         sky=make_sky(settings, paths, clock, demo=options.demo),
+        track=make_track(session, settings, load_again, paths, demo=options.demo),
         horizon=ConfigHorizon(paths, settings, load_again),
         clock_check=make_check(clock, paths),
         first_page=begin,

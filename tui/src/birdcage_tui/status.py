@@ -72,7 +72,10 @@ class StatusLine(Pane):
         activity = "HELD" if state.held is not None and not view.moving else ACTIVITY[state.activity]
         pursuit = pursuit_of(view)
         if pursuit is not None and state.held is None:
-            activity = f"{STATUS[pursuit.phase]} {error_words(view, brief=True)}".rstrip()
+            error = error_words(view, brief=True)
+            if state.demo and not wide:
+                error = error.removeprefix("err ")  # else who has control finds no room
+            activity = f"{STATUS[pursuit.phase]} {error}".rstrip()
             left_s = countdown_s(view)
             activity += f" {max(left_s, 0.0):.0f} s" if left_s is not None else ""
         if not view.link_up:

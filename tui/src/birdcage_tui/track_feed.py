@@ -16,6 +16,8 @@ from birdcage.station.pursuit import Phase, Sample
 if TYPE_CHECKING:
     from birdcage.pursuit.now import DeskNow
 
+    from birdcage_tui.settings import Place
+
 KEPT_LOOKS = 3600
 """Looks at how well the dish points that are kept: an hour of them."""
 ShowTrack = Callable[["DeskNow"], object]
@@ -27,6 +29,9 @@ class TrackSource(Protocol):
 
     def start(self) -> None:
         """Begin, on a thread of its own."""
+
+    def keep(self, place: Place | None) -> None:
+        """Take where the dish stands."""
 
     def search(self, text: str) -> None:
         """Look for targets by what was typed; nothing typed finds the favourites."""
@@ -93,6 +98,11 @@ class TrackFeed:
     def _take(self, now: DeskNow) -> None:
         self.now = now
         self._changed()
+
+    def keep(self, place: Place | None) -> None:
+        """Take where the dish stands."""
+        if self.source is not None:
+            self.source.keep(place)
 
     def hear(self, event: Event) -> None:
         """Take an event of the station: keep the looks of this pursuit, and ring when it is about to move by itself."""

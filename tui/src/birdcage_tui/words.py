@@ -7,7 +7,7 @@ from birdcage.station.known import SearchSwitch
 from birdcage.station.state import Activity, Link, Search
 
 from birdcage_tui.track.pursuing import pursuit_of
-from birdcage_tui.track.words import error_words, headline, next_words, trouble
+from birdcage_tui.track.words import PHASE, error_words, headline, trouble
 from birdcage_tui.view import View
 
 ACTIVITY = {
@@ -313,8 +313,8 @@ def _doing(view: View) -> tuple[str, str]:
         return "warn-strong", f"Held by {state.held.by}. {report.sentence if report is not None else ''}".rstrip()
     pursuit = pursuit_of(view)
     if pursuit is not None:
-        parts = (headline(view) or "", error_words(view), next_words(view))
-        return "accent-strong", ", ".join(part for part in parts if part) + "."
+        word, name = PHASE[pursuit.phase].removesuffix(":"), pursuit.plan.aim.name
+        return "accent-strong", f"{word.capitalize()} {name}."
     if state.activity is Activity.SLEWING and state.motion is not None:
         skew = state.motion.to_skew_deg
         aim = f"{state.motion.to_az_deg:.2f}° / {state.motion.to_el_deg:.2f}°" if skew is None else f"skew {skew:.2f}°"

@@ -53,8 +53,8 @@ class NetworkPane(Pane):
         for name, words in OTHERS:
             y = self._row(cells, y, name, words, "text", label_ink="strong")
         y += 1
-        self._row(cells, y, "rotctld", "Gpredict, Look4Sat and others connect to a server that speaks Hamlib's network "
-                  "protocol. This version has none; a later one brings it, with a list of who may connect.",
+        self._row(cells, y, "rotctld", "This version has none. It is the server that Gpredict, Look4Sat and others connect to; "
+                  "a later version brings it, with a list of who may connect.",
                   "dim")  # fmt: skip
 
     @staticmethod

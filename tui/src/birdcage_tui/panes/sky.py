@@ -11,6 +11,9 @@ from birdcage_tui.pane import Pane
 from birdcage_tui.panes.polar import Polar
 from birdcage_tui.panes.sky_ground import QUIET, Ground, label, rim
 from birdcage_tui.panes.sky_up import draw_trails, draw_up
+from birdcage_tui.track.path import Points
+from birdcage_tui.track.plot import draw_pursuit, draw_times
+from birdcage_tui.track.pursuing import pursuit_of
 from birdcage_tui.view import View
 
 ON_SLOT_DEG = 0.75
@@ -28,6 +31,7 @@ class SkyPane(Pane):
         super().__init__(id=id)
         self.border_title = self.TITLE
         self._ground = Ground()
+        self._points = Points()
         self._named: dict[tuple[int, int], str] = {}
         """What stands in which cell: read out under the mouse."""
 
@@ -38,10 +42,15 @@ class SkyPane(Pane):
             return
         canvas = self._ground.draw(polar, view)
         draw_trails(canvas, polar, view)
+        pursued = pursuit_of(view) is not None
+        if pursued:
+            draw_pursuit(canvas, polar, view, self._points)
         self._path(canvas, polar, view)
         canvas.onto(cells, 0, 0)
         rim(cells, polar, view)
         self._marks(cells, polar, view)
+        if pursued:
+            draw_times(cells, polar, view, self._points)
         self._slots(cells, polar, view)
         self._named = draw_up(cells, polar, view)
 

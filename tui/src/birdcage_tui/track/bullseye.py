@@ -48,5 +48,5 @@ def draw_bullseye(cells: Cells, x: int, width: int, view: View) -> bool:
     cells.right(x, 0, f"last {LOOKS} s", "dim")
     cells.right(x, 1, f"ring {degrees(top)}", "dim")
     if beam is not None:
-        cells.right(x, 2, f"beam {beam / 2:.1f}°", "dim")
+        cells.right(x, 2, f"half beam {beam / 2:.1f}°", "dim")
     return True

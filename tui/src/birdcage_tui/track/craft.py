@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import cast
 
 from textual import events
@@ -27,11 +28,14 @@ from birdcage_tui.track_feed import TrackSource
 from birdcage_tui.view import View
 
 OFFSETS_S = {"track-earlier": -0.1, "track-later": 0.1, "track-far-earlier": -1.0, "track-far-later": 1.0}
-SOURCE = {
-    "track-watch": TrackSource.watch, "track-aim": TrackSource.aim_once, "track-follow": TrackSource.follow,
-    "track-leave": TrackSource.leave, "track-resume": TrackSource.take_up,
-    "track-forget": TrackSource.forget_unfinished,
-}  # fmt: skip
+ORDERS: dict[str, Callable[[TrackSource], None]] = {
+    "track-watch": lambda source: source.watch(),
+    "track-aim": lambda source: source.aim_once(),
+    "track-follow": lambda source: source.follow(),
+    "track-leave": lambda source: source.leave(),
+    "track-resume": lambda source: source.take_up(),
+    "track-forget": lambda source: source.forget_unfinished(),
+}
 LOWEST_HZ, HIGHEST_HZ = 1e6, 100e9
 
 
@@ -109,8 +113,8 @@ class CraftTab(Vertical):
     def lay_out(self, view: View) -> None:
         """Give every part its room; nothing is done where nothing has changed."""
         found, listing = layout(self.size.width, self.size.height - bool(self._searching)), self.listing(view)
-        shown = VIEWS[0] if listing or found.roomy else self._shown
-        key = (found, listing, shown)
+        shown = VIEWS[0] if listing and not found.roomy else self._shown
+        key = (found, listing, shown, bool(TrackNow.lines(view, 80)))
         if key == self._arranged or not self.size:
             return
         self._arranged = key
@@ -120,11 +124,15 @@ class CraftTab(Vertical):
         lower, upper = self.query_one("#craft-lower"), self.query_one("#craft-upper")
         now, strips, listed = self.query_one(TrackNow), self.query_one(TrackStrips), self.query_one(FoundList)
         now.styles.height = found.now
-        now.display = not listing or not self._searching
-        strips.display, listed.display = not listing and shown == VIEWS[0], listing
+        now.display = key[-1] and not (listing and self._searching)
+        title = "Targets" if listing and not now.display else "Now"
+        if self.query_one("#craft-right").border_title != title:
+            self.query_one("#craft-right").border_title = title
+        strips.display, listed.display = not listing and (found.roomy or shown == VIEWS[0]), listing
+        beside = "radio" if found.roomy and not found.radio and shown == "radio" else "autotrack"
         for kind, name in ((TrackPasses, "passes"), (SchedulePane, "autotrack"), (RadioPane, "radio")):
             pane = self.query_one(kind)
-            pane.display = shown == name or (found.roomy and (name != "radio" or found.radio > 0))
+            pane.display = name in ("passes", beside) or found.radio > 0 if found.roomy else shown == name
             pane.styles.width = found.radio if found.roomy and name == "radio" else "1fr"
         lower.display = found.roomy or shown != VIEWS[0]
         lower.styles.height = found.lower if found.roomy else "1fr"
@@ -164,8 +172,8 @@ class CraftTab(Vertical):
                 self._take(view, source)
             case "track-autotrack":
                 source.set_autotrack(view.track is None or not view.track.autotrack)
-            case _ if command in SOURCE:
-                SOURCE[command](source)
+            case _ if command in ORDERS:
+                ORDERS[command](source)
             case _ if command in OFFSETS_S or command == "track-on-time":
                 aim = None if view.track is None else view.track.aim
                 by_s = OFFSETS_S.get(command)

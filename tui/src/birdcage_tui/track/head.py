@@ -14,7 +14,7 @@ from birdcage_tui.view import View
 
 SELECTOR = (("track-watch", Mode.WATCH, "Watch"), ("track-aim", Mode.AIM, "Aim once"),
             ("track-follow", Mode.FOLLOW, "Follow"))  # fmt: skip
-NOBODY = "No target is chosen. / searches, Enter takes the row under the cursor."
+NOBODY = "No target is chosen. Enter takes the row under the cursor; / searches."
 
 
 class TrackHead(Pane):
@@ -41,7 +41,7 @@ class TrackHead(Pane):
                 fitting = (each for each in (age, brief_age(view)) if x + 3 + len(each) < cells.width)
                 cells.put(x + 3, 1, next(fitting, ""), ink)
             elif cells.height >= 4:
-                cells.put(1, 2, age[: cells.width - 2] or "no elements: where it stands is known exactly", ink)
+                cells.put(1, 2, age[: cells.width - 2] or "it needs no elements", ink)
         self._selector(cells, cells.height - 1, view)
 
     def _selector(self, cells: Cells, y: int, view: View) -> None:

@@ -11,7 +11,7 @@ from birdcage_tui.digits import put_big, width_of
 from birdcage_tui.pane import Pane
 from birdcage_tui.passes.words import count_text, fit
 from birdcage_tui.track.bullseye import draw_bullseye
-from birdcage_tui.track.pursuing import plan_of, pursuit_of, sample_of, target_place
+from birdcage_tui.track.pursuing import plan_of, pursuit_of, same_target, sample_of, target_place
 from birdcage_tui.track.words import (
     countdown_s,
     decibels,
@@ -110,7 +110,15 @@ def _watched(view: View) -> list[tuple[str, str]]:
         if desk is None:
             return [("dim", "The pursuit desk opens …")]
         return [] if desk.choice is None else [("dim", "Its pass is worked out …")]
-    found = [("target-strong", f"{plan.aim.name}" + (f"  AZ {place[0]:.1f}°  EL {place[1]:.1f}°" if place else ""))]
+    last = view.state.pursuit
+    done = []
+    if last is not None and last.phase is Phase.OVER and same_target(plan, last.plan):
+        error = ""
+        if last.rms_error_deg is not None:
+            error = f"Followed: rms {degrees(last.rms_error_deg)}, most {degrees(last.max_error_deg)}. "
+        done = [("text", f"{error}{last.why}")]
+    here = "" if place is None else f"  AZ {place[0]:.1f}°  EL {place[1]:.1f}°"
+    found = [*done, ("target-strong", f"{plan.aim.name}{here}")]
     t_s = view.utc.timestamp()
     inside = [one for one in plan.reach.intervals if one.start.timestamp() <= t_s < one.end.timestamp()]
     after = [one for one in plan.reach.intervals if one.start.timestamp() > t_s]

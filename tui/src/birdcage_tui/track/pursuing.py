@@ -40,9 +40,9 @@ def same_target(one: Plan, other: Plan) -> bool:
 
 
 def shown_is_followed(view: View) -> bool:
-    """Return whether what is drawn is what the dish follows."""
-    pursuit, plan = pursuit_of(view), plan_of(view)
-    return pursuit is not None and plan is pursuit.plan
+    """Return whether what is drawn is what the dish follows, or followed last: its looks belong to it."""
+    pursuit, plan = view.state.pursuit, plan_of(view)
+    return pursuit is not None and plan is not None and same_target(plan, pursuit.plan)
 
 
 def sample_of(view: View) -> Sample | None:

@@ -1,0 +1,164 @@
+"""The app's pursuit desk: opened on a thread of its own, since what it needs takes a while to load."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from datetime import datetime
+from typing import TYPE_CHECKING
+
+from birdcage_tui.settings import Place
+
+if TYPE_CHECKING:
+    from birdcage.base.config import Settings
+    from birdcage.base.paths import Paths
+    from birdcage.pursuit.desk import PursuitDesk
+    from birdcage.sky.observer import Observer
+    from birdcage.station.session import Session
+
+    from birdcage_tui.track_feed import MakeTrack, ShowTrack
+
+CLOSE_S = 0.05
+"""How long closing may wait for the desk: nothing that it does then is needed to stop the dish."""
+Order = Callable[["PursuitDesk"], None]
+
+
+def make_track(session: Session, settings: Settings, load: Callable[[], Settings], paths: Paths, *, demo: bool,
+               threads: bool = True) -> MakeTrack:  # fmt: skip
+    """Return what opens the desk of a session, once the app wants it.
+
+    `load` reads the settings again when the place has changed. `threads=False`: a test calls its `step`.
+    """
+
+    def make(show: ShowTrack) -> DeskSource:
+        def open_desk() -> PursuitDesk:
+            from birdcage.pursuit.desk import PursuitDesk
+            from birdcage.pursuit.desk_setup import DeskSetup
+
+            setup = DeskSetup(paths.catalogue, lambda: settings, paths, observer_of(settings), demo)
+            return PursuitDesk(session.station, session.clock, setup, show, threads=threads)
+
+        return DeskSource(open_desk, load, threads=threads)
+
+    return make
+
+
+def observer_of(settings: Settings, place: Place | None = None) -> Observer | None:
+    """Return where the dish stands; `place` counts over the settings, whose height it takes over."""
+    from birdcage.sky.observer import Observer
+
+    own = settings.place
+    if place is not None:
+        return Observer(place.latitude_deg, place.longitude_deg, own.height_m, name=place.name)
+    if own.latitude_deg is None or own.longitude_deg is None:
+        return None
+    return Observer(own.latitude_deg, own.longitude_deg, own.height_m, name=own.name or "")
+
+
+class DeskSource:
+    """Hands every order to the desk; those that come before it is open wait for it, in their order."""
+
+    def __init__(self, open_desk: Callable[[], PursuitDesk], load: Callable[[], Settings], *, threads: bool) -> None:
+        self._open, self._load, self._threads = open_desk, load, threads
+        self._lock = threading.Lock()
+        self._waiting: list[Order] = []
+        self._closed = False
+        self._place: Place | None = None
+        self.desk: PursuitDesk | None = None
+
+    def start(self) -> None:
+        """Open the desk."""
+        if self._threads:
+            threading.Thread(target=self._begin, name="pursuit-opens", daemon=True).start()
+        else:
+            self._begin()
+
+    def _begin(self) -> None:
+        desk = self._open()
+        with self._lock:
+            if self._closed:
+                desk.close(CLOSE_S)
+                return
+            self.desk = desk
+            for order in self._waiting:
+                order(desk)
+            self._waiting.clear()
+        desk.start()
+
+    def _ask(self, order: Order) -> None:
+        with self._lock:
+            if self.desk is None:
+                self._waiting.append(order)
+            else:
+                order(self.desk)
+
+    def step(self) -> None:
+        """Do what there is to do, on the calling thread."""
+        if self.desk is not None:
+            for _ in range(50):
+                if self.desk.step() > 0:
+                    break
+
+    def keep(self, place: Place | None) -> None:
+        """Take where the dish stands."""
+        before, self._place = self._place, place
+        if before is not None and place is not None and place != before:
+            settings = self._load()
+            observer = observer_of(settings, place)
+            self._ask(lambda desk: desk.apply(settings, observer))
+
+    def search(self, text: str) -> None:
+        """Look for targets."""
+        self._ask(lambda desk: desk.search(text))
+
+    def choose(self, text: str) -> None:
+        """Choose a target."""
+        self._ask(lambda desk: desk.choose(text))
+
+    def choose_pass(self, aos: datetime) -> None:
+        """Choose one of its passes."""
+        self._ask(lambda desk: desk.choose_pass(aos))
+
+    def watch(self) -> None:
+        """Show it only."""
+        self._ask(lambda desk: desk.watch())
+
+    def aim_once(self) -> None:
+        """Point at it once."""
+        self._ask(lambda desk: desk.aim_once())
+
+    def follow(self) -> None:
+        """Follow it."""
+        self._ask(lambda desk: desk.follow())
+
+    def leave(self) -> None:
+        """End following."""
+        self._ask(lambda desk: desk.leave())
+
+    def take_up(self) -> None:
+        """Follow what was left unfinished."""
+        self._ask(lambda desk: desk.take_up())
+
+    def forget_unfinished(self) -> None:
+        """Do not offer it any more."""
+        self._ask(lambda desk: desk.forget_unfinished())
+
+    def set_time_offset(self, seconds: float) -> None:
+        """Take it to come so much later."""
+        self._ask(lambda desk: desk.set_time_offset(seconds))
+
+    def set_frequency(self, hertz: float | None) -> None:
+        """Take another frequency."""
+        self._ask(lambda desk: desk.set_frequency(hertz))
+
+    def set_autotrack(self, on: bool) -> None:
+        """Follow the schedule, or no longer."""
+        self._ask(lambda desk: desk.set_autotrack(on))
+
+    def close(self) -> None:
+        """End; an opening that is under way ends by itself."""
+        with self._lock:
+            self._closed = True
+            desk = self.desk
+        if desk is not None:
+            desk.close(CLOSE_S)
