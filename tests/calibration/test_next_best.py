@@ -11,7 +11,7 @@ from birdcage.base.config.feeds import STOCK_FEED
 from birdcage.base.config.sections import AlignmentSettings
 from birdcage.calibration.candidates import Candidate, candidates
 from birdcage.calibration.fit import fit
-from birdcage.calibration.next_best import rank, sky_error_deg
+from birdcage.calibration.next_best import enough, rank, sky_error_deg
 from birdcage.calibration.peak import Peak
 from birdcage.calibration.terms import priors_of
 from birdcage.sky.observer import Observer
@@ -92,3 +92,11 @@ def test_the_air_lifts_what_is_low():
         each for each in candidates(HERE, WHEN, STOCK_FEED, lambda _az, _el: True, "none") if each.name == "Sun"
     )
     assert 0.01 < sun.el_deg - bare.el_deg < 0.1
+
+
+def test_many_peaks_are_enough():
+    some = [peak(180.0, 40.0), peak(230.0, 30.0)]
+    many = [peak(az, el) for az in range(0, 360, 30) for el in (25.0, 50.0)]
+    across = [at(60.0, 30.0)]
+    assert not enough(rank(across, some, priors_of(AlignmentSettings(), some), Alignment(), REACH))
+    assert enough(rank(across, many, priors_of(AlignmentSettings(), many), Alignment(), REACH))

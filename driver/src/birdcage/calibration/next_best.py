@@ -41,6 +41,15 @@ class Proposal:
         return f"{where}: the expected error over the sky falls from {falls}"
 
 
+LITTLE = 0.05
+"""A share of the error below which another peak is hardly worth the walk."""
+
+
+def enough(proposals: Sequence[Proposal]) -> bool:
+    """Return whether nothing that is up would tell much more than is known already."""
+    return all(each.gain_deg < LITTLE * each.error_now_deg for each in proposals)
+
+
 def rank(
     candidates: Iterable[Candidate], peaks: Sequence[Peak], priors: Priors, alignment: Alignment,
     el_range_deg: tuple[float, float],

@@ -6,6 +6,7 @@ import queue
 from typing import TYPE_CHECKING
 
 from birdcage.base.errors import BirdcageError
+from birdcage.cli.calibrate_words import ENOUGH
 from birdcage.cli.say import say
 
 if TYPE_CHECKING:
@@ -93,7 +94,9 @@ class CalibrateTalk:
         seat = "the dish has not told where it is" if view.position is None else (
             f"dish {view.position.dish_az_deg:.2f}° / {view.position.dish_el_deg:.2f}°"
         )  # fmt: skip
-        nudged = "" if view.nudged is None else f", {view.nudged[0]:+.2f}° right, {view.nudged[1]:+.2f}° up of expected"
+        nudged = "" if view.nudged is None else (
+            f", {round(view.nudged[0], 2) + 0.0:+.2f}° right, {round(view.nudged[1], 2) + 0.0:+.2f}° up of expected"
+        )  # fmt: skip
         return f"{view.target}: {seat}{nudged}>"
 
     def _answer(self, line: str) -> None:
@@ -136,9 +139,13 @@ class CalibrateTalk:
         self._propose()
 
     def _propose(self) -> None:
+        from birdcage.calibration.next_best import enough
+
         found = self._guide.refresh()
         if not found:
             say("Nothing else is up that this feed may hear and the dish reaches. g TARGET goes to what you name.")
+        elif enough(found):
+            say(ENOUGH)
         for number, each in enumerate(found[:SHOWN], 1):
             say(f"{number}  {each.candidate.name} {each.words()}")
 

@@ -29,9 +29,10 @@ def next_(at: datetime | None, every: bool) -> None:
     """
     from datetime import UTC, datetime
 
+    from birdcage.calibration.next_best import enough
     from birdcage.calibration.peaks_file import load_peaks, peaks_file
     from birdcage.calibration.work import fit_for, proposals_for
-    from birdcage.cli.calibrate_words import proposal_values, tell_proposals
+    from birdcage.cli.calibrate_words import ENOUGH, proposal_values, tell_proposals
     from birdcage.cli.say import say, tell_json
     from birdcage.cli.standing import limits_of
 
@@ -49,4 +50,4 @@ def next_(at: datetime | None, every: bool) -> None:
         say("Nothing is up that this feed may hear and the dish reaches, but for what was peaked on already.")
         return
     tell_proposals(shown)
-    say(f"Best: {found[0].candidate.name} {found[0].words()}.")
+    say(ENOUGH if enough(found) else f"Best: {found[0].candidate.name} {found[0].words()}.")
