@@ -118,3 +118,11 @@ def test_far_axis_goes_first():
     assert ahead.choose(course, (100.1, 35.0), course.start_s).column == 1
     assert ahead.choose(course, (105.0, 30.1), course.start_s).column == 0
     assert ahead.choose(course, (100.0, 30.0), course.start_s) is None
+
+
+def test_no_command_goes_beyond_what_the_course_asks_for():
+    # The ceiling lies between two steps of the motor; the gate refuses what is above it.
+    course = straight(0.2, 0.5, seconds=30, el_deg=50.0)
+    course.el_deg[:] = np.minimum(course.el_deg, 58.0013)
+    rig = Rig(course, SLOW, "queue").run(queued)
+    assert max(step.deg for _, step in rig.sends(1)) == 58.0013

@@ -2,15 +2,25 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from birdcage.antenna.motion import plan_axis
 from birdcage.base.geometry import shortest_turn
 from birdcage.kinematics import Slew
 from birdcage.protocol.model import Axis
+from birdcage.tracking.curve import Curve
 
 DOUBT_DEG = 0.1
 """A reading at rest that is off by more than this, beside the overshoot of its axis, contradicts the model."""
 UNSURE_S = 0.15
 """How much later or earlier than modelled an axis may be on its way."""
+
+
+@lru_cache(maxsize=4)
+def spans(course: Curve) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Return the least and the greatest azimuth of a course, and the same of its elevation."""
+    az, el = course.az_deg, course.el_deg
+    return (float(az.min()), float(az.max())), (float(el.min()), float(el.max()))
 
 
 class AxisBelief:
@@ -22,10 +32,12 @@ class AxisBelief:
         """Where it was sent last."""
         self._slew = Slew(at_deg, ())
         self._began_s = now_s
+        self._shift_deg = 0.0
 
     def at(self, t_s: float) -> tuple[float, float]:
         """Return where it is at a time, and how fast it turns."""
-        return self._slew.at(t_s - self._began_s)
+        at_deg, velocity = self._slew.at(t_s - self._began_s)
+        return at_deg + self._shift_deg, velocity
 
     @property
     def rests_s(self) -> float:
@@ -40,12 +52,15 @@ class AxisBelief:
 
     def send(self, goal_deg: float, from_s: float) -> None:
         """Take in that it was sent to a goal."""
-        self._slew, self._began_s = self.planned(goal_deg, from_s), from_s
+        self._slew, self._began_s, self._shift_deg = self.planned(goal_deg, from_s), from_s, 0.0
         self.goal_deg = goal_deg
 
-    def quantised(self, deg: float) -> float:
-        """Return the nearest angle that the motor can stand at."""
-        return round(deg / self.axis.step_deg) * self.axis.step_deg
+    def quantised(self, deg: float, span_deg: tuple[float, float]) -> float:
+        """Return the nearest angle that the motor can stand at, and no more than the course asks for anywhere.
+
+        A course may touch a limit, and half a step beyond that the gate refuses.
+        """
+        return min(max(round(deg / self.axis.step_deg) * self.axis.step_deg, span_deg[0]), span_deg[1])
 
     def check(self, read_deg: float | None, seen_s: float) -> bool:
         """Compare with a reading; where that contradicts, go by the reading from then on and return False.
@@ -60,5 +75,10 @@ class AxisBelief:
         most_deg = DOUBT_DEG + self.axis.overshoot_deg + way_s * self.axis.speed_deg_s
         if abs(read_deg - at_deg) <= most_deg + abs(velocity) * UNSURE_S:
             return True
-        self._slew, self._began_s, self.goal_deg = Slew(read_deg, ()), seen_s, read_deg
+        self._slew, self._began_s, self._shift_deg, self.goal_deg = Slew(read_deg, ()), seen_s, 0.0, read_deg
         return False
+
+    def lean_on(self, read_deg: float | None, seen_s: float, share: float) -> None:
+        """Take in a share of what a reading is off: for an axis that never rests, whose small errors add up."""
+        if read_deg is not None:
+            self._shift_deg += share * shortest_turn(self.at(seen_s)[0], read_deg)

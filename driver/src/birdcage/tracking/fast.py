@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from birdcage.tracking.axis_belief import AxisBelief
+from birdcage.tracking.axis_belief import AxisBelief, spans
 from birdcage.tracking.controller import Helm
 from birdcage.tracking.dead_band import dead_band_deg
 from birdcage.tracking.latency import Interval, Latency
@@ -54,7 +54,7 @@ class Rudder:
             goal = course.at(min(acts_s + ahead_s, self._helm.until_s))[column]
             move_s = self.belief.planned(goal, acts_s).duration_s
             ahead_s = (interval_s + move_s) / 2.0 if move_s < interval_s else move_s
-        goal = self.belief.quantised(goal)
+        goal = self.belief.quantised(goal, spans(course)[column])
         off = abs(goal - self.belief.goal_deg)
         lift = math.cos(math.radians(course.at(acts_s)[1])) if column == 0 else 1.0
         return Aim(goal, off * lift, off >= dead_band_deg(self._helm, self.belief.axis))
@@ -87,7 +87,7 @@ def steer(helm: Helm, *, looks: bool) -> Activity:
             seen = yield Look()
             now_s, look_s = seen.now_s, max(look_s + helm.look_every_s, seen.now_s)
             for rudder, read_deg in zip(rudders, (seen.az_deg, seen.el_deg), strict=True):
-                rudder.belief.check(read_deg, seen.now_s if seen.seen_s is None else seen.seen_s)
+                rudder.belief.check(read_deg, latency.seen_s(seen))
             continue
         best: tuple[float, Rudder, Aim] | None = None
         for rudder in rudders:

@@ -11,6 +11,8 @@ WILDEST = 4.0
 """A measurement counts as at most so many times what is known: one lost answer does not move the aim."""
 REPLY_BYTES = 30
 """Of a move: what comes back after the dish has taken it, echo left out (reference winegard-consoles 7.4)."""
+READING_BYTES = 45
+"""Of a position: two lines and the prompt."""
 BITS_A_BYTE = 10
 
 
@@ -57,6 +59,7 @@ class Latency:
     """
 
     def __init__(self, model: DishModel, first_s: float) -> None:
+        self._baud = model.baud
         self._reply_s = REPLY_BYTES * BITS_A_BYTE / model.baud
         self._both = model.azimuth.index, model.elevation.index
         self._axes = {axis.index: Smoothed(first_s) for axis in model.axes}
@@ -76,6 +79,10 @@ class Latency:
     def mean_s(self) -> float:
         """That of azimuth and elevation."""
         return sum(self._axes[index].seconds for index in self._both) / 2.0
+
+    def seen_s(self, answer: Answer) -> float:
+        """Return when the dish was where a reading says: as it answers, not as it is asked."""
+        return answer.now_s - READING_BYTES * BITS_A_BYTE / self._baud
 
     def measure(self, axis: int, answer: Answer, move_s: float) -> float:
         """Take in what came of a command whose move takes `move_s`; return when the dish acted on it, POSIX seconds."""

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from birdcage.protocol.model import Axis
+from birdcage.tracking.axis_belief import spans
 from birdcage.tracking.curve import Curve, Floats
 from birdcage.tracking.many_moves import durations, progress, ramps
 
@@ -97,7 +98,8 @@ class Lookahead:
             both = course.sample(begin + lasts + later)
             for index, axis in enumerate(self._axes):
                 mine = column == index
-                goal[mine] = np.round(both[index][mine] / axis.step_deg) * axis.step_deg
+                steps = np.round(both[index][mine] / axis.step_deg) * axis.step_deg
+                goal[mine] = np.clip(steps, *spans(course)[index])
                 lasts[mine] = durations(axis, goal[mine] - at[mine])
                 ramp[mine] = ramps(axis, lasts[mine])
         return _Moves(column, goal, goal - at, np.maximum(lasts, 1e-3), ramp)

@@ -38,7 +38,7 @@ def steer(helm: Helm, *, looks: bool) -> Activity:
             seen = yield Look()
             now_s, look_s = seen.now_s, max(look_s + helm.look_every_s, seen.now_s)
             for belief, read_deg in zip(beliefs, (seen.az_deg, seen.el_deg), strict=True):
-                belief.check(read_deg, seen.now_s if seen.seen_s is None else seen.seen_s)
+                belief.check(read_deg, latency.seen_s(seen))
             continue
         if send_s > now_s:
             until_s = min(send_s, look_s if looks and look_s > now_s else send_s, helm.until_s)

@@ -7,19 +7,27 @@ Nobody has confirmed on a dish that its speeds may be changed so often: the owne
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
-from birdcage.tracking.axis_belief import AxisBelief
+from birdcage.tracking.axis_belief import AxisBelief, spans
 from birdcage.tracking.controller import Helm
+from birdcage.tracking.dead_band import dead_band_deg
 from birdcage.tracking.latency import Latency, Smoothed
 from birdcage.tracking.steps import Activity, Limit, Look, Send, Wait
 
 REST_S = 0.02
-ROUND_S = 0.6
-"""A first guess of what a round takes: changing menus there and back, two speeds, two moves."""
+EXCHANGES = 11
+"""A first guess of what a round takes: changing menus there and back, two speeds read back, two moves."""
 BEYOND = 3.0
 """How many rounds ahead an axis is sent: it must not come to rest before a late one, and goes on no longer than that
 when there is none."""
+
+
+TELLING_DEG = 0.02
+"""A goal that prints as the one before may count as the same command, and its speed would not come into force."""
+LEANS = 0.3
+"""What a reading counts against the model: its last digit and its moment are as uncertain as what has added up."""
 
 
 class Glide:
@@ -42,10 +50,17 @@ class Glide:
         # The dish counts whole steps a second.
         steps_s = max(round(abs(way) / max(next_s - acts_s, REST_S) / self.axis.step_deg), 1)
         self.speed_deg_s = min(steps_s * self.axis.step_deg, self.axis.speed_deg_s)
-        ends = (course.az_deg, course.el_deg)[self._column]
-        beyond = min(max(at_deg + way * BEYOND, float(ends.min())), float(ends.max()))
-        self.goal_deg = self.belief.quantised(beyond)
-        return abs(self.goal_deg - at_deg) >= self.axis.step_deg / 2.0 and self.goal_deg != self.belief.goal_deg
+        beyond = at_deg + way * BEYOND
+        if abs(beyond - self.belief.goal_deg) < TELLING_DEG:
+            beyond = self.belief.goal_deg + math.copysign(2.0 * TELLING_DEG, way)
+        self.goal_deg = self.belief.quantised(beyond, spans(course)[self._column])
+        told = abs(self.goal_deg - self.belief.goal_deg) >= TELLING_DEG
+        return told and abs(self.goal_deg - at_deg) >= self.axis.step_deg / 2.0
+
+    def first_deg(self, t_s: float) -> float:
+        """Return where the course will be at a time, as the motor can stand there."""
+        course = self._helm.course()
+        return self.belief.quantised(course.at(min(t_s, self._helm.until_s))[self._column], spans(course)[self._column])
 
     def sent(self, acted_s: float) -> None:
         """Take in that the dish has acted on the command."""
@@ -56,9 +71,10 @@ class Glide:
 class Pace:
     """How long rounds take, by how many axes are told something in one; seconds."""
 
-    def __init__(self) -> None:
-        self.rounds = {count: Smoothed(ROUND_S * (1 + count) / 3.0) for count in (1, 2)}
-        self.leads = {(index, count): Smoothed(ROUND_S / 2.0) for index in (0, 1) for count in (1, 2)}
+    def __init__(self, latency_s: float) -> None:
+        round_s = EXCHANGES * latency_s
+        self.rounds = {count: Smoothed(round_s) for count in (1, 2)}
+        self.leads = {(index, count): Smoothed(round_s) for index in (0, 1) for count in (1, 2)}
         """From the begin of a round until an axis acts on its move."""
 
     def round_s(self, count: int) -> float:
@@ -74,14 +90,22 @@ def velocity(helm: Helm) -> Activity:
     """Follow at matched speeds; at the end of the leg the speeds are as before, and the dish stands on the course."""
     latency = Latency(helm.model, helm.latency_s)
     glides = Glide(helm, 0), Glide(helm, 1)
-    pace = Pace()
+    pace = Pace(helm.latency_s)
     now_s, look_s = helm.now_s, helm.now_s + helm.look_every_s
+    for glide in glides:
+        # Before the first round takes effect the target is gone already: a step meets it half-way.
+        deg = glide.first_deg(now_s + helm.latency_s + pace.lead_s(glide, 2) / 2.0)
+        if abs(deg - glide.belief.goal_deg) >= dead_band_deg(helm, glide.axis):
+            answer = yield Send(glide.axis.index, deg)
+            glide.belief.send(deg, latency.measure(glide.axis.index, answer, 0.0))
+            now_s = answer.now_s
     while now_s < helm.until_s:
         if now_s >= look_s:
             seen = yield Look()
             look_s = max(look_s + helm.look_every_s, seen.now_s)
             for glide, read_deg in zip(glides, (seen.az_deg, seen.el_deg), strict=True):
-                glide.belief.check(read_deg, seen.now_s if seen.seen_s is None else seen.seen_s)
+                if glide.belief.check(read_deg, latency.seen_s(seen)):
+                    glide.belief.lean_on(read_deg, latency.seen_s(seen), LEANS)
         began_s = now_s
         due = [glide for glide in glides if glide.plan(now_s + pace.lead_s(glide, 2), pace.round_s(2))]
         if len(due) == 1:
@@ -98,6 +122,7 @@ def velocity(helm: Helm) -> Activity:
             pace.leads[glide.axis.index, len(due)].take(acted_s - began_s)
         pace.rounds[len(due)].take(now_s - began_s)
         helm.latency_s = latency.mean_s
-    for glide, end_deg in zip(glides, helm.course().at(helm.until_s), strict=True):
+    course = helm.course()
+    for glide, end_deg, span_deg in zip(glides, course.at(helm.until_s), spans(course), strict=True):
         yield Limit(glide.axis.index, glide.axis.speed_deg_s)
-        yield Send(glide.axis.index, glide.belief.quantised(end_deg))
+        yield Send(glide.axis.index, glide.belief.quantised(end_deg, span_deg))

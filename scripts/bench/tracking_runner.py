@@ -1,0 +1,181 @@
+"""Follows a pass with a controller: our simulator at the byte level, through the real driver, on a virtual clock."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+
+import numpy as np
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.base.clock import VirtualClock
+from birdcage.base.errors import CommandRefused, NoReply
+from birdcage.base.geometry import wrap_360
+from birdcage.link.link import Link
+from birdcage.protocol.model import DishModel
+from birdcage.protocol.registry import get_protocol
+from birdcage.sim.port import SimPort, open_device
+from birdcage.tracking.controller import Controller, Helm
+from birdcage.tracking.curve import Curve
+from birdcage.tracking.steps import Answer, Limit, Look, Send, Step, Wait
+
+SAMPLES_HZ = 20.0
+EARLY_S = 240.0
+"""How long before the pass the bench is set up: a Trav'ler at 5 deg/s needs 91 s for its whole cable."""
+
+
+class LossyPort(SimPort):
+    """Loses some answers whole: everything that arrives at that moment."""
+
+    share = 0.0
+    dice = random.Random(7)
+    lost = 0
+
+    def read(self) -> bytes:
+        data = super().read()
+        if data.rstrip().endswith(b">") and self.dice.random() < self.share:
+            self.lost += 1
+            return b""
+        return data
+
+
+@dataclass
+class Followed:
+    """What came of it."""
+
+    t_s: np.ndarray
+    az_deg: np.ndarray
+    """Of the cable, where the dish really was."""
+    el_deg: np.ndarray
+    commands: int
+    backlog: int
+    """The most commands that waited behind the one under way."""
+    latency_s: float
+
+
+@dataclass
+class Bench:
+    """One dish on a wire. `late_s`: how much the computer's clock is behind."""
+
+    address: str
+    model: DishModel
+    start_s: float
+    lost: float = 0.0
+    late_s: float = 0.0
+    delay_s: float = 2.0
+    samples: list[tuple[float, float, float]] = field(default_factory=list)
+    commands: int = 0
+    backlog: int = 0
+    latency_s: float = 0.06
+    at: tuple[float, float] = (0.0, 0.0)
+    """Where the dish stands or was sent last; the azimuth is the cable's."""
+
+    def __post_init__(self) -> None:
+        self.clock = VirtualClock(datetime.fromtimestamp(self.start_s - EARLY_S, UTC))
+        self.device = open_device(self.address, clock=self.clock)
+        self.protocol = get_protocol(self.address.partition("?")[0])
+        self.port = LossyPort(self.device, "bench", baud=self.model.baud)
+        self.protocol.attach(Link(self.port, self.clock), self.clock, delay_s=self.delay_s)
+        self.antenna = BirdcageAntenna(self.protocol)
+        self.antenna.initialize()
+        self.antenna.model = self.model
+        self.antenna.get_position()
+        self._moves = 0
+
+    @property
+    def now_s(self) -> float:
+        """What the computer believes the time is."""
+        return self.clock.utc().timestamp() - self.late_s
+
+    def sample(self, start_s: float, end_s: float) -> None:
+        """Write down where the dish really is, 20 times a second, from now on."""
+        zero = self.clock.monotonic() - self.clock.utc().timestamp()
+        machine, axes = self.device.machine, self.device.dish.axes
+
+        def look(at_s: float) -> None:
+            dish_s = machine.dish_s
+            self.samples.append((at_s, axes[0].shaft(dish_s), axes[1].shaft(dish_s)))
+
+        for at_s in np.arange(start_s, end_s, 1.0 / SAMPLES_HZ).tolist():
+            machine.at(at_s + zero, lambda at_s=at_s: look(at_s))
+
+    def go(self, stops: Sequence[tuple[float, float]]) -> None:
+        """Go along way points, coming to rest at each."""
+        for az_deg, el_deg in stops:
+            self.protocol.move_motor(self.model.azimuth.index, wrap_360(round(az_deg, 2)))
+            self.protocol.move_motor(self.model.elevation.index, el_deg)
+            while self.device.truth().moving:
+                self.clock.advance(0.1)
+            self.antenna.get_position()
+
+    def wait(self, until_s: float) -> None:
+        ahead_s = until_s - self.now_s
+        if ahead_s > 0:
+            self.clock.advance(ahead_s)
+
+    def follow(self, controller: Controller, course: Curve, start_s: float, end_s: float) -> None:
+        """Let a controller steer from one time to another, as the computer's clock has them."""
+        self.wait(start_s)
+        stands, self.port.share = self.at, self.lost
+        helm = Helm(lambda: course, self.model, *stands, self.now_s, end_s, latency_s=self.latency_s)
+        activity = controller(helm)
+        answer: Answer | None = None
+        try:
+            while True:
+                answer = self.do(next(activity) if answer is None else activity.send(answer))
+        except StopIteration:
+            self.latency_s, self.port.share = helm.latency_s, 0.0
+
+    def followed(self) -> Followed:
+        """Return where it was since `sample`."""
+        self.clock.advance(1.0)
+        self.device.truth()
+        t, az, el = np.array(self.samples).T
+        return Followed(t, az, el, self.commands, self.backlog, self.latency_s)
+
+    def do(self, step: Step) -> Answer:
+        before_s = self.now_s
+        if isinstance(step, Wait):
+            self.wait(step.until_s)
+            return Answer(self.now_s)
+        try:
+            return self._ask(step, before_s)
+        except NoReply:
+            return Answer(self.now_s)
+
+    def _ask(self, step: Step, before_s: float) -> Answer:
+        self.commands += 1
+        if isinstance(step, Look):
+            seen = self.protocol.get_position()
+            now_s = self.now_s
+            return Answer(now_s, az_deg=seen.azimuth, el_deg=seen.elevation, seen_s=(before_s + now_s) / 2.0)
+        if isinstance(step, Limit):
+            self.protocol.set_speed(step.axis, step.speed_deg_s)
+            return Answer(self.now_s, sent_s=before_s)
+        assert isinstance(step, Send)
+        deg = wrap_360(round(step.deg, 2)) if step.axis == self.model.azimuth.index else step.deg
+        try:
+            self.protocol.move_motor(step.axis, deg)
+        except CommandRefused as refused:
+            raise AssertionError(f"{step} was refused") from refused
+        self._sent(step)
+        self._count_waiting()
+        return Answer(self.now_s, sent_s=before_s)
+
+    def _sent(self, step: Send) -> None:
+        az, el = self.at
+        self.at = (step.deg, el) if step.axis == self.model.azimuth.index else (az, step.deg)
+
+    def _count_waiting(self) -> None:
+        """Commands that the dish has taken, less motions that it has begun since all was last at rest."""
+        with self.device.lock:
+            self.device.machine.run()
+            lane = getattr(self.device.board, "turn", None)
+            if lane is None:
+                return
+            begun = sum(axis.orders for axis in lane.axes)
+            self._moves += 1
+            if not lane.busy:
+                self._moves = begun
+            self.backlog = max(self.backlog, self._moves - begun)
