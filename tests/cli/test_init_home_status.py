@@ -115,3 +115,12 @@ def test_explains_what_a_dish_with_its_search_on_will_do(run) -> None:
     result = run("init", port="sim:g2?nvs20=0")
     assert "NVS 20 is FALSE: at power-up this dish homes by itself" in result.stderr
     assert "--disable-search" in result.stderr
+
+
+def test_status_tells_the_wear_of_each_axis(run, as_json) -> None:
+    assert run("move", "--az", "30", "--el", "45").exit_code == 0
+    wear = as_json(run("status", "--quick", "--json"))["wear"]
+    assert wear["azimuth"]["moves"] == 1
+    assert wear["azimuth"]["degrees"] == pytest.approx(30.0, abs=0.2)
+    shown = dict(line.split(None, 1) for line in run("status", "--quick").stdout.splitlines())["wear"]
+    assert shown.startswith("azimuth 30°, moves 1, reversals 0")

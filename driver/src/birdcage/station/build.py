@@ -10,6 +10,7 @@ from birdcage.base.config import Settings
 from birdcage.base.journal import Journal
 from birdcage.base.paths import Paths
 from birdcage.base.version import version
+from birdcage.base.wear import WearBook
 from birdcage.link.link import Link
 from birdcage.link.opening import open_link
 from birdcage.link.ports import PortLister, find_again, identify, list_ports
@@ -18,6 +19,7 @@ from birdcage.station.record import keep_faults
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings, rules_from
 from birdcage.station.station import Station
+from birdcage.station.wear import keep_wear
 
 CLOSE_S = 0.2
 """How long leaving may wait for the journal and the transcript to reach the disk."""
@@ -42,7 +44,7 @@ def open_session(
     firmware that this version does not speak.
     """
     transcript = Transcript(paths.transcripts if settings.link.transcript else None, version=version)
-    journal = Journal(paths.journal)
+    journal, wear = Journal(paths.journal), WearBook(paths.journal)
     rules = rules_from(settings)
 
     def open_port(name: str, rate: int) -> Link:
@@ -65,8 +67,11 @@ def open_session(
         ),
     )
     keep_faults(station, journal)
+    tally = keep_wear(station, wear)
 
     def close() -> None:
+        tally.write()
+        wear.close(CLOSE_S)
         journal.close(CLOSE_S)
         transcript.close(CLOSE_S)
 

@@ -70,12 +70,13 @@ class Helmsman:
     def due(self) -> float | None:
         """When to go on with the step, in monotonic seconds; None while the mover has it."""
         clock, step = self._board.clock, self.step
-        now = clock.monotonic()
+        # What is due at once is due since ever: the present time is later than the one that the loop compares it with.
         if isinstance(step, Wait) and not self.hurry:
-            return now + max(0.0, step.until_s - self.now_s) / clock.rate
+            left_s = step.until_s - self.now_s
+            return -math.inf if left_s <= 0.0 else clock.monotonic() + left_s / clock.rate
         if isinstance(step, Send):
-            return max(now, self._ends_at)
-        return None if self._arrival is not None and not self._arrival.done() else now
+            return self._ends_at
+        return None if self._arrival is not None and not self._arrival.done() else -math.inf
 
     def begin(self, holder: str) -> None:
         """A pursuit begins, or goes on."""

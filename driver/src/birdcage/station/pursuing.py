@@ -110,7 +110,7 @@ class Pursuing:
             self._come_to_rest()
 
     def make_way(self, holder: str) -> None:
-        """Somebody is about to move the dish: if this pursuit of theirs has changed its speeds, end it and restore them.
+        """Somebody is about to move the dish: a pursuit of theirs that has changed its speeds ends, and restores them.
 
         Else it goes on until the dish has taken the motion: see `by_hand`.
         """
@@ -165,14 +165,14 @@ class Pursuing:
         live = self._live
         if live is None:
             return None
-        now = self._board.clock.monotonic()
+        # What is due at once is due since ever: the present time is later than the one that the loop compares it with.
         if self._leads and self._is_robbed(live):
-            return now
+            return -math.inf
         if self._run is not None:
-            return self._helm.due if not self._control.latched else now + POLL_S
+            return self._helm.due if not self._control.latched else self._board.clock.monotonic() + POLL_S
         if live.phase is Phase.YIELDED and self._is_free(live):
-            return now
-        return max(now, self._poll_at)
+            return -math.inf
+        return self._poll_at
 
     @property
     def restore_due(self) -> bool:

@@ -11,6 +11,7 @@ from functools import partial
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.config import AntennaConfig
+from birdcage.antenna.odometer import Way
 from birdcage.base.clock import Clock
 from birdcage.base.errors import BirdcageError, LinkError, NoReply, Stopped
 from birdcage.base.wake import Wake
@@ -102,6 +103,10 @@ class Station:
     def subscribe(self, listener: Listener) -> Callable[[], None]:
         """Hear every event, on the station's thread: do nothing slow there. Returns what ends it."""
         return self._board.subscribe(listener)
+
+    def on_way(self, listener: Callable[[Way], None]) -> None:
+        """Tell `listener`, on the station's thread, how far each axis is sent. One listener."""
+        self._antenna.odometer.on_way = listener
 
     def submit(self, request: Request) -> Future[object]:
         """Ask for something. The future holds its result, or a `BirdcageError` that says why not. Any thread."""

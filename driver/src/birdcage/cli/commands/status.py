@@ -29,6 +29,7 @@ def command(context: click.Context, quick: bool) -> None:
             status = _look(dish, quick=quick)
         except (LinkError, NoReply) as error:
             trouble, status = error, _unknown(dish)
+    status["wear"] = _wear(dish, demo=bool(status["demo"]))
     if flags().json:
         tell_json(status)
     else:
@@ -74,9 +75,40 @@ def _unknown(dish: Wanted) -> dict[str, Any]:
     return dict(status_report(StationState(port=dish.port), 0.0)) | {"firmware": dish.firmware}
 
 
+def _wear(dish: Wanted, *, demo: bool) -> dict[str, Any] | None:
+    """Return what each axis has done so far, by its name; None where nothing was counted, or can't be read."""
+    from birdcage.base.errors import StoreError
+    from birdcage.base.wear import read_wear
+    from birdcage.cli.say import say
+    from birdcage.station.known import list_models
+    from birdcage.station.wear import dish_key
+
+    model = next((model for model in list_models() if model.firmware == dish.firmware), None)
+    if model is None:
+        return None
+    try:
+        axes = read_wear(dish.paths.journal, dish_key(model.name, demo=demo))
+    except StoreError as error:
+        say(str(error))
+        return None
+    return {
+        model.axis(wear.axis).name: {
+            "moves": wear.moves, "degrees": round(wear.degrees, 1), "reversals": wear.reversals,
+            "since": wear.since.isoformat() if wear.since is not None else None,
+        }
+        for wear in axes
+    } or None  # fmt: skip
+
+
 def _shown(value: object) -> str:
     if value is None:
         return "-"
     if isinstance(value, bool):
         return "yes" if value else "no"
-    return str(value["sentence"]) if isinstance(value, dict) else str(value)
+    if isinstance(value, dict):
+        return str(value["sentence"]) if "sentence" in value else "; ".join(map(_worn, value, value.values()))
+    return str(value)
+
+
+def _worn(axis: str, wear: dict[str, Any]) -> str:
+    return f"{axis} {wear['degrees']:.0f}°, moves {wear['moves']}, reversals {wear['reversals']}"
