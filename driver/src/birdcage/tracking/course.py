@@ -6,15 +6,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from birdcage.tracking.corners import JOINT_S, cornered
 from birdcage.tracking.curve import Curve, Floats
 from birdcage.tracking.itinerary import Stretch
 from birdcage.tracking.keyhole import Corridor, best_elevation, least_error_deg, limited, through
 from birdcage.tracking.rates import azimuth_rates_deg_s, mean_rate_deg_s
 from birdcage.tracking.routes import sampled
 from birdcage.tracking.sight import Sight
-
-_JOINT_S = 1e-3
-"""A corner of the course gets a second point so near, and a cubic through both stays at the corner."""
 
 _Piece = tuple[Floats, Floats, Floats]
 
@@ -29,8 +27,8 @@ def course(sight: Sight, stretches: Sequence[Stretch], share: float | None) -> C
             pieces.append(_kept_before(on_way, group[0].start_s))
         pieces.append(_followed(sight, group, share, first=not pieces, last=last))
     t, az, el = (np.concatenate(parts) for parts in zip(*pieces, strict=True))
-    rising = np.concatenate(([True], np.diff(t) > _JOINT_S / 10.0))
-    return Curve(t[rising], az[rising], el[rising])
+    rising = np.concatenate(([True], np.diff(t) > JOINT_S / 10.0))
+    return cornered(t[rising], az[rising], el[rising])
 
 
 def limit_deg(sight: Sight, stretches: Sequence[Stretch], start_s: float, end_s: float) -> float:
@@ -70,10 +68,10 @@ def _corridor(sight: Sight, group: list[Stretch], *, first: bool, last: bool) ->
     """Return where the dish may be during a group. Its ends are fixed where a way begins or ends there."""
     start, end, turn = group[0].start_s, group[-1].end_s, group[0].turn
     sky_t = sight.sky.t_s
-    inner = sky_t[(sky_t > start + 2.0 * _JOINT_S) & (sky_t < end - 2.0 * _JOINT_S)]
+    inner = sky_t[(sky_t > start + 2.0 * JOINT_S) & (sky_t < end - 2.0 * JOINT_S)]
     edges = [edge for one in group for edge in (one.start_s, one.end_s)][1:-1]
     corners = [at for at in _corners(sight) if start < at < end]
-    t = np.unique(np.concatenate(([start, start + _JOINT_S], inner, edges, corners, [end - _JOINT_S, end])))
+    t = np.unique(np.concatenate(([start, start + JOINT_S], inner, edges, corners, [end - JOINT_S, end])))
     az, el = sight.dish.sample(t)
     floor, ceiling = sight.elevations(t)
     az, el = az + 360.0 * turn, np.clip(el, floor, ceiling)
@@ -103,7 +101,7 @@ def _corners(sight: Sight) -> list[float]:
         before = np.flatnonzero((beyond[:-1] < 0.0) != (beyond[1:] < 0.0))
         share = beyond[before] / (beyond[before] - beyond[before + 1])
         found += (t[before] + share * (t[before + 1] - t[before])).tolist()
-    return [at + by for at in found for by in (-_JOINT_S, 0.0, _JOINT_S)]
+    return [at + by for at in found for by in (-JOINT_S, 0.0, JOINT_S)]
 
 
 def _kept_before(piece: _Piece, end_s: float) -> _Piece:
@@ -111,8 +109,8 @@ def _kept_before(piece: _Piece, end_s: float) -> _Piece:
     t, az, el = piece
     if not len(t):
         return piece
-    until_s = end_s - _JOINT_S
+    until_s = end_s - JOINT_S
     if t[-1] >= until_s:
-        begin = t[0] - _JOINT_S
+        begin = t[0] - JOINT_S
         return begin + (t - begin) * (until_s - begin) / (t[-1] - begin), az, el
     return np.append(t, until_s), np.append(az, az[-1]), np.append(el, el[-1])

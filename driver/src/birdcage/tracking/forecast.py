@@ -18,6 +18,7 @@ _LINE_BITS = 400.0
 PEAK = 3.0**0.5
 """The greatest error of a saw-tooth is so many times its root mean square."""
 _STEP_S = 0.5
+_ABOUT_S = 0.25
 _MOST = 2000
 
 
@@ -36,7 +37,7 @@ def forecast(sight: Sight, stretches: tuple[Stretch, ...], course: Curve, beam_d
     az, el = course.sample(t)
     sky_az, sky_el = sight.dish.sample(t)
     off = separations_deg(az, el, sky_az, sky_el)
-    saw = saw_tooth_deg(sight.mount.model, course, t)
+    saw = saw_tooth_deg(sight.mount.model, course, t, stretches)
     return made(t, np.hypot(off, saw), beam_deg, peak_deg=float(np.hypot(off, PEAK * saw).max()))
 
 
@@ -60,16 +61,21 @@ def following_times(stretches: tuple[Stretch, ...], step_s: float = _STEP_S) -> 
     )
 
 
-def saw_tooth_deg(model: DishModel, course: Curve, t: Floats) -> Floats:
+def saw_tooth_deg(model: DishModel, course: Curve, t: Floats, stretches: tuple[Stretch, ...]) -> Floats:
     """Return the root mean square of what is left between two commands, on the sky.
 
     Commands that name where the target will be half an interval later leave a saw-tooth of rate x interval, and the
     quantisation of the steps.
     """
-    az, el = course.sample(t + 0.25)
-    before_az, before_el = course.sample(t - 0.25)
-    across = np.abs(az - before_az) / 0.5
-    up = np.abs(el - before_el) / 0.5
+    before, after = t - _ABOUT_S, t + _ABOUT_S
+    for one in stretches:
+        inside = (t >= one.start_s) & (t <= one.end_s)
+        before, after = (
+            np.where(inside, np.maximum(before, one.start_s), before),
+            np.where(inside, np.minimum(after, one.end_s), after),
+        )
+    (az, el), (before_az, before_el) = course.sample(after), course.sample(before)
+    across, up = np.abs(az - before_az) / (after - before), np.abs(el - before_el) / (after - before)
     interval = _interval_s(model, across, up)
     narrow = np.cos(np.radians(np.clip(el, 0.0, 90.0)))
     squares = _square(model.azimuth, across, interval) * narrow**2 + _square(model.elevation, up, interval)

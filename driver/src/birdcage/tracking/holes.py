@@ -29,7 +29,7 @@ def keyholes(sight: Sight, stretches: tuple[Stretch, ...], course: Curve) -> tup
     if not len(where):
         return ()
     found = []
-    peaks = np.hypot(off, PEAK * saw_tooth_deg(sight.mount.model, course, t))
+    peaks = np.hypot(off, PEAK * saw_tooth_deg(sight.mount.model, course, t, stretches))
     for part in np.split(where, np.flatnonzero(np.diff(t[where]) > _NEAR_S) + 1):
         start, end = float(t[part[0]]), float(t[part[-1]])
         found.append(Keyhole(start, end, float(peaks[part].max()), limit_deg(sight, stretches, start, end)))

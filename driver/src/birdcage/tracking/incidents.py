@@ -30,9 +30,13 @@ def incidents(
             found.append(Incident(leg.start_s, "reach", _enters(leg.start_s, reach, limits)))
     for index, leg in enumerate(legs):
         after = legs[index + 1] if index + 1 < len(legs) else None
-        gap = after is None or after.start_s > leg.end_s + 1e-3
-        if leg.part is Part.FOLLOW and gap:
-            found.append(Incident(leg.end_s, "unreach", _leaves(leg.end_s, reach, limits)))
+        reason = _reason_after(leg.end_s, reach)
+        goes_on = after is not None and after.start_s <= leg.end_s + 1e-3
+        turns_back = after is not None and after.part is Part.REWIND
+        # A rewind that begins where the target goes out of reach anyway waits for that.
+        if leg.part is Part.FOLLOW and (reason not in ("", "cable") if turns_back else not goes_on):
+            text = f"out of reach: {limit_words(reason, limits)}" if reason else "end of following"
+            found.append(Incident(leg.end_s, "unreach", text))
     return tuple(sorted(found, key=lambda one: one.at_s))
 
 
@@ -66,11 +70,12 @@ def _enters(at_s: float, reach: Reach, limits: ReachLimits) -> str:
     return "in reach"
 
 
-def _leaves(at_s: float, reach: Reach, limits: ReachLimits) -> str:
+def _reason_after(at_s: float, reach: Reach) -> str:
+    """Return which limit ends a leg; nothing if none does."""
     for lost in reach.lost:
         if _s(lost.start) - _EDGE_S < at_s < _s(lost.end):
-            return f"out of reach: {limit_words(lost.reason, limits)}"
-    return "end of following"
+            return lost.reason
+    return ""
 
 
 def _s(when: datetime) -> float:

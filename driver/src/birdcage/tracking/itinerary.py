@@ -80,11 +80,16 @@ def itinerary(sight: Sight, now_s: float, later: Sequence[Curve] = ()) -> Itiner
 
 
 def _pieces(sight: Sight, spans: Sequence[tuple[float, float]], taken: Sequence[Run]) -> list[Stretch]:
-    """Return the spans, cut where the turn changes and where the cable does not let the dish follow."""
+    """Return the spans, cut where the turn changes and where the cable does not let the dish follow.
+
+    After a rewind a span may begin as soon as the run before has ended: how long the rewind takes is seen to later.
+    """
     found = []
+    free_s = float("-inf")
     for run in taken:
         for start, end in spans:
-            found += _fitting(sight, max(start, run.start_s), min(end, run.end_s), run.turn)
+            found += _fitting(sight, max(start, min(free_s, run.start_s)), min(end, run.end_s), run.turn)
+        free_s = run.end_s
     return found
 
 

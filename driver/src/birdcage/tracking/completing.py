@@ -1,0 +1,111 @@
+"""From stretches to a plan: the course, what is to be expected of it, and what a person should know beforehand."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from datetime import datetime
+
+from birdcage.sky.passes.model import Pass
+from birdcage.sky.reach_model import Reach
+from birdcage.tracking.course import course as course_of
+from birdcage.tracking.curve import Curve
+from birdcage.tracking.forecast import forecast
+from birdcage.tracking.holes import keyholes, simulated
+from birdcage.tracking.incidents import incidents, loss_notes
+from birdcage.tracking.itinerary import Stretch
+from birdcage.tracking.mount import Mount
+from birdcage.tracking.plan import Aim, Forecast, Keyhole, Leg, Part, Plan
+from birdcage.tracking.preposition import preposition
+from birdcage.tracking.sight import Sight
+
+_AT_ONCE_S = 0.5
+"""A rewind that ends no longer than this before the target is followed again ends with that."""
+
+
+@dataclass(frozen=True, slots=True)
+class Basis:
+    """What of a plan is settled before its course."""
+
+    aim: Aim
+    made_at: datetime
+    passing: Pass | None
+    reach: Reach
+    sight: Sight
+    stretches: tuple[Stretch, ...]
+    preposition_s: float
+
+
+def complete(basis: Basis, share: float | None, seen: Forecast | None = None) -> Plan:
+    """Return the plan that follows the stretches; `seen` is what a simulation of its course has shown."""
+    sight, stretches, mount = basis.sight, basis.stretches, basis.sight.mount
+    course = course_of(sight, stretches, share)
+    legs = _legs(stretches, course, turns=sight.bounds.cable is not None and sight.bounds.turn_known)
+    holes = keyholes(sight, stretches, course)
+    if seen is not None:
+        holes = simulated(holes, seen)
+    place = preposition(sight, course, basis.preposition_s, basis.made_at.timestamp())
+    notes = [*_rewind_notes(legs), *map(_hole_note, holes), *_notes(basis.reach, mount)]
+    if place is None:
+        notes.insert(0, "No way to where it begins keeps clear of the no-go sectors.")
+    return Plan(
+        basis.aim, basis.made_at, basis.passing, basis.reach, sight.sky, course, legs, place, holes,
+        seen or forecast(sight, stretches, course, mount.beam_deg_at(basis.aim.frequency_hz)),
+        incidents(basis.passing, sight.sky, legs, holes, basis.reach, mount.limits),
+        tuple(notes), share, share is None or not holes or seen is not None,
+    )  # fmt: skip
+
+
+def unfollowed(aim: Aim, made_at: datetime, passing: Pass | None, reach: Reach, sight: Sight) -> Plan:
+    """Return the plan of what cannot be followed, which says why."""
+    limits = sight.mount.limits
+    notes = ("Nothing of it can be followed from now on.", *_notes(reach, sight.mount))
+    return Plan(
+        aim, made_at, passing, reach, sight.sky, None, (), None, (), None,
+        incidents(passing, sight.sky, (), (), reach, limits), notes,
+    )  # fmt: skip
+
+
+def _legs(stretches: Sequence[Stretch], course: Curve, *, turns: bool) -> tuple[Leg, ...]:
+    legs: list[Leg] = []
+    for stretch in stretches:
+        turn = stretch.turn if turns else None
+        start_deg, end_deg = course.at(stretch.start_s)[0], course.at(stretch.end_s)[0]
+        stops = () if stretch.route is None else stretch.route.stops
+        if stretch.rewinds and legs:
+            before, done_s = legs[-1], stretch.start_s
+            if turn is not None and stretch.route is not None:
+                turned_s = before.end_s + stretch.route.seconds
+                done_s = turned_s if turned_s < done_s - _AT_ONCE_S else done_s
+            legs.append(Leg(Part.REWIND, before.end_s, done_s, before.to_az_deg, start_deg, turn, stops))
+            stops = ()
+        legs.append(Leg(Part.FOLLOW, stretch.start_s, stretch.end_s, start_deg, end_deg, turn, stops))
+    return tuple(legs)
+
+
+def _rewind_notes(legs: Sequence[Leg]) -> Iterator[str]:
+    for leg in legs:
+        if leg.part is Part.REWIND and leg.turn is not None:
+            yield (
+                f"The cable does not reach all the way: it is turned back from {leg.from_az_deg:+.0f}° to "
+                f"{leg.to_az_deg:+.0f}°, which takes {leg.end_s - leg.start_s:.1f} s."
+            )
+        elif leg.part is Part.REWIND:
+            yield f"The cable may come to its stop, as its turn is not known: {leg.end_s - leg.start_s:.0f} s are kept."
+
+
+def _hole_note(hole: Keyhole) -> str:
+    return (
+        f"It goes through the keyhole: up to {hole.max_error_deg:.1f}° off there, where {hole.limit_deg:.1f}° is the "
+        "least possible."
+    )
+
+
+def _notes(reach: Reach, mount: Mount) -> Iterator[str]:
+    yield from loss_notes(reach, mount.limits)
+    if mount.standing is None:
+        yield "Where the dish stands is not known: the way to the first point may be longer."
+    if mount.limits.cable is not None and not mount.limits.turn_known:
+        yield "The turn of the cable is not known: only what is safe for every turn is followed."
+    if mount.beam_deg is None:
+        yield "The feed does not say how wide its beam is: no decibels."

@@ -1,0 +1,129 @@
+"""A plan as plain values, for `--json`: every time is ISO 8601 in UTC with Z, and names carry their units."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from datetime import UTC, datetime
+from typing import Any
+
+import numpy as np
+
+from birdcage.sky.export.fields import iso
+from birdcage.sky.passes.model import Pass
+from birdcage.sky.reach_model import Reach
+from birdcage.tracking.plan import Forecast, Leg, Plan, Preposition
+
+_STEP_S = 1.0
+_MOST = 1200
+
+
+def plan_values(plan: Plan, *, step_s: float = _STEP_S) -> dict[str, Any]:
+    """Return a plan for a program to read; `step_s`: how far apart the points of its path are. Unknown is None."""
+    aim = plan.aim
+    return {
+        "target": {
+            "name": aim.name, "kind": aim.kind, "norad_id": aim.norad_id, "frequency_hz": aim.frequency_hz,
+            "time_offset_s": aim.time_offset_s,
+        },
+        "made_at": iso(plan.made_at),
+        "pass": None if plan.passing is None else _pass(plan.passing),
+        "reach": _reach(plan.reach),
+        "legs": [_leg(leg) for leg in plan.legs],
+        "rewinds": len(plan.rewinds),
+        "preposition": None if plan.preposition is None else _place(plan.preposition),
+        "keyholes": [
+            {
+                "start": _at(hole.start_s), "end": _at(hole.end_s), "max_error_deg": _round(hole.max_error_deg),
+                "limit_deg": _round(hole.limit_deg),
+            }
+            for hole in plan.keyholes
+        ],
+        "forecast": None if plan.forecast is None else _forecast(plan.forecast),
+        "share": plan.share,
+        "refined": plan.refined,
+        "incidents": [{"at": _at(one.at_s), "what": one.what, "text": one.text} for one in plan.incidents],
+        "notes": list(plan.notes),
+        "path": _path(plan, step_s),
+    }  # fmt: skip
+
+
+def _at(t_s: float) -> str:
+    return iso(datetime.fromtimestamp(t_s, UTC))
+
+
+def _pass(passing: Pass) -> dict[str, Any]:
+    return {
+        "aos": iso(passing.aos), "tca": iso(passing.tca), "los": iso(passing.los),
+        "aos_azimuth_deg": _round(passing.aos_azimuth_deg), "tca_azimuth_deg": _round(passing.tca_azimuth_deg),
+        "los_azimuth_deg": _round(passing.los_azimuth_deg), "max_elevation_deg": _round(passing.max_elevation_deg),
+    }  # fmt: skip
+
+
+def _reach(reach: Reach) -> dict[str, Any]:
+    return {
+        "total_s": _round(reach.total_s),
+        "best_el_deg": _round(reach.best_el_deg),
+        "intervals": [{"start": iso(one.start), "end": iso(one.end), "turn": one.turn} for one in reach.intervals],
+        "lost": [{"start": iso(one.start), "end": iso(one.end), "reason": one.reason} for one in reach.lost],
+    }
+
+
+def _leg(leg: Leg) -> dict[str, Any]:
+    return {
+        "part": leg.part.value, "start": _at(leg.start_s), "end": _at(leg.end_s),
+        "from_dish_az_deg": _round(leg.from_az_deg), "to_dish_az_deg": _round(leg.to_az_deg), "turn": leg.turn,
+        "waypoints_dish_az_el_deg": _points(leg.waypoints),
+    }  # fmt: skip
+
+
+def _place(place: Preposition) -> dict[str, Any]:
+    return {
+        "dish_az_deg": _round(place.az_deg), "dish_el_deg": _round(place.el_deg),
+        "true_az_deg": _round(place.true_az_deg), "true_el_deg": _round(place.true_el_deg),
+        "waypoints_dish_az_el_deg": _points(place.waypoints), "leave": _at(place.leave_s),
+        "slew_s": _round(place.slew_s),
+    }  # fmt: skip
+
+
+def _forecast(forecast: Forecast) -> dict[str, Any]:
+    loss = forecast.loss_db
+    return {
+        "rms_error_deg": _round(forecast.rms_deg),
+        "max_error_deg": _round(forecast.max_deg),
+        "mean_loss_db": None if loss is None else _round(float(loss.mean())),
+        "max_loss_db": None if loss is None else _round(float(loss.max())),
+    }
+
+
+def _path(plan: Plan, step_s: float) -> list[dict[str, Any]]:
+    """Return where the target stands, and the dish wherever it follows or is on its way between two legs."""
+    sky, course, forecast = plan.sky, plan.course, plan.forecast
+    step_s = max(step_s, (sky.end_s - sky.start_s) / _MOST)
+    times = np.arange(sky.start_s, sky.end_s, step_s)
+    az, el = sky.sample(times)
+    rows = []
+    for at, true_az, true_el in zip(times.tolist(), az.tolist(), el.tolist(), strict=True):
+        row: dict[str, Any] = {"at": _at(at), "true_az_deg": _round(true_az % 360.0), "true_el_deg": _round(true_el),
+            "dish_az_deg": None, "dish_el_deg": None, "error_deg": None, "loss_db": None}  # fmt: skip
+        if course is not None and course.start_s <= at <= course.end_s:
+            row["dish_az_deg"], row["dish_el_deg"] = (_round(angle) for angle in course.at(at))
+        if forecast is not None and follows(plan, at):
+            row["error_deg"] = _round(float(np.interp(at, forecast.t_s, forecast.error_deg)))
+            if forecast.loss_db is not None:
+                row["loss_db"] = _round(float(np.interp(at, forecast.t_s, forecast.loss_db)))
+        rows.append(row)
+    return rows
+
+
+def follows(plan: Plan, at_s: float) -> bool:
+    """Return whether the dish is to be on the target at a time."""
+    return any(leg.part.value == "follow" and leg.start_s <= at_s <= leg.end_s for leg in plan.legs)
+
+
+def _points(points: Sequence[tuple[float, float]]) -> list[list[float | None]]:
+    return [[_round(az), _round(el)] for az, el in points]
+
+
+def _round(value: float | None) -> float | None:
+    """Return an angle to a tenth of a motor's step; not -0."""
+    return None if value is None else round(value, 4) + 0.0

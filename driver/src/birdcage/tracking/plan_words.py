@@ -1,0 +1,144 @@
+"""A plan as a person reads it: lines for a terminal of 80 columns."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterator
+from datetime import UTC, datetime
+
+import numpy as np
+
+from birdcage.tracking.plan import Part, Plan
+from birdcage.tracking.plan_values import follows
+
+WIDTH = 80
+_ROWS = 14
+"""About how many rows the table has: what happens, and times between."""
+_BAR = 69
+_EVENTS = ("aos", "tca", "los")
+_HEAD = "UTC        event         az     el    dish az dish el   error    loss"
+
+
+def plan_lines(plan: Plan) -> list[str]:
+    """Return a plan in at most 80 columns: what, when, where the dish waits, how well it will point, and what not."""
+    lines = [*_head(plan), "", *_summary(plan), ""]
+    if plan.legs:
+        lines += [*_bar(plan), ""]
+    lines += [_HEAD, *_table(plan)]
+    if plan.notes:
+        lines.append("")
+    for note in plan.notes:
+        lines += textwrap.wrap(note, WIDTH, initial_indent="· ", subsequent_indent="  ")
+    return lines
+
+
+def _head(plan: Plan) -> Iterator[str]:
+    aim, passing = plan.aim, plan.passing
+    name = aim.name if aim.norad_id is None else f"{aim.name} ({aim.norad_id})"
+    day = f"{datetime.fromtimestamp(plan.sky.start_s, UTC):%a %d %b %Y} UTC"
+    yield f"{name[: WIDTH - len(day) - 2]:<{WIDTH - len(day)}}{day}"
+    if passing is not None:
+        yield (
+            f"AOS {_clock(passing.aos.timestamp())} {passing.aos_azimuth_deg:.0f}°   "
+            f"TCA {_clock(passing.tca.timestamp())} {passing.max_elevation_deg:.1f}° high   "
+            f"LOS {_clock(passing.los.timestamp())} {passing.los_azimuth_deg:.0f}°"
+        )
+    if aim.frequency_hz is not None or aim.time_offset_s:
+        mhz = "" if aim.frequency_hz is None else f"{aim.frequency_hz / 1e6:.4f}".rstrip("0").rstrip(".") + " MHz"
+        late = f"{aim.time_offset_s:+.1f} s along its track" if aim.time_offset_s else ""
+        yield "   ".join(part for part in (mhz, late) if part)
+
+
+def _summary(plan: Plan) -> Iterator[str]:
+    follow_s = sum(leg.end_s - leg.start_s for leg in plan.legs if leg.part is Part.FOLLOW)
+    if not plan.legs or plan.course is None:
+        yield "Follow   nothing: it is not within reach"
+        return
+    whole_s = plan.sky.end_s - plan.sky.start_s
+    best = plan.reach.best_el_deg
+    high = "" if best is None else f", up to {best:.0f}°"
+    yield (
+        f"Follow   {_clock(plan.legs[0].start_s)} to {_clock(plan.legs[-1].end_s)}: "
+        f"{_length(follow_s)} of {_length(whole_s)}{high}"
+    )
+    place = plan.preposition
+    if place is not None:
+        stops = f" by {len(place.waypoints)} stops" if len(place.waypoints) > 1 else ""
+        yield (
+            f"Leave    {_clock(place.leave_s)} for {place.true_az_deg:.1f}° / {place.true_el_deg:.1f}° "
+            f"(dish {place.az_deg:+.1f}°), {place.slew_s:.1f} s{stops}"
+        )
+    for rewind in plan.rewinds:
+        yield (
+            f"Rewind   {_clock(rewind.start_s)}: dish {rewind.from_az_deg:+.0f}° to {rewind.to_az_deg:+.0f}°, "
+            f"{rewind.end_s - rewind.start_s:.1f} s"
+        )
+    for hole in plan.keyholes:
+        yield (
+            f"Keyhole  {_clock(hole.start_s)} to {_clock(hole.end_s)}: up to {hole.max_error_deg:.2f}° off "
+            f"(at best {hole.limit_deg:.2f}°)"
+        )
+    forecast = plan.forecast
+    if forecast is not None:
+        loss = forecast.loss_db
+        decibels = "" if loss is None else f"; {_db(float(loss.mean()))} on average, {_db(float(loss.max()))} at most"
+        yield f"Error    {forecast.rms_deg:.3f}° rms, {forecast.max_deg:.2f}° at most{decibels}"
+
+
+def _bar(plan: Plan) -> Iterator[str]:
+    """Yield the pass from its beginning to its end: what is done when."""
+    start, end = plan.sky.start_s, plan.sky.end_s
+    times = np.linspace(start, end, 2 * _BAR + 1)[1::2]
+    yield "Time     " + "".join(_glyph(plan, at) for at in times.tolist())
+    used = {"━": "follow", "╍": "keyhole", "↺": "rewind", "·": "out of reach"}
+    marks = {_glyph(plan, at) for at in times.tolist()}
+    yield "         " + "   ".join(f"{glyph} {word}" for glyph, word in used.items() if glyph in marks)
+
+
+def _glyph(plan: Plan, at_s: float) -> str:
+    if any(leg.start_s <= at_s <= leg.end_s for leg in plan.rewinds):
+        return "↺"
+    if not follows(plan, at_s):
+        return "·"
+    return "╍" if any(hole.start_s <= at_s <= hole.end_s for hole in plan.keyholes) else "━"
+
+
+def _table(plan: Plan) -> Iterator[str]:
+    sky = plan.sky
+    told = {one.at_s: one.what.upper() if one.what in _EVENTS else one.what for one in plan.incidents}
+    spacing = (sky.end_s - sky.start_s) / _ROWS
+    between = [
+        at
+        for at in np.linspace(sky.start_s, sky.end_s, _ROWS + 1).tolist()
+        if min((abs(at - other) for other in told), default=spacing) >= spacing / 2.0
+    ]
+    for at in sorted([*told, *between]):
+        yield _row(plan, at, told.get(at, "")).rstrip()
+
+
+def _row(plan: Plan, at_s: float, what: str) -> str:
+    az, el = plan.sky.at(at_s)
+    row = f"{_clock(at_s)}  {what:<10}{az % 360.0:6.1f} {el:6.1f}"
+    course, forecast = plan.course, plan.forecast
+    if course is None or forecast is None or not course.start_s <= at_s <= course.end_s:
+        return row
+    dish_az, dish_el = course.at(at_s)
+    row += f"   {dish_az:+8.1f} {dish_el:7.1f}"
+    if not follows(plan, at_s):
+        return row
+    row += f"  {float(np.interp(at_s, forecast.t_s, forecast.error_deg)):5.2f}°"
+    loss = forecast.loss_db
+    return row + (f"  {'—':>6}" if loss is None else f"  {_db(float(np.interp(at_s, forecast.t_s, loss))):>6}")
+
+
+def _clock(at_s: float) -> str:
+    return f"{datetime.fromtimestamp(at_s, UTC):%H:%M:%S}Z"
+
+
+def _db(loss: float) -> str:
+    return f"{loss:.2f} dB" if loss < 1.0 else f"{loss:.1f} dB"
+
+
+def _length(seconds: float) -> str:
+    minutes, rest = divmod(round(seconds), 60)
+    return f"{minutes} min {rest:02} s" if minutes else f"{rest} s"

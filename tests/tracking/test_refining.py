@@ -1,0 +1,83 @@
+"""Rehearsals, and the share that they choose."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from birdcage.sky.reach_limits import NoGo
+from birdcage.tracking.fast import fast
+from birdcage.tracking.queued import queued
+from birdcage.tracking.refining import refine
+from birdcage.tracking.rehearsal import rehearse
+from birdcage.tracking.steps import Send, Wait
+
+from .orbits import g2, mount, plan_of, travler
+
+
+def late(helm):
+    """A poor controller: where the target is now, every two seconds."""
+    now_s = helm.now_s
+    while now_s < helm.until_s:
+        for axis, deg in enumerate(helm.course().at(now_s)):
+            answer = yield Send(axis, deg)
+        now_s = (yield Wait(answer.now_s + 2.0)).now_s
+
+
+@pytest.fixture(scope="module")
+def hard():
+    on = mount(travler(5.0), at=(200.0, 30.0))
+    return plan_of(0.37, on, orbit={"northbound": False}), on
+
+
+def test_a_rehearsal_tells_a_good_controller_from_a_poor_one():
+    on = mount(g2(80.0))
+    plan = plan_of(4.0, on)
+    tca = plan.passing.tca.timestamp()
+    within = [(tca - 20.0, tca + 20.0)]
+    good, poor = (rehearse(plan, on, controller, within=within) for controller in (fast, late))
+    assert good.rms_deg < 0.05 < 0.3 < poor.rms_deg
+    assert good.t_s[0] == within[0][0]
+    assert rehearse(plan, on, fast, within=within).rms_deg == good.rms_deg
+    with pytest.raises(ValueError, match="follows nothing"):
+        rehearse(plan, on, fast, within=[(0.0, 1.0)])
+
+
+def test_what_is_forecast_is_what_a_rehearsal_shows(hard):
+    plan, on = hard
+    hole = plan.keyholes[0]
+    seen = rehearse(plan, on, queued, within=[(hole.start_s, hole.end_s)])
+    assert seen.max_deg == pytest.approx(hole.max_error_deg, rel=0.3)
+
+
+def test_the_share_is_the_best_of_those_tried(hard):
+    plan, on = hard
+    refined = refine(plan, on, queued)
+    assert refined.refined
+    assert refined.share in (0.75, 0.9, 1.0)
+    assert refined.keyholes[0].max_error_deg < 2.6 * refined.keyholes[0].limit_deg
+    assert refined.legs[0].start_s == plan.legs[0].start_s
+    others = [refine(plan, on, queued, shares=(share,)) for share in (0.75, 0.9, 1.0)]
+    assert refined.forecast.rms_deg == min(one.forecast.rms_deg for one in others)
+    assert len({one.forecast.rms_deg for one in others}) == 3
+
+
+def test_a_plan_without_a_keyhole_has_nothing_to_choose():
+    on = mount(travler(5.0))
+    plan = plan_of(6.0, on)
+    assert plan.refined
+    refined = refine(replace(plan, refined=False), on, late)
+    assert refined.refined
+    assert refined.course is plan.course
+
+
+def test_refining_keeps_the_way_over_a_mast():
+    on = mount(travler(3.0), at=(200.0, 30.0), no_go=(NoGo(13.0, 13.35, 40.0, "mast"),))
+    plan = plan_of(0.37, on, orbit={"northbound": False})
+    assert plan.keyholes
+    assert any(leg.waypoints for leg in plan.legs)
+    refined = refine(plan, on, queued, shares=(0.9,))
+    assert [(leg.part, leg.turn, leg.waypoints) for leg in refined.legs] == [
+        (leg.part, leg.turn, leg.waypoints) for leg in plan.legs
+    ]
+    assert refined.course.at(refined.legs[1].start_s) == pytest.approx(plan.course.at(plan.legs[1].start_s))
