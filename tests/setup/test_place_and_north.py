@@ -116,6 +116,14 @@ class TestNorth:
         assert ready.state.az_offset_deg == 3.2
         assert ready.state.position.az_deg == pytest.approx(3.2, abs=0.05)
 
+    def test_a_new_north_drops_the_tilt_that_was_fitted_to_the_old(self, ready):
+        ready.setup._bench.write({"alignment.active": "Roof", "alignment.an_deg": 1.0, "alignment.ca_deg": 0.2})
+        ready.choose("north", "typed", az_offset_deg="3.2")
+        own = ready.file().alignment
+        assert (own.az_offset_deg, own.an_deg, own.ca_deg, own.active) == (3.2, 0.0, 0.0, None)
+        assert "the tilt of the last calibration is dropped" in ready.file().setup.north
+        assert ready.state.alignment.model is None
+
     @pytest.mark.parametrize("keep", ["n", "y"])
     def test_by_the_sun(self, ready, keep):
         az_deg, el_deg = sun(ready.clock.utc(), 39.1, -95.7)

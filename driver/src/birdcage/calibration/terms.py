@@ -14,8 +14,6 @@ from birdcage.calibration.peak import Peak
 
 TERMS = tuple(each.name for each in fields(Alignment))
 """az_offset_deg, el_offset_deg, ca_deg, an_deg, aw_deg: in this order everywhere in this room."""
-LABELS = {"az_offset_deg": "IA", "el_offset_deg": "IE", "ca_deg": "CA", "an_deg": "AN", "aw_deg": "AW"}
-"""What astronomers call them; the azimuth offset is -IA."""
 
 OFFSETS_ONLY = TERMS[:2]
 WITH_TILT = ("az_offset_deg", "el_offset_deg", "an_deg", "aw_deg")

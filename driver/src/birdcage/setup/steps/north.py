@@ -133,6 +133,11 @@ class NorthStep(Step):
         changes: dict[str, Value] = {**(more or {}), "alignment.az_offset_deg": az}
         if el is not None:
             changes["alignment.el_offset_deg"] = el
+        own = self.bench.settings.alignment
+        if own.ca_deg or own.an_deg or own.aw_deg:
+            # They were fitted together with the offsets that go now, and to a base that stood otherwise.
+            changes |= dict.fromkeys(f"alignment.{name}" for name in ("active", "ca_deg", "an_deg", "aw_deg"))
+            how += "; the tilt of the last calibration is dropped"
         self.bench.write(changes)
         self.begin(self._apply(how), "telling the station")
 
