@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
 BEFORE = timedelta(minutes=30)
 """How far back is looked, so that a pass under way has its true beginning."""
+A_DAY_H = 24.0
 SETTLE_S = 2.0
 """What a move takes beside its way: starting, stopping, the wire."""
 UNKNOWN_SLEW_S = 60.0
@@ -27,7 +28,8 @@ def find_candidates(
 ) -> list[Candidate]:
     """Return every pass of the favourites among some satellites that is not over, also those that are never in reach.
 
-    What stays up all the time, like a geostationary satellite, does not pass. About a millisecond a pass.
+    They reach a day ahead at least: `schedule` takes those of the hours that it is given. What stays up all the time,
+    like a geostationary satellite, does not pass. About a millisecond a pass.
     """
     import numpy as np
 
@@ -39,7 +41,8 @@ def find_candidates(
     chosen = watched.part(sorted(watched.favourites))
     if not chosen.elements:
         return []
-    begin, span = now - BEFORE, hours + 2.0 * BEFORE / timedelta(hours=1)
+    # Over a shorter time a long pass would look like something that stays up.
+    begin, span = now - BEFORE, max(hours, A_DAY_H) + 2.0 * BEFORE / timedelta(hours=1)
     table = search(Fleet(chosen.elements), observer, begin, span, 0.0, chosen.time_offsets)
     which = np.flatnonzero((table.los_s > now.timestamp()) & ~(table.already_up & table.still_up))
     return [
