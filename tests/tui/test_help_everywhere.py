@@ -12,6 +12,8 @@ SCOPES = {
     **{(f"f{number}",): (name,) for number, (name, _, _) in enumerate(PAGES, 1)},
     ("f2", "n"): ("digits", "control"),
     ("f2", "p"): ("presets", "control"),
+    ("f2", "c"): ("craft",),
+    ("f2", "N"): ("network",),
     ("f5", "i"): ("console-input", "console"),
     ("f5", "slash"): ("console-find", "console"),
     ("f2", "f5"): ("console",),

@@ -13,6 +13,10 @@ OTHERS = (
     ("birdcage stop", "stops it at once, from any terminal of this machine, whoever has control."),
     ("birdcage track", "follows a target without this app; not beside it, for the port has one owner."),
 )
+LATER = (
+    "This version has none. It is the server that Gpredict, Look4Sat and others connect to; a later version brings "
+    "it, with a list of who may connect."
+)
 
 
 def rows(view: View) -> list[tuple[str, str, str]]:
@@ -53,9 +57,7 @@ class NetworkPane(Pane):
         for name, words in OTHERS:
             y = self._row(cells, y, name, words, "text", label_ink="strong")
         y += 1
-        self._row(cells, y, "rotctld", "This version has none. It is the server that Gpredict, Look4Sat and others connect to; "
-                  "a later version brings it, with a list of who may connect.",
-                  "dim")  # fmt: skip
+        self._row(cells, y, "rotctld", LATER, "dim")
 
     @staticmethod
     def _row(cells: Cells, y: int, label: str, words: str, ink: str, label_ink: str = "dim") -> int:
