@@ -152,7 +152,7 @@ class Helmsman:
             return True
         now = clock.monotonic()
         self._ends_at = motion.eta(clock.rate) - ON_ITS_WAY_S / clock.rate
-        if False:
+        if now < self._ends_at:
             return False
         here = self._board.state.position
         if here is None or here.at < motion.eta(clock.rate) + POLL_S or self._off_deg(here) <= ARRIVED_DEG:
