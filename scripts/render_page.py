@@ -21,7 +21,7 @@ async def demo(
     seconds: float, size: tuple[int, int], theme: str, keys: list[str], after_s: float, firmware: str
 ) -> tuple[str, str]:
     """Return the SVG and the text of the real demo so many seconds after its start, and after the keys."""
-    async with stage.demo(size, theme, tour=not keys, firmware=firmware) as on:
+    async with stage.demo(size, theme, tour=True, firmware=firmware) as on:
         await on.wait(seconds)
         await on.press(*keys)
         await on.wait(after_s)

@@ -15,13 +15,14 @@ import picture
 import stand_in
 from birdcage.base.clock import VirtualClock
 from birdcage.base.config import PlaceSettings, Settings, load
+from birdcage.base.config.tracking_sections import TrackingSettings
 from birdcage.base.paths import throw_away_paths
 from birdcage.setup.engine import Setup
 from birdcage.station.build import open_session
 from birdcage.station.known import SystemFacts
 from birdcage_tui.app import BirdcageApp
 from birdcage_tui.control.horizon_file import ConfigHorizon
-from birdcage_tui.run import DEMO_PLACE, demo_port
+from birdcage_tui.run import DEMO_PARK, DEMO_PLACE, demo_port
 from birdcage_tui.settings import AppSettings
 from birdcage_tui.sky_feed import make_sky
 from birdcage_tui.themes import LOOKS
@@ -34,7 +35,8 @@ START = datetime(2026, 3, 20, 15, 30, tzinfo=UTC)
 HERE = Settings(
     place=PlaceSettings(
         name=DEMO_PLACE.name, latitude_deg=DEMO_PLACE.latitude_deg, longitude_deg=DEMO_PLACE.longitude_deg
-    )
+    ),
+    tracking=TrackingSettings(park_az_deg=DEMO_PARK[0], park_el_deg=DEMO_PARK[1]),
 )
 """What the setup of the demo knows of the place."""
 Rows = list[list[tuple[str, object]]]

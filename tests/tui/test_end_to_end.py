@@ -28,14 +28,14 @@ class Stepped(Session):
 
 
 class House:
-    def __init__(self, address="g2?seed=1", tour=False):
+    def __init__(self, address="g2?seed=1"):
         firmware = address.partition("?")[0]
         self.clock = VirtualClock()
         self.device = open_device(address, clock=self.clock)
         settings = StationSettings(f"sim:{firmware}", firmware, self._open, beam_deg=6.3, feed_name="stock-ku")
         self.station = Station(self.clock, settings)
         self.session = Stepped(self.clock, self.station)
-        self.app = BirdcageApp(self.session, AppSettings(tour=tour, place=Place(39.1, -95.7)))
+        self.app = BirdcageApp(self.session, AppSettings(place=Place(39.1, -95.7)))
         self.pilot = None
 
     def _open(self, port, _baud):
@@ -187,22 +187,3 @@ async def test_a_silent_port_is_told_and_shows_no_position():
         await house.step(2.1)
         assert "AZ ---.--" in house.text()
         assert "SILENT" in house.text() or "does not answer" in house.text()
-
-
-@played
-async def test_the_demo_tour_moves_the_dish_until_the_first_key():
-    house = House(tour=True)
-    async with house.app.run_test(size=SIZE) as house.pilot:
-        for _second in range(20):
-            house.session.step(1)
-            await house.pilot.pause()
-            house.app._tick()
-        assert len(house.moves(0)) >= 2
-        await press(house, "down")
-        await house.step(3)
-        since = house.clock.monotonic()
-        for _second in range(20):
-            house.session.step(1)
-            await house.pilot.pause()
-            house.app._tick()
-        assert house.moves(since) == []

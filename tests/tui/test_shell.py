@@ -1,12 +1,12 @@
 """Pages, tour, watching, palette and help."""
 
-import itertools
 from dataclasses import replace
 
 import pytest
 import stand_in
+import track_stand_in
 from birdcage.station.events import PositionRead, ReadingRead
-from birdcage.station.requests import AcceptLimits, Goto, Home, Jog, Unwatch, Watch
+from birdcage.station.requests import AcceptLimits, Home, Jog, Unwatch, Watch
 from birdcage.station.state import HeldState
 from birdcage_tui.commands import COMMANDS, PAGES, in_force
 from birdcage_tui.messages import StationEvent
@@ -86,83 +86,94 @@ def test_only_telemetry_may_be_replaced_in_the_queue():
     assert not reading.can_replace(reading)
 
 
-def touring(app, seconds):
-    app.session.clock.advance(seconds)
-    state = app.station.state
-    app.station.state = replace(state, position=replace(state.position, at=app.session.clock.monotonic()))
-    app._tick()
+def ready(app):
+    """Let the dish be surveyed, and the desk know a pass."""
+    app.station.state = replace(app.station.state, surveyed=True)
+    app.track._make = track_stand_in.Source(track_stand_in.desk())
+    app.track.begin()
+    app.session.clock.advance(1.0)
 
 
-def test_the_tour_moves_the_dish_after_saying_so():
+def switched(app):
+    """What autotrack was told."""
+    return [each for each in app.track.source.asked if each[0] == "set_autotrack"]
+
+
+def test_the_demo_follows_by_itself_as_soon_as_the_dish_is_ready_and_once():
     async def tour(app, pilot):
+        app._tick()
+        ready(app)
+        await pilot.pause()
+        for _ in range(5):
+            app._tick()
+        return switched(app)
+
+    assert run(tour, tour=True) == [("set_autotrack", True)]
+    assert run(tour) == [], "and nothing else does"
+
+
+def test_the_demo_says_that_it_moves_by_itself():
+    async def tour(app, pilot):
+        ready(app)
+        await pilot.pause()
+        app._tick()
+        app.track.now = replace(app.track.now, autotrack=True)
         app._tick()
         app.paint()
         await pilot.pause()
-        text = stand_in.text_of(app)
-        assert app.station.asked_for(Goto) == []
-        touring(app, 3.1)
-        return text, app.station.asked_for(Goto)
+        assert app.view().may_move
+        return stand_in.text_of(app)
 
-    text, goto = run(tour, tour=True)
-    assert "Demo tour: " in text
-    assert " in 3 s. Any key ends it." in text
-    assert len(goto) == 1
-    assert goto[0].holder == "demo tour"
-    assert 18.0 < goto[0].el_deg < 65.0
+    assert "Demo: it follows pass after pass. Space stops it" in run(tour, tour=True).splitlines()[1]
 
 
-@pytest.mark.parametrize("key", ["x", "space", "2", "escape", "f3"])
-def test_the_first_key_ends_the_tour_for_ever(key):
+@pytest.mark.parametrize("key", ["space", "escape", "left"])
+def test_stop_or_a_step_by_hand_ends_the_demo_before_it_has_begun(key):
     async def tour(app, pilot):
-        touring(app, 0.0)
-        touring(app, 3.1)
         await pilot.press(key)
-        asked = len(app.station.asked_for(Goto))
-        for _ in range(10):
-            touring(app, 5.0)
-        app.paint()
+        ready(app)
         await pilot.pause()
-        assert len(app.station.asked_for(Goto)) == asked == 1
-        assert "Demo tour" not in stand_in.text_of(app)
-        assert app.station.stops == (["you"] if key in ("space", "escape") else [])
+        app._tick()
+        app._tick()
+        assert app.station.stops == (["you"] if key != "left" else [])
+        return switched(app)
 
-    run(tour, tour=True)
+    assert run(tour, tour=True) == []
 
 
-@pytest.mark.parametrize("name", ["held", "lost", "not-homed", "silent"])
-def test_the_tour_does_not_begin_on_a_bad_day(name):
+def test_looking_around_does_not_end_the_demo():
     async def tour(app, pilot):
-        for _ in range(10):
-            app.session.clock.advance(5.0)
+        await pilot.press("7", "1")
+        ready(app)
+        await pilot.pause()
+        app._tick()
+        return switched(app)
+
+    assert run(tour, tour=True) == [("set_autotrack", True)]
+
+
+@pytest.mark.parametrize("name", ["held", "lost", "not-homed", "silent", "fault"])
+def test_the_demo_does_not_begin_on_a_bad_day(name):
+    async def tour(app, pilot):
+        ready(app)
+        await pilot.pause()
+        for _ in range(5):
             app._tick()
-        return app.station.asked_for(Goto)
+        return switched(app)
 
     assert run(tour, name, tour=True) == []
 
 
-def test_the_tour_hops_little_by_little_and_stays_in_reach():
+def test_a_hold_ends_the_demo():
     async def tour(app, pilot):
-        for _ in range(120):
-            touring(app, 3.5)
-        return app.station.asked_for(Goto)
-
-    goto = run(tour, tour=True)
-    assert len(goto) > 60
-    steps = [abs(b.az_deg - a.az_deg) for a, b in itertools.pairwise(goto)]
-    assert max(steps) < 6.0
-    assert all(18.0 < g.el_deg < 65.0 for g in goto)
-
-
-def test_a_hold_ends_the_tour():
-    async def tour(app, pilot):
-        touring(app, 0.0)
         state, clock = app.station.state, app.session.clock
         app.station.state = replace(state, held=HeldState("birdcage stop", 0.0, clock.utc(), "stop"))
-        touring(app, 4.0)
+        app._tick()
         app.station.state = replace(app.station.state, held=None)
-        touring(app, 4.0)
-        touring(app, 4.0)
-        return app.station.asked_for(Goto)
+        ready(app)
+        await pilot.pause()
+        app._tick()
+        return switched(app)
 
     assert run(tour, tour=True) == []
 
@@ -331,7 +342,6 @@ def test_row_1_and_its_stop_stay_alive_under_a_dialog(key):
 @pytest.mark.parametrize(("age_s", "drawn"), [(FRESH_S / 2, 0), (FRESH_S * 2, 1)])
 def test_a_second_draws_only_where_the_dish_has_not_made_for_a_frame(age_s, drawn, monkeypatch):
     async def rest(app, pilot):
-        app.end_tour()
         await pilot.pause()
         frames = []
         monkeypatch.setattr(app, "_changed", lambda: frames.append(1))

@@ -109,6 +109,7 @@ class BirdcageApp(Shell):
 
         future = self.station.submit(request)
         if isinstance(request, MOTIONS):
+            self.end_tour()
             self.under_way.add(future)
             self.horizon.moved(jog=isinstance(request, Jog))
         future.add_done_callback(done)
@@ -272,7 +273,6 @@ class BirdcageApp(Shell):
 
     def on_command_chosen(self, event: CommandChosen) -> None:
         """The mouse does what a key does."""
-        self.end_tour()
         self.action_command(event.name)
 
     def on_goto_line_sent(self, event: GotoLine.Sent) -> None:

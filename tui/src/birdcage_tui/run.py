@@ -33,12 +33,19 @@ if TYPE_CHECKING:
 DEMO_FIRMWARE = "g2"
 """What the demo drives unless told otherwise, and what is spoken at first where nothing has told what the dish is."""
 DEMO_PLACE = Place(39.1, -95.7, "EM29, demo")
+DEMO_CABLE_DEG, DEMO_EL_DEG = -236.0, 43.0
+"""Where the demo's dish stands at first: a few seconds of turning away from the pass that is under way then, which
+is the same at any time of day (`birdcage.sky.demo_plan`)."""
+DEMO_PARK = (180.0, 40.0)
+"""True azimuth and elevation to which it goes after a pass."""
 EXIT_ERROR = 1
 
 
 def demo_port(firmware: str) -> str:
     """Return the simulated dish of the demo."""
-    return f"sim:{firmware}?lat={DEMO_PLACE.latitude_deg}&lon={DEMO_PLACE.longitude_deg}"
+    here = f"lat={DEMO_PLACE.latitude_deg}&lon={DEMO_PLACE.longitude_deg}"
+    # Other dishes count their azimuth from elsewhere, or have a cable that ends elsewhere: they stand as they come.
+    return f"sim:{firmware}?{here}" + (f"&az={DEMO_CABLE_DEG}&el={DEMO_EL_DEG}" if firmware == DEMO_FIRMWARE else "")
 
 
 def run(options: argparse.Namespace) -> int:
@@ -113,6 +120,8 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSetti
         "place.name": DEMO_PLACE.name if options.demo else None,
         "place.latitude_deg": DEMO_PLACE.latitude_deg if options.demo else None,
         "place.longitude_deg": DEMO_PLACE.longitude_deg if options.demo else None,
+        "tracking.park_az_deg": DEMO_PARK[0] if options.demo else None,
+        "tracking.park_el_deg": DEMO_PARK[1] if options.demo else None,
         "app.theme": options.theme,
         "app.glyphs": options.glyphs,
     }

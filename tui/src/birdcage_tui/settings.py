@@ -47,7 +47,7 @@ class AppSettings:
     place: Place | None = None
     """None while the user has not told it: then no geostationary arc is drawn."""
     tour: bool = False
-    """Whether the dish shows itself off until the first key. Only with a simulated dish."""
+    """Whether the dish follows passes by itself from the start. Only with a simulated dish."""
     notice: str = ""
     """A sentence about the settings that a person must see (a damaged file, say)."""
     glyphs: str = "braille"

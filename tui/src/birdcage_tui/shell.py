@@ -103,7 +103,7 @@ class Shell(Surface):
         self._note = ""
         self._told: deque[Told] = deque(maxlen=KEPT_WORDS)
         """What the last commands did, the newest last."""
-        self._tour = Tour(self.station.submit)
+        self._tour = Tour(self.track.set_autotrack)
         if not self.settings.tour:
             self._tour.end()
         self._tour_says = ""
@@ -376,22 +376,23 @@ class Shell(Surface):
         """Return whether anything moves or may move by itself. Any thread."""
         if self._tour.running:
             return True
-        return bool(self.under_way) or View(self.station.state, 0.0, self.session.clock.utc(), self.settings).may_move
+        utc, desk = self.session.clock.utc(), self.track.now
+        return bool(self.under_way) or View(self.station.state, 0.0, utc, self.settings, track=desk).may_move
 
     async def on_event(self, event: events.Event) -> None:
-        """STOP comes before bindings, widgets and frames; then the first key ends the tour."""
+        """STOP comes before bindings, widgets and frames."""
         if isinstance(event, events.Key) and not event.is_forwarded:
             stopped = any(event is other for other in self.stopped_keys) or self.stop_key(event)
-            self.end_tour()
             if stopped:
+                self.end_tour()
                 self.note("STOP.")
                 self._changed()
                 return
         await super().on_event(event)
 
     def end_tour(self) -> None:
-        """End the tour for ever."""
+        """Let the demo do nothing by itself any more."""
         if self._tour.running:
-            self._tour.end()
-            self._tour_says = ""
             self._changed()
+        self._tour.end()
+        self._tour_says = ""

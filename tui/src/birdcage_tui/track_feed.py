@@ -104,6 +104,11 @@ class TrackFeed:
         if self.source is not None:
             self.source.keep(place)
 
+    def set_autotrack(self, on: bool) -> None:
+        """Follow what the schedule says, or no longer."""
+        if self.source is not None:
+            self.source.set_autotrack(on)
+
     def hear(self, event: Event) -> None:
         """Take an event of the station: keep the looks of this pursuit, and ring when it is about to move by itself."""
         if isinstance(event, PursuitChanged):

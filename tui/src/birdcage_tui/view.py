@@ -58,7 +58,7 @@ class View:
     settings: AppSettings
     signal: Sequence[Sample] = ()
     tour: str = ""
-    """What the demo tour says; empty when there is none."""
+    """What the demo says of itself; empty when it does nothing by itself."""
     crash: str = ""
     """What ended the station's own thread, if something did: nothing below answers any more."""
     note: str = ""
@@ -155,6 +155,7 @@ class View:
         """
         by_itself = self.state.holder not in (None, CONSOLE, YOU) and self.state.held is None
         pursued = self.state.pursuit is not None and self.state.pursuit.phase is not Phase.OVER
+        pursued = pursued or (self.track is not None and self.track.autotrack and self.state.held is None)
         return self.moving or self.asked or self.state.raw_motion or bool(self.tour) or by_itself or pursued
 
     @property

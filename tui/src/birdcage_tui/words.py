@@ -294,7 +294,7 @@ def next_steps(view: View) -> list[tuple[str, str]]:
     elif state.motion_refused_because:
         steps.append(("text", "It takes no motion: mend the file, or accept the dish's own limits with Enter."))
     elif view.tour:
-        steps.append(("text", "Any key ends the tour. Then g goes to a direction, arrows step 1°."))
+        steps.append(("text", "2 then c shows it. Space stops it; an arrow takes over, a step by hand."))
     elif pursuit is not None:
         steps.append(("text", "2 then c shows it; x there ends it. A key that moves by hand takes over."))
     elif not view.moving:

@@ -66,7 +66,7 @@ class SchedulePane(Pane):
     def _row(cells: Cells, y: int, row: Scheduled) -> None:
         when = f"{row.reach_start:%H:%M:%S} {length_text((row.reach_end - row.reach_start).total_seconds()):>5}"
         x = cells.put(1, y, f"{'●' if row.kept else '○'} {when}  ", "text" if row.kept else "dim")
-        room = min(max(cells.width - x - 10, 10), 24)
+        room = 24 if cells.width >= 76 else min(max(cells.width - x - 10, 10), 16)
         x = cells.put(x, y, f"{fit(row.name, room):<{room}} {row.max_reach_elevation_deg:3.0f}°  ",
                       "target" if row.kept else "dim")  # fmt: skip
         cells.put(x, y, row.why[: max(cells.width - x, 0)], "dim")
