@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from datetime import datetime
+import json
+from datetime import UTC, datetime, timedelta
 from itertools import pairwise
 
 import pytest
+from birdcage.sky.demo_orbits import demo_orbits
+from birdcage.sky.observer import Observer
 
 TLE = """ISS (ZARYA)
 1 25544U 98067A   26325.50000000  .00016717  00000-0  10270-3 0  9000
@@ -88,3 +91,58 @@ def test_favourites_of_the_catalogue_count_with_their_priorities(autotrack, as_j
     plan = as_json(autotrack("--json", elements=False))["passes"]
     assert all(each["kept"] for each in plan if each["norad_id"] == 25545 and "under" not in (each["why"] or ""))
     assert any("SISTER (priority 3)" in (each["why"] or "") for each in plan if each["norad_id"] == 25544)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--engage", "--dry-run"), "are for looking"),
+        (("--engage", "--hours", 3), "are for looking"),
+        (("--until", "2026-11-22"), "go with --engage"),
+        (("--speed", 5), "go with --engage"),
+        (("--engage", "--speed", 5, "--port", "/dev/ttyUSB0"), "--speed is for a simulated dish"),
+        (("--engage",), "There are no favourites"),
+    ],
+)
+def test_what_does_not_go_together_is_said_and_nothing_is_opened(run, words, said):
+    result = run("autotrack", "--lat", 50, "--lon", 10, *words)
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert said in result.stderr
+
+
+@pytest.fixture
+def favourite():
+    """A made-up satellite that passes within minutes, in the catalogue."""
+    from birdcage.base.paths import Paths
+    from birdcage.sky.catalogue import Catalogue
+
+    orbit = demo_orbits(datetime.now(UTC), Observer(50.0, 10.0))[0]
+    with Catalogue(Paths.default().catalogue) as catalogue:
+        catalogue.add([orbit])
+        catalogue.set_favourite(orbit.norad_id)
+    return orbit
+
+
+def test_a_pass_is_followed_and_kept(run, as_json, favourite, tmp_path):
+    # It is highest two minutes from now, and the floor leaves little more of it than that.
+    (tmp_path / "high.toml").write_text("[motion]\nmin_elevation_deg = 35\n[autotrack]\nmin_duration_s = 20\n")
+    place = ("--lat", 50, "--lon", 10, "--config", tmp_path / "high.toml")
+    first = next(each for each in as_json(run("autotrack", *place, "--json"))["passes"] if each["kept"])
+    until = datetime.fromisoformat(first["reach_end"]) + timedelta(seconds=5)
+    result = run("autotrack", *place, "--engage", "--speed", 20, "--until", until.isoformat(), "--json")
+    assert result.exit_code == 0, result.stderr
+    told = [json.loads(line) for line in result.stdout.splitlines()]
+    assert [each["event"] for each in told].count("schedule") == 1
+    phases = [each["phase"] for each in told if each["event"] == "phase"]
+    assert phases.index("following") < phases.index("over")
+    assert f"next: {favourite.name}" in result.stderr
+    logged = as_json(run("log", "--json"))["passes"]
+    assert logged[0]["name"] == favourite.name
+    assert logged[0]["samples"] > 10
+    assert logged[0]["demo"] is True
+
+
+def test_after_the_time_nothing_is_begun(run, favourite):
+    result = run("autotrack", "--lat", 50, "--lon", 10, "--engage", "--until", "2026-01-01")
+    assert (result.exit_code, result.stdout) == (0, "")
+    assert "following" not in result.stderr

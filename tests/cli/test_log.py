@@ -52,7 +52,7 @@ def test_the_table_has_a_line_a_pass_and_a_total(run, three_passes):
     result = run("log")
     head, first, second, third = result.stdout.splitlines()
     assert head.split()[:2] == ["NO", "BEGAN"]
-    told = "1 2026-11-21 12:00:00 ISS (ZARYA) 61.5° 1:39 0.020° 0.020° 100.0 % fast Followed to its end."
+    told = "1 2026-11-21 12:00:00 ISS (ZARYA) 61.5° 1:39 0.020° 0.020° 100.0 % fast The pass is over."
     assert " ".join(first.split()) == told
     rms = (0.02**2 * 0.99 + 1.5**2 * 0.01) ** 0.5
     assert f"DEMO METEOR-M2 4  61.5°      1:39  {rms:.3f}°  1.500°   99.0 %  fast  Ended by operator." in second

@@ -52,7 +52,7 @@ class Story:
     def rssi(self, seconds, counts):
         self.tell(ReadingRead(seconds, at(seconds), "rssi", counts, "counts"))
 
-    def whole_pass(self, errors=(0.01, 0.02, 0.03), why="Followed to its end."):
+    def whole_pass(self, errors=(0.01, 0.02, 0.03), why="The pass is over."):
         self.phase(-300, Phase.WAITING)
         self.phase(0, Phase.FOLLOWING)
         for second, error in enumerate(errors):

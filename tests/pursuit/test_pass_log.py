@@ -187,7 +187,7 @@ def test_a_gap_in_mid_pass_and_another_plan_leave_one_pass(story, log, paths):
     assert log.flush()
     (record,) = list_passes(paths.journal)
     assert (record.samples, record.head.time_offset_s, record.head.latency_s) == (2, 1.5, 0.08)
-    assert (record.ended, record.outcome) == (at(400), "Followed to its end.")
+    assert (record.ended, record.outcome) == (at(400), "The pass is over.")
     assert len(rows_of(next(paths.passes.iterdir()))) == 2
 
 
@@ -297,7 +297,7 @@ def test_a_folder_that_cannot_be_made_leaves_the_database(story, log, paths):
     assert log.flush()
     assert f"The pass is not being written to {paths.passes}" in log.problem
     (record,) = list_passes(paths.journal)
-    assert (record.csv, record.samples, record.outcome) == (None, 3, "Followed to its end.")
+    assert (record.csv, record.samples, record.outcome) == (None, 3, "The pass is over.")
 
 
 class FullDisk:

@@ -33,7 +33,7 @@ def test_a_pass_from_end_to_end(bench, paths):
     bench.until(Phase.OVER)
     assert bench.log.flush()
     (record,) = list_passes(paths.journal)
-    assert (record.head.name, record.head.norad_id, record.outcome) == ("NOAA 19", 33591, "Followed to its end.")
+    assert (record.head.name, record.head.norad_id, record.outcome) == ("NOAA 19", 33591, "The pass is over.")
     assert record.head.controller == bench.pursuit.controller != ""
     assert record.head.demo is bench.state.demo
     kept = read_samples(paths.journal, record.number)

@@ -83,12 +83,11 @@ def _cells(row: Scheduled, begin: datetime) -> tuple[str, ...]:
     )
 
 
-def values_of_schedule(rows: Sequence[Scheduled], begin: datetime, hours: float, never: int) -> dict[str, object]:
+def values_of_schedule(rows: Sequence[Scheduled], begin: datetime, hours: float) -> dict[str, object]:
     """Return the plan for JSON."""
     return {
         "start": iso(begin),
         "hours": hours,
-        "never_in_reach": never,
         "passes": [
             {
                 "name": row.name,

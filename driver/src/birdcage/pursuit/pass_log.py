@@ -14,6 +14,7 @@ from birdcage.pursuit.pass_log_work import EpochOf, PassLogWork
 from birdcage.pursuit.pass_record import PassHead, PassSample, head_of
 from birdcage.station.events import Event, Followed, PursuitChanged, ReadingRead
 from birdcage.station.pursuit import Phase, Pursuit, Sample
+from birdcage.station.pursuit_words import DONE
 from birdcage.station.station import Station
 
 QUEUE_SIZE = 8192
@@ -21,7 +22,6 @@ FRESH_S = 3.0
 """How old a signal may be that stands beside a sample."""
 SELDOM_S = 10.0
 """How often a target is kept that does not pass: it is followed for days."""
-TO_ITS_END = "Followed to its end."
 PROGRAM_ENDED = "The program was ended."
 _FOLLOWS = frozenset({Phase.FOLLOWING, Phase.REWINDING})
 _DUE = frozenset({Phase.YIELDED, Phase.INTERRUPTED, Phase.OVER})
@@ -100,7 +100,7 @@ class PassLog:
             self._writer.offer(Told(head))
         self._open = head
         if pursuit.phase is Phase.PARKING:
-            self._end(event.utc, TO_ITS_END)
+            self._end(event.utc, DONE)
         elif pursuit.phase is Phase.OVER:
             self._end(event.utc, pursuit.why)
 

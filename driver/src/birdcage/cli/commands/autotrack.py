@@ -14,27 +14,33 @@ from birdcage.cli.options import flags, global_options, wanted
 from birdcage.cli.sky_options import UTC_TIME, elements_option, find_observer, observer_options
 
 if TYPE_CHECKING:
+    from birdcage.cli.options import Wanted
+    from birdcage.sky.observer import Observer
     from birdcage.sky.watch_source import Watched
 
 
 @click.command("autotrack", epilog=exits.EPILOG)
 @elements_option
 @observer_options
-@click.option("--dry-run", is_flag=True, help="Only print. This is all that happens without it, too.")
+@click.option("--dry-run", is_flag=True, help="Only print, which is what happens without --engage.")
+@click.option("--engage", is_flag=True, help="Move the dish: follow one pass after the other, until Ctrl+C.")
+@click.option("--until", type=UTC_TIME, help="When --engage ends: no pass is begun after it. ISO 8601, UTC.")
+@click.option("--speed", type=click.FloatRange(1.0, 1000.0), help="Time runs so much faster; of a simulated dish only.")
 @click.option("--start", type=UTC_TIME, help="ISO 8601; UTC unless it says its zone.  [default: now]")
 @click.option(
     "--hours", type=click.FloatRange(0.0, 72.0, min_open=True), help="How far ahead.  [default: as set, or 24]"
 )
-@global_options("config", "firmware", "json", "verbose")
+@global_options()
 def command(
-    elements: Path | None, lat: float | None, lon: float | None, alt: float | None, dry_run: bool,  # noqa: ARG001
-    start: datetime | None, hours: float | None,
+    elements: Path | None, lat: float | None, lon: float | None, alt: float | None, dry_run: bool, engage: bool,
+    until: datetime | None, speed: float | None, start: datetime | None, hours: float | None,
 ) -> None:  # fmt: skip
     """Show which passes of the favourites would be followed by themselves, and why the others are left out.
 
     Higher priorities come first (`birdcage elements favourite NAME --priority N`); within one the greatest time within
     reach wins. A pass is cut short only for one of higher priority. `[autotrack]` in birdcage.toml has the least
-    elevation and duration. With --elements every satellite of the file counts as a favourite. Nothing moves.
+    elevation and duration. With --elements every satellite of the file counts as a favourite.
+    Nothing moves without --engage; with it the dish has to know where it is, and Ctrl+C stops it.
     """
     from dataclasses import replace
     from datetime import UTC, datetime, timedelta
@@ -46,7 +52,16 @@ def command(
     from birdcage.pursuit.schedule import schedule
     from birdcage.pursuit.schedule_candidates import find_candidates, slewing
 
+    if engage and (dry_run or elements or start or hours):
+        raise click.UsageError(
+            "--dry-run, --elements, --start and --hours are for looking: leave them out with --engage."
+        )
+    if not engage and (until or speed):
+        raise click.UsageError("--until and --speed go with --engage.")
     wants = wanted()
+    if engage:
+        _engage(wants, find_observer(wants.settings, lat, lon, alt), until, speed)
+        return
     observer = find_observer(wants.settings, lat, lon, alt)
     watched = _favourites(find_elements(wants.paths, elements, say), from_file=elements is not None)
     begin = start if start is not None else datetime.now(UTC)
@@ -59,11 +74,25 @@ def command(
     until = begin + timedelta(hours=rules.hours)
     never = sum(not each.reach.intervals and each.passing.aos < until for each in found)
     if flags().json:
-        tell_json(values_of_schedule(rows, begin, rules.hours, never))
+        tell_json({**values_of_schedule(rows, begin, rules.hours), "never_in_reach": never})
         return
     tell_schedule(rows, begin, rules.hours, room())
     if never:
         say(f"{never} more {'pass' if never == 1 else 'passes'} of favourites never come within reach of this dish.")
+
+
+def _engage(wants: Wanted, observer: Observer, until: datetime | None, speed: float | None) -> None:
+    """Follow the favourites of the catalogue. ConfigError if there are none."""
+    from birdcage.base.clock import RealClock, ScaledClock
+    from birdcage.cli.autotrack_run import run_autotrack
+    from birdcage.cli.dish import open_dish
+    from birdcage.sky.watch_source import read_catalogue
+
+    if speed is not None and not wants.port.startswith("sim:"):
+        raise click.UsageError("--speed is for a simulated dish, such as --port sim:g2: a real one has its own time.")
+    _favourites(read_catalogue(wants.paths.catalogue), from_file=False)
+    with open_dish(wants, moves=True, clock=RealClock() if speed is None else ScaledClock(speed)) as dish:
+        run_autotrack(dish, wants, observer, until, as_json=flags().json)
 
 
 def _favourites(watched: Watched, *, from_file: bool) -> Watched:

@@ -1,0 +1,136 @@
+"""Follows the passes of the favourites, one after the other, until the command is ended."""
+
+from __future__ import annotations
+
+from datetime import datetime
+from typing import TYPE_CHECKING
+
+from birdcage.base.errors import Held, PositionUnknown
+from birdcage.cli.autotrack_report import tell_schedule, values_of_schedule
+from birdcage.cli.say import say, tell_json
+from birdcage.cli.track_shown import Shown
+from birdcage.pursuit.desk import PursuitDesk
+from birdcage.pursuit.desk_setup import DeskSetup
+from birdcage.station.events import Event, Followed, PursuitChanged
+from birdcage.station.pursuit import Phase
+
+if TYPE_CHECKING:
+    from birdcage.cli.dish import Dish
+    from birdcage.cli.options import Wanted
+    from birdcage.pursuit.now import Scheduled
+    from birdcage.sky.observer import Observer
+    from birdcage.station.pursuit import Pursuit
+
+HOLDER = "birdcage autotrack"
+READ_S = 5.0
+"""How long to wait for the first reading of the position."""
+END_S = 10.0
+"""How long a pursuit may take to end that was left: the move under way comes to rest."""
+_BETWEEN = frozenset({Phase.WAITING, Phase.COUNTDOWN, Phase.OVER})
+
+
+def run_autotrack(dish: Dish, wants: Wanted, observer: Observer, until: datetime | None, *, as_json: bool) -> None:
+    """Follow until that time; the pass under way then is followed to its end. Without a time until a signal ends it.
+
+    PositionUnknown when the dish does not know where it is; Held when somebody calls STOP.
+    """
+    dish.come_up(15.0)
+    dish.survey()
+    _need_position(dish)
+    setup = DeskSetup(
+        wants.paths.catalogue, lambda: wants.settings, wants.paths, observer, dish.state.demo, holder=HOLDER,
+        takes_up=False,
+    )  # fmt: skip
+    desk = PursuitDesk(dish.station, dish.session.clock, setup, lambda _now: None)
+    desk.start()
+    try:
+        desk.set_autotrack(True)
+        _Watch(dish, desk, wants.settings.autotrack.hours, until, as_json=as_json).run()
+    finally:
+        desk.close()
+
+
+def _need_position(dish: Dish) -> None:
+    from birdcage.cli.dish import how_to_home
+
+    deadline = dish.now + READ_S
+    while dish.state.position is None and dish.state.homed is not False and dish.now < deadline:
+        dish.look()
+    if dish.state.position is None or dish.state.position_lost is not None:
+        raise PositionUnknown(
+            f"The dish does not know where it is, so it follows nothing. {how_to_home(dish.state)}", reason="unhomed"
+        )
+
+
+class _Watch:
+    """Watches autotrack at work."""
+
+    def __init__(
+        self, dish: Dish, desk: PursuitDesk, hours: float, until: datetime | None, *, as_json: bool
+    ) -> None:  # fmt: skip
+        self._dish, self._desk, self._hours, self._until, self._as_json = dish, desk, hours, until, as_json
+        self._shown = Shown(dish.progress, as_json=as_json)
+        self._pursuit: Pursuit | None = None
+        self._problem = ""
+        self._rows: tuple[Scheduled, ...] = ()
+
+    def run(self) -> None:
+        """Watch until the time is over."""
+        while not self._is_enough():
+            self._look()
+        self._desk.set_autotrack(False)
+        self._desk.leave()
+        deadline = self._dish.now + END_S
+        while self._is_live() and self._dish.now < deadline:
+            self._look()
+
+    def _look(self) -> None:
+        self._dish.look(self._hear)
+        if self._desk.crash is not None:
+            raise self._desk.crash
+        if self._dish.state.held is not None:
+            raise Held("STOP was called: nothing is followed any more. Start it again when the dish may move.")
+        now, utc = self._desk.now, self._dish.session.clock.utc()
+        if now.problem != self._problem:
+            self._problem = now.problem
+            if now.problem:
+                self._dish.progress.clear()
+                say(now.problem)
+        kept = tuple(row for row in now.schedule if row.kept)
+        if kept and not self._rows:
+            self._dish.progress.clear()
+            self._tell(now.schedule, utc)
+        self._rows = self._rows or kept
+        if self._pursuit is not None and self._pursuit.phase not in (Phase.FOLLOWING, Phase.OVER):
+            self._shown.waiting(self._pursuit, utc)
+
+    def _tell(self, rows: tuple[Scheduled, ...], utc: datetime) -> None:
+        if self._as_json:
+            tell_json({"event": "schedule", **values_of_schedule(rows, utc, self._hours)})
+            return
+        from birdcage.cli.table import room
+
+        tell_schedule(rows, utc, self._hours, room())
+
+    def _is_live(self) -> bool:
+        return self._pursuit is not None and self._pursuit.phase is not Phase.OVER
+
+    def _is_enough(self) -> bool:
+        """Return whether the time is over, and the dish not on a pass."""
+        if self._until is None or self._dish.session.clock.utc() < self._until:
+            return False
+        return self._pursuit is None or self._pursuit.phase in _BETWEEN
+
+    def _hear(self, event: Event) -> None:
+        if isinstance(event, PursuitChanged) and event.pursuit.holder == HOLDER:
+            before, self._pursuit = self._pursuit, event.pursuit
+            if before is None or before.number != event.pursuit.number:
+                self._dish.progress.clear()
+                say(f"{event.utc:%H:%M:%S} next: {event.pursuit.plan.aim.name}")
+            self._shown.plan(event.pursuit, event.utc)
+            self._shown.phase(event.pursuit, event.utc)
+            was_over = before is not None and before.number == event.pursuit.number and before.phase is Phase.OVER
+            if event.pursuit.phase is Phase.OVER and not was_over:
+                self._shown.end(event.pursuit, event.utc)
+        elif isinstance(event, Followed) and self._pursuit is not None and event.number == self._pursuit.number:
+            self._shown.sample(event.sample, self._pursuit)
