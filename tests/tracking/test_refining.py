@@ -72,7 +72,7 @@ def test_a_plan_without_a_keyhole_has_nothing_to_choose():
 
 
 def test_refining_keeps_the_way_over_a_mast():
-    on = mount(travler(3.0), at=(200.0, 30.0), no_go=(NoGo(13.0, 13.35, 40.0, "mast"),))
+    on = mount(travler(3.0), at=(200.0, 30.0), no_go=(NoGo(9.0, 10.5, 60.0, "mast"),))
     plan = plan_of(0.37, on, orbit={"northbound": False})
     assert plan.keyholes
     assert any(leg.waypoints for leg in plan.legs)

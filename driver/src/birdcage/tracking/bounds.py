@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from birdcage.base.geometry import shortest_turn
 from birdcage.tracking.curve import Floats
@@ -13,6 +14,8 @@ from birdcage.tracking.mount import Mount
 CABLE_MARGIN_DEG = 0.05
 SECTOR_MARGIN_DEG = 0.1
 """How far a plan keeps off a no-go sector: more than an axis overshoots (reference section 7.1: 0.06 degrees)."""
+_HAIR_DEG = 1e-6
+"""Where a way over a sector ends, the dish stands at its very edge."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,10 +30,6 @@ class Keepout:
         """Return whether an azimuth sweep from `start_deg` through `turn_deg` touches its azimuths."""
         centre = start_deg + turn_deg / 2.0
         return abs(shortest_turn(self.middle_deg, centre)) <= self.half_deg + abs(turn_deg) / 2.0
-
-    def holds(self, az_deg: float, el_deg: float) -> bool:
-        """Return whether a direction lies in it."""
-        return el_deg < self.below_deg and self.swept(az_deg, 0.0)
 
     def beside(self, az_deg: Floats) -> tuple[Floats, Floats]:
         """Return how far the azimuth may turn back and on from each angle until it meets the sector; 0 inside."""
@@ -63,20 +62,26 @@ class Bounds:
             cable = cable[0] + CABLE_MARGIN_DEG, cable[1] - CABLE_MARGIN_DEG
         return cls(low, high, cable, cable is None or limits.turn_known, _keepouts(mount))
 
-    def blocked(self, az_deg: float, el_deg: float) -> bool:
-        """Return whether a direction lies in a no-go sector."""
-        return any(keepout.holds(az_deg, el_deg) for keepout in self.keepouts)
+    def blocked(self, az_deg: Floats, el_deg: Floats) -> NDArray[np.bool_]:
+        """Return which directions lie in a no-go sector, its margin included."""
+        inside = np.zeros(len(az_deg), dtype=np.bool_)
+        for keepout in self.keepouts:
+            back, on = keepout.beside(az_deg)
+            inside |= (el_deg < keepout.below_deg - _HAIR_DEG) & (np.minimum(back, on) <= 0.0)
+        return inside
 
 
 def _keepouts(mount: Mount) -> tuple[Keepout, ...]:
+    """Return the sectors as the gate has them, so that it lets every motion of a plan through."""
     found = []
-    for sector in mount.limits.no_go:
-        width = (sector.az_to_deg - sector.az_from_deg) % 360.0
-        corners = [mount.alignment.to_dish(az, sector.el_below_deg) for az in (sector.az_from_deg, sector.az_to_deg)]
-        # A leaning base turns both edges a little differently: the wider of both counts.
-        begin = corners[0][0]
-        dish_width = width + shortest_turn(begin + width, corners[1][0])
-        half = min(max(width, dish_width) / 2.0 + SECTOR_MARGIN_DEG, 180.0)
-        found.append(Keepout((begin + dish_width / 2.0) % 360.0, half,
-            max(el for _, el in corners) + SECTOR_MARGIN_DEG))  # fmt: skip
+    for one in mount.limits.no_go:
+        sector = mount.alignment.sector_to_dish(one.az_from_deg, one.az_to_deg, one.el_below_deg)
+        half = (sector.to_az_deg - sector.from_az_deg) % 360.0 / 2.0
+        found.append(
+            Keepout(
+                (sector.from_az_deg + half) % 360.0,
+                min(half + SECTOR_MARGIN_DEG, 180.0),
+                sector.below_el_deg + SECTOR_MARGIN_DEG,
+            )
+        )
     return tuple(found)

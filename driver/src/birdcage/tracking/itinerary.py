@@ -129,12 +129,7 @@ def _free(sight: Sight, before: Stretch, after: Stretch) -> bool:
     az = sight.az_deg[part] + 360.0 * after.turn
     if cable is not None and sight.bounds.turn_known and ((az < cable[0]) | (az > cable[1])).any():
         return False
-    el = sight.pointed_el_deg[part]
-    for keepout in sight.bounds.keepouts:
-        back, on = keepout.beside(az)
-        if ((el < keepout.below_deg) & (np.minimum(back, on) <= 0.0)).any():
-            return False
-    return True
+    return not sight.bounds.blocked(az, sight.pointed_el_deg[part]).any()
 
 
 def _arrive(

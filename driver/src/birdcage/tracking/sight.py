@@ -98,7 +98,25 @@ class Sight:
         kept = [(one.start, one.end) for one in found.intervals]
         kept += [(lost.start, lost.end) for lost in found.lost if lost.reason == "keyhole"]
         cable = [(lost.start.timestamp(), lost.end.timestamp()) for lost in found.lost if lost.reason == "cable"]
-        return _joined(sorted(kept)), cable
+        return self._clear(_joined(sorted(kept))), cable
+
+    def _clear(self, spans: list[tuple[float, float]]) -> list[tuple[float, float]]:
+        """Return spans without what lies in a no-go sector as the dish has it: larger, where its base leans."""
+        t = self.sky.t_s
+        blocked = self.bounds.blocked(self.az_deg, self.pointed_el_deg)
+        for index in np.flatnonzero(np.diff(blocked.astype(np.int8))).tolist():
+            blocked[index : index + 2] = True
+        if not blocked.any():
+            return spans
+        edges = np.flatnonzero(np.diff(np.concatenate(([False], blocked, [False])).astype(np.int8)))
+        for first, after in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+            cut = [
+                part
+                for start, end in spans
+                for part in ((start, min(end, float(t[first]))), (max(start, float(t[after - 1])), end))
+            ]
+            spans = [(start, end) for start, end in cut if end > start]
+        return spans
 
 
 def _to_dish(sky: Curve, mount: Mount) -> tuple[Floats, Floats]:
