@@ -30,6 +30,7 @@ COMMANDS = {
     "sky": "List what is up now.",
     "passes": "List what comes over, and when this dish can follow it.",
     "autotrack": "Show which passes of the favourites would be followed, and why not the others.",
+    "track": "Follow a target with the dish, or say what that would be.",
     "log": "List the passes that were followed, and how well.",
     "downlinks": "List who sends what, and what your feed can hear.",
     "if": "Work out where a converter puts a frequency, and who can tune to it.",

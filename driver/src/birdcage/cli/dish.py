@@ -13,7 +13,7 @@ from types import FrameType
 
 import click
 
-from birdcage.base.clock import RealClock
+from birdcage.base.clock import Clock, RealClock
 from birdcage.base.errors import BirdcageError, ConfigError, LinkError, NoReply
 from birdcage.cli import exits
 from birdcage.cli.app import Ended
@@ -153,7 +153,7 @@ class Dish:
     def in_motion(self) -> bool:
         """Whether the dish moves because of this command."""
         return self.state.motion is not None or self.state.activity in (
-            Activity.SLEWING, Activity.STOPPING, Activity.HOMING, Activity.STOWING,
+            Activity.SLEWING, Activity.STOPPING, Activity.HOMING, Activity.STOWING, Activity.FOLLOWING,
         )  # fmt: skip
 
     def stop(self, by: str) -> StopReport | None:
@@ -187,13 +187,16 @@ def how_to_home(state: StationState) -> str:
 
 
 @contextmanager
-def open_dish(wanted: Wanted, *, moves: bool = False, survey: bool = True) -> Iterator[Dish]:
+def open_dish(
+    wanted: Wanted, *, moves: bool = False, survey: bool = True, clock: Clock | None = None
+) -> Iterator[Dish]:
     """Open the dish for one command, and close it whatever happens.
 
     `moves`: the command may move the dish, so a signal or an error sends STOP before the port is closed, and a last
-    line says where the dish is. ConfigError for a firmware that this version does not speak.
+    line says where the dish is. `clock`: another one than the wall's, for a simulated dish. ConfigError for a firmware
+    that this version does not speak.
     """
-    dish = Dish(_session(wanted, survey=survey), moves=moves)
+    dish = Dish(_session(wanted, clock or RealClock(), survey=survey), moves=moves)
     with ExitStack() as stack:
         _take_signals(stack, dish)
         begun = dish.now
@@ -236,7 +239,7 @@ def _leave(dish: Dish, begun: float, error: BaseException) -> None:
         error.add_note(farewell)
 
 
-def _session(wanted: Wanted, *, survey: bool) -> Session:
+def _session(wanted: Wanted, clock: Clock, *, survey: bool) -> Session:
     from birdcage.station.build import open_session
 
     known = list_firmwares()
@@ -247,7 +250,7 @@ def _session(wanted: Wanted, *, survey: bool) -> Session:
         )
     return open_session(
         port=wanted.port, firmware=wanted.firmware, baud=wanted.baud, settings=wanted.settings, paths=wanted.paths,
-        clock=RealClock(), survey=survey,
+        clock=clock, survey=survey,
     )  # fmt: skip
 
 

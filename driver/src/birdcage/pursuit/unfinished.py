@@ -109,7 +109,7 @@ class Keeper:
             self.found, self.may_resume = None, False
         elif monotonic < self._written_at + HEARTBEAT_S:
             return
-        self._kept = replace(self._kept, seen=now, **_directions(pursuit, now))
+        self._kept = _seen(self._kept, pursuit, now)
         self._written_at = monotonic
         self._memory.write(self._kept)
 
@@ -124,17 +124,17 @@ class Keeper:
         return "" if self._memory is None else self._memory.problem
 
 
-def _directions(pursuit: Pursuit, now: datetime) -> dict[str, float]:
-    """Return where the dish is, and where it may be when the program dies before it writes again."""
+def _seen(kept: Kept, pursuit: Pursuit, now: datetime) -> Kept:
+    """Return it with where the dish is, and where it may be when the program dies before it writes again."""
     sample = pursuit.sample
     if sample is None:
-        return {}
-    az_deg, el_deg = sample.commanded_az_deg, sample.commanded_el_deg
-    found = {"az_deg": az_deg, "el_deg": el_deg, "ahead_az_deg": az_deg, "ahead_el_deg": el_deg}
+        return replace(kept, seen=now)
+    az_deg, el_deg = ahead_deg = sample.commanded_az_deg, sample.commanded_el_deg
     if pursuit.phase is Phase.FOLLOWING:
         ahead_deg = pursuit.plan.sky.at(now.timestamp() + AHEAD_S)
-        found |= {"ahead_az_deg": ahead_deg[0] % 360.0, "ahead_el_deg": ahead_deg[1]}
-    return found
+    return replace(
+        kept, seen=now, az_deg=az_deg, el_deg=el_deg, ahead_az_deg=ahead_deg[0] % 360.0, ahead_el_deg=ahead_deg[1]
+    )
 
 
 def _off_deg(found: Kept, position: Pointing) -> float:

@@ -1,0 +1,125 @@
+"""`birdcage track`."""
+
+from __future__ import annotations
+
+from datetime import datetime
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal
+
+import click
+
+from birdcage.cli.exits import EPILOG
+from birdcage.cli.options import flags, global_options
+from birdcage.cli.sky_options import (
+    NEGATIVE_NUMBERS,
+    UTC_TIME,
+    elements_option,
+    find_observer,
+    no_options_among,
+    observer_options,
+)
+
+if TYPE_CHECKING:
+    from birdcage.cli.options import Wanted
+    from birdcage.pursuit.desk_setup import ControllerName
+    from birdcage.sky.observer import Observer
+    from birdcage.sky.targets import Target
+
+CONTROLLERS = ("auto", "fast", "velocity", "queued", "modelled", "leapfrog")
+
+
+class Until(click.ParamType["str | datetime"]):
+    """`LOS`, `reach`, or a time."""
+
+    name = "WHEN"
+
+    def convert(
+        self, value: str | datetime, param: click.Parameter | None, ctx: click.Context | None
+    ) -> Literal["los", "reach"] | datetime:
+        """Return which."""
+        word = value.casefold() if isinstance(value, str) else value
+        if word == "los":
+            return "los"
+        return "reach" if word == "reach" else UTC_TIME.convert(value, param, ctx)
+
+
+@click.command("track", epilog=EPILOG, context_settings=NEGATIVE_NUMBERS)
+@click.argument("target", nargs=-1, required=True)
+@click.option("--plan", "plan_only", is_flag=True, help="Print the plan and nothing else.")
+@click.option("--engage", is_flag=True, help="Move the dish: go there in time, wait, follow, and park as set.")
+@click.option("--until", type=Until(), help="When to end: LOS (all of the pass, and parking), reach (when it goes out "
+              "of reach), or a time.  [default: LOS]")  # fmt: skip
+@click.option("--controller", type=click.Choice(CONTROLLERS), help="What steers.  [default: as set, or auto]")
+@click.option("--time-offset", "time_offset_s", type=click.FloatRange(-3600.0, 3600.0), metavar="S",
+              help="It comes so many seconds later than computed.  [default: as the catalogue remembers]")  # fmt: skip
+@click.option("--freq", "freq_hz", type=click.FloatRange(1e6, 1e12), metavar="HZ",
+              help="Frequency of its downlink.  [default: of the first one that the feed hears]")  # fmt: skip
+@click.option("--speed", type=click.FloatRange(1.0, 1000.0), help="Time runs so much faster; of a simulated dish only.")
+@elements_option
+@observer_options
+@global_options()
+def command(
+    target: tuple[str, ...], plan_only: bool, engage: bool, until: Literal["los", "reach"] | datetime | None,
+    controller: ControllerName | None, time_offset_s: float | None, freq_hz: float | None, speed: float | None,
+    elements: Path | None, lat: float | None, lon: float | None, alt: float | None,
+) -> None:  # fmt: skip
+    """Follow TARGET with the dish, or say what that would be.
+
+    TARGET is as for `birdcage where`: a satellite by name or number, sun, moon, 28.2E, ra=5h34m,dec=+22d.
+    Without --engage nothing is opened and nothing moves: the next pass that comes into reach is planned for the dish
+    that --firmware names. With --engage the dish has to know where it is. Ctrl+C stops it.
+    """
+    from birdcage.cli.options import wanted
+    from birdcage.cli.track_plan import target_of
+
+    no_options_among(target)
+    if engage and plan_only:
+        raise click.UsageError("--plan moves nothing, --engage does: give one of them.")
+    if not engage and (until or controller or speed):
+        raise click.UsageError("--until, --controller and --speed go with --engage.")
+    wants = wanted()
+    if speed is not None and not wants.port.startswith("sim:"):
+        raise click.UsageError("--speed is for a simulated dish, such as --port sim:g2: a real one has its own time.")
+    observer = find_observer(wants.settings, lat, lon, alt)
+    meant = target_of(target, wants, elements)
+    text = " ".join(target)
+    if engage:
+        from birdcage.base.clock import RealClock, ScaledClock
+        from birdcage.cli.dish import open_dish
+        from birdcage.cli.track_run import Order, follow
+
+        order = Order(text, meant, observer, controller, time_offset_s, freq_hz, until or "los", flags().json)
+        with open_dish(wants, moves=True, clock=RealClock() if speed is None else ScaledClock(speed)) as dish:
+            follow(dish, wants, order)
+        return
+    _show(text, meant, wants, observer, time_offset_s, freq_hz, plan_only=plan_only)
+
+
+def _show(
+    text: str, target: Target, wants: Wanted, observer: Observer, time_offset_s: float | None, freq_hz: float | None,
+    *, plan_only: bool,
+) -> None:  # fmt: skip
+    """Print the plan, and before it where the target stands now."""
+    from datetime import UTC
+
+    from birdcage.cli.say import say, tell, tell_json
+    from birdcage.cli.track_plan import choice_for, plan_for
+    from birdcage.cli.where_report import Report
+    from birdcage.tracking.plan_values import plan_values
+    from birdcage.tracking.plan_words import plan_lines
+
+    now = datetime.now(UTC)
+    choice = choice_for(text, target, wants, time_offset_s=time_offset_s, freq_hz=freq_hz)
+    plan_for(choice, wants, observer, now)
+    assert choice.plan is not None, "one was made"
+    if flags().json:
+        tell_json(plan_values(choice.plan))
+        return
+    if not plan_only:
+        for line in Report.of(target, observer, now, wants).lines():
+            tell(line)
+        tell("")
+    for line in plan_lines(choice.plan):
+        tell(line)
+    if not plan_only:
+        say("Nothing was moved: --engage follows it.")

@@ -1,0 +1,81 @@
+"""What `birdcage track` would do, by a plan for a dish that is not asked."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from datetime import datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from birdcage.cli.options import Wanted
+    from birdcage.pursuit.choice import Choice
+    from birdcage.sky.observer import Observer
+    from birdcage.sky.targets import Target
+    from birdcage.tracking.mount import Mount
+
+NO_DISH = "Which dish is it? Give --firmware, or set firmware under [dish] in birdcage.toml: a plan is for one dish."
+
+
+def choice_for(
+    text: str, target: Target, wants: Wanted, *, time_offset_s: float | None, freq_hz: float | None
+) -> Choice:
+    """Return a target as the desk chooses it, with what the options say of it."""
+    from birdcage.pursuit.choosing import choice_of, listen_at
+
+    choice = choice_of(text, target, None)
+    listen_at(choice, wants.settings, wants.paths.downlinks_file)
+    choice.wanted_hz = freq_hz
+    if time_offset_s is not None:
+        choice.time_offset_s = time_offset_s
+    return choice
+
+
+def plan_for(choice: Choice, wants: Wanted, observer: Observer, now: datetime) -> None:
+    """Plan, with the share of a dish whose axes move in turn. BirdcageError where that cannot be done."""
+    from birdcage.base.errors import BirdcageError
+    from birdcage.pursuit.circumstances import Circumstances
+
+    at = Circumstances(now, observer, mount_for(wants), wants.settings)
+    choice.refresh(at)
+    if choice.plan is None:
+        raise BirdcageError(choice.problem, reason="no_plan")
+    choice.refine(at)
+
+
+def mount_for(wants: Wanted) -> Mount:
+    """Return the dish that was named, as it is where nothing is known of it but its kind. ConfigError without one."""
+    from birdcage.base.errors import ConfigError
+    from birdcage.station.reach_limits import reach_limits
+    from birdcage.station.settings import rules_from
+    from birdcage.tracking.mount import Mount
+
+    model, rules = wants.named_model, rules_from(wants.settings)
+    if model is None:
+        raise ConfigError(NO_DISH)
+    return Mount(
+        model, reach_limits(wants.settings, model), rules.alignment, None,
+        rules.min_elevation_deg, rules.max_elevation_deg, rules.beam_deg,
+    )  # fmt: skip
+
+
+def target_of(words: Iterable[str], wants: Wanted, elements: Path | None) -> Target:
+    """Return the target that is meant. click.UsageError with a sentence when nothing is called that."""
+    import textwrap
+
+    import click
+
+    from birdcage.cli.known_satellites import frozen_warning
+    from birdcage.cli.say import say
+    from birdcage.cli.where_report import look_up
+    from birdcage.sky.targets import UnknownTarget
+    from birdcage.sky.targets.model import Satellite
+
+    try:
+        target = look_up(" ".join(words), wants.paths, elements, say)
+    except UnknownTarget as error:
+        raise click.UsageError(textwrap.fill(str(error), 72)) from None
+    warning = frozen_warning([target.elements] if isinstance(target, Satellite) else [])
+    if warning is not None:
+        say(warning)
+    return target

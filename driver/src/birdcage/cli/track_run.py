@@ -1,0 +1,148 @@
+"""Follows a target for the length of one command."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from datetime import datetime, timedelta
+from typing import TYPE_CHECKING, Literal
+
+from birdcage.base.errors import BirdcageError, MotionRefused, PositionUnknown
+from birdcage.cli.track_shown import Shown
+from birdcage.pursuit.desk import PursuitDesk
+from birdcage.pursuit.desk_setup import DeskSetup
+from birdcage.pursuit.follower import reach_end
+from birdcage.pursuit.now import Mode
+from birdcage.station.events import Event, Followed, PursuitChanged
+from birdcage.station.pursuit import Phase
+
+if TYPE_CHECKING:
+    from birdcage.cli.dish import Dish
+    from birdcage.cli.options import Wanted
+    from birdcage.pursuit.desk_setup import ControllerName
+    from birdcage.sky.observer import Observer
+    from birdcage.sky.targets import Target
+    from birdcage.station.pursuit import Pursuit
+
+HOLDER = "birdcage track"
+READ_S = 5.0
+"""How long to wait for the first reading of the position."""
+BEGIN_S = 30.0
+"""How long the plan may take, and the station to take it on."""
+EARLY_S = 1.0
+"""So much before the end of its last leg a pursuit may be over that came to its end."""
+END_S = 10.0
+"""How long an end that was asked for may take: the move under way comes to rest."""
+
+
+@dataclass(frozen=True, slots=True)
+class Order:
+    """What is to be followed, and how."""
+
+    text: str
+    target: Target
+    observer: Observer
+    controller: ControllerName | None = None
+    time_offset_s: float | None = None
+    freq_hz: float | None = None
+    until: Literal["los", "reach"] | datetime = "los"
+    as_json: bool = False
+
+
+def follow(dish: Dish, wants: Wanted, order: Order) -> None:
+    """Follow until it is over. PositionUnknown, MotionRefused or BirdcageError when it does not come to its end."""
+    dish.come_up(15.0)
+    dish.survey()
+    _need_position(dish)
+    setup = DeskSetup(
+        wants.paths.catalogue, lambda: wants.settings, wants.paths, order.observer, dish.state.demo, order.controller,
+        HOLDER, takes_up=False,
+    )  # fmt: skip
+    desk = PursuitDesk(dish.station, dish.session.clock, setup, lambda _now: None)
+    desk.start()
+    try:
+        desk.choose(order.text, order.target)
+        if order.time_offset_s is not None:
+            desk.set_time_offset(order.time_offset_s)
+        if order.freq_hz is not None:
+            desk.set_frequency(order.freq_hz)
+        desk.follow()
+        _Watch(dish, desk, order).run()
+    finally:
+        desk.close()
+
+
+def _need_position(dish: Dish) -> None:
+    from birdcage.cli.dish import how_to_home
+
+    deadline = dish.now + READ_S
+    while dish.state.position is None and dish.state.homed is not False and dish.now < deadline:
+        dish.look()
+    state = dish.state
+    if state.position is None or state.position_lost is not None:
+        raise PositionUnknown(
+            f"The dish does not know where it is, so it follows nothing. {how_to_home(state)}", reason="unhomed"
+        )
+
+
+class _Watch:
+    """Watches one pursuit from its beginning to its end."""
+
+    def __init__(self, dish: Dish, desk: PursuitDesk, order: Order) -> None:
+        self._dish, self._desk, self._order = dish, desk, order
+        self._shown = Shown(dish.progress, as_json=order.as_json)
+        self._pursuit: Pursuit | None = None
+        self._left = False
+        """Whether its end was asked for here."""
+
+    def run(self) -> None:
+        """Wait for the end."""
+        self._begin()
+        deadline = float("inf")
+        while self._pursuit is None or self._pursuit.phase is not Phase.OVER:
+            self._dish.look(self._hear)
+            self._look_at_desk()
+            if self._pursuit is not None and self._pursuit.phase is not Phase.FOLLOWING:
+                self._shown.waiting(self._pursuit, self._dish.session.clock.utc())
+            if not self._left and self._is_enough():
+                self._left, deadline = True, self._dish.now + END_S
+                self._desk.leave()
+            if self._dish.now >= deadline:
+                raise BirdcageError(f"The pursuit did not end within {END_S:.0f} s.", reason="timeout")
+        clock = self._dish.session.clock
+        now = clock.utc()
+        self._shown.end(self._pursuit, now)
+        end = reach_end(self._pursuit.plan)
+        early = end is None or now < end - timedelta(seconds=EARLY_S * clock.rate)
+        if not self._left and (self._dish.state.held is not None or early):
+            raise BirdcageError(self._pursuit.why, reason="ended")
+
+    def _begin(self) -> None:
+        """Wait until the station has taken it on."""
+        deadline = self._dish.now + BEGIN_S
+        while self._pursuit is None:
+            if self._dish.now >= deadline:
+                raise BirdcageError(f"Nothing was begun within {BEGIN_S:.0f} s.", reason="timeout")
+            self._dish.look(self._hear)
+            self._look_at_desk()
+
+    def _look_at_desk(self) -> None:
+        if self._desk.crash is not None:
+            raise self._desk.crash
+        now = self._desk.now
+        if self._pursuit is None and now.problem and now.mode is not Mode.FOLLOW:
+            raise MotionRefused(now.problem, reason="limit")
+
+    def _is_enough(self) -> bool:
+        until, pursuit = self._order.until, self._pursuit
+        if pursuit is None or until == "los":
+            return False
+        end = reach_end(pursuit.plan) if until == "reach" else until
+        return isinstance(end, datetime) and self._dish.session.clock.utc() >= end
+
+    def _hear(self, event: Event) -> None:
+        if isinstance(event, PursuitChanged) and event.pursuit.holder == HOLDER:
+            self._pursuit = event.pursuit
+            self._shown.plan(event.pursuit, event.utc)
+            self._shown.phase(event.pursuit, event.utc)
+        elif isinstance(event, Followed):
+            self._shown.sample(event.sample, self._pursuit)
