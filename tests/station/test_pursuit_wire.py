@@ -6,8 +6,9 @@ import pytest
 from birdcage.base.geometry import separation
 from birdcage.station.pursuit import Phase
 from birdcage.station.requests import Goto, Watch
+from birdcage.tracking.steps import Send
 
-from .pursuit_bench import PARK, at, g2, plan_of, travler
+from .pursuit_bench import PARK, PursuitBench, at, g2, plan_of, travler
 
 
 def test_the_position_is_read_once_a_second_and_every_reading_is_believed_at_once():
@@ -50,11 +51,12 @@ def test_across_north_the_wire_gets_angles_on_the_circle():
 
 
 def test_requests_are_served_while_it_follows():
-    bench = g2()
+    """Also on a slow line, where one command follows the other without a pause."""
+    bench = PursuitBench("g2?seed=1&latency_min=0.08&latency_max=0.12").connect()
     bench.pursue(plan_of(at(bench) + 20.0, az_rate=6.0, lasts_s=30.0, leave_s=at(bench)), **PARK)
     bench.until(Phase.FOLLOWING).step(5.0)
     future = bench.station.submit(Watch("late", frozenset({"position"}), 1.0))
-    bench.step(0.3)
+    bench.step(0.5)
     assert future.done()
 
 
@@ -92,3 +94,23 @@ def test_stop_always_knows_where_to_aim(rate):
         assert not after.moving
         assert -0.05 <= after.az_deg - before.az_deg < 0.5 * rate
         assert bench.state.last_stop.confirmed is True
+
+
+def test_however_eager_a_controller_is_nothing_piles_up_on_a_dish_whose_moves_queue(monkeypatch):
+    def eager(helm):
+        now = helm.now_s
+        while now < helm.until_s:
+            az_deg, el_deg = helm.course().at(now + 1.0)
+            now = (yield Send(0, az_deg)).now_s
+            now = (yield Send(1, el_deg)).now_s
+
+    monkeypatch.setattr("birdcage.tracking.choose.controller_for", lambda *_args, **_more: ("eager", eager))
+    bench = travler()
+    start = at(bench) + 40.0
+    bench.pursue(plan_of(start, lasts_s=30.0, az_rate=0.5, leave_s=start - 30.0))
+    bench.until(Phase.FOLLOWING).step(2.0)
+    backlog = []
+    while bench.pursuit.phase is Phase.FOLLOWING:
+        bench.step(0.05)
+        backlog.append(len(bench.device.board.lanes[0]._waiting))
+    assert max(backlog) <= 1

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import pytest
+from birdcage.base.config.sections import NoGoSector
 from birdcage.base.errors import LinkError, MotionRefused, PositionUnknown
 from birdcage.base.geometry import separation
 from birdcage.station.pursuit import Phase
-from birdcage.station.requests import AcquireLease, Goto, Pursue, ReleaseLease
+from birdcage.station.requests import AcquireLease, Goto, Home, Pursue, ReleaseLease
 
 from .conftest import Bench
 from .pursuit_bench import PARK, PursuitBench, at, g2, plan_of
@@ -117,3 +118,22 @@ def test_without_a_link_or_a_reachable_pass_it_is_refused():
     lost.step(3.0)
     with pytest.raises(LinkError, match="without a link"):
         lost.do(Pursue(plan_of(at(lost) + 40), "you"))
+
+
+def test_it_goes_over_a_no_go_sector_on_its_way():
+    sector = NoGoSector(60.0, 80.0, 40.0, "mast")
+    bench = g2(sectors=(sector,))
+    bench.do(Home("you"), 60)
+    bench.do(Goto(30, 45, "you"))
+    bench.do(Goto(30, 30, "you"))
+    bench.pursue(plan_of(at(bench) + 40.0, from_az=-260.0, turn=-1), at_end="stay")
+    seen = []
+    while bench.pursuit.phase is not Phase.READY:
+        bench.step(0.05)
+        truth = bench.device.truth()
+        seen.append((truth.az_deg, truth.el_deg))
+    assert any(60.0 < az_deg < 80.0 for az_deg, _el in seen)
+    assert all(el_deg >= 40.0 - 0.1 for az_deg, el_deg in seen if 60.0 < az_deg < 80.0)
+    bench.until(Phase.OVER)
+    assert bench.pursuit.why == "The pass is over."
+    assert bench.pursuit.rms_error_deg < 0.1

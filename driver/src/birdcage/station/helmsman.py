@@ -7,6 +7,7 @@ from collections import deque
 from concurrent.futures import Future
 
 from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.motion import DishMotion
 from birdcage.base.errors import BirdcageError, CommandRefused, NoReply, PositionUnknown
 from birdcage.base.geometry import shortest_turn
 from birdcage.protocol.model import SecondMove
@@ -28,6 +29,9 @@ ON_ITS_WAY_S = 0.15
 """On a dish whose moves queue, the next command may leave so long before the one under way ends."""
 
 
+LOST = "The dish no longer knows where it is. Home it first."
+STALE_S = 1.2
+"""So long after the last reading a dish whose moves queue is looked at before it gets another."""
 SHOW_S = 0.1
 """How often a stream's motion is shown anew: commands come faster than anybody can see."""
 
@@ -155,18 +159,29 @@ class Helmsman:
         if now < self._ends_at:
             return False
         here = self._board.state.position
-        if here is None or here.at < motion.eta(clock.rate) + POLL_S or self._off_deg(here) <= ARRIVED_DEG:
+        if here is not None and now < here.told_at + STALE_S / clock.rate and not self._lags(here, motion):
             return True
-        self._ends_at = now + POLL_S  # slower than modelled: nothing is to wait behind it
-        self._look.position()
-        return False
+        if here is not None and now < here.told_at + POLL_S:
+            self._ends_at = now + POLL_S
+            return False
+        here = self._look.position()  # slower than modelled, perhaps: then nothing is to wait behind it
+        self._ends_at = self._board.clock.monotonic()
+        if here is None:
+            raise PositionUnknown(LOST, reason="unhomed")
+        return not self._lags(here, motion)
 
-    def _off_deg(self, here: Pointing) -> float:
-        motion = self._antenna.motion
-        if motion is None:
-            return 0.0
+    def _lags(self, here: Pointing, motion: DishMotion) -> bool:
+        """Return whether an axis was not yet where it must have come to rest before this reading."""
+        rate = self._board.clock.rate
         az_deg, el_deg = motion.rest
-        return max(abs(shortest_turn(az_deg, here.dish_az_deg)), abs(el_deg - here.dish_el_deg))
+        offs = (
+            (motion.azimuth, abs(shortest_turn(az_deg, here.dish_az_deg))),
+            (motion.elevation, abs(el_deg - here.dish_el_deg)),
+        )
+        return any(
+            axis.started + axis.slew.duration_s / rate + POLL_S < here.told_at and off > ARRIVED_DEG
+            for axis, off in offs
+        )
 
     def _way_deg(self, step: Send) -> float:
         position, motion = self._antenna.protocol.gate.position, self._antenna.motion
@@ -249,7 +264,7 @@ class Helmsman:
         if self._board.state.activity is Activity.FOLLOWING:
             self._show()
         if pointing is None:
-            raise PositionUnknown("The dish no longer knows where it is. Home it first.", reason="unhomed")
+            raise PositionUnknown(LOST, reason="unhomed")
         now_s = self.now_s
         az_deg = self.unrolled(pointing.dish_az_deg)
         if self._az_deg is None:

@@ -9,6 +9,7 @@ from datetime import UTC, datetime
 from typing import TYPE_CHECKING
 
 from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.base.config import Settings
 from birdcage.base.errors import BirdcageError, CommandRefused, Held, LeaseDenied, LinkError, MotionRefused, Stopped
 from birdcage.station import pursuit_words as words
 from birdcage.station.board import Board
@@ -27,6 +28,7 @@ from birdcage.tracking.steps import Answer, Step
 
 if TYPE_CHECKING:
     from birdcage.station.requests import Pursue
+    from birdcage.tracking.bounds import Bounds
     from birdcage.tracking.plan import Plan
     from birdcage.tracking.voyage import Notice, Voyage
 
@@ -145,11 +147,17 @@ class Pursuing:
         beam_deg, db = self._board.state.beam_deg, options.dead_band_db
         gate = antenna.protocol.gate
         voyage = Voyage(
-            request.plan, controller, lambda: antenna.model, self._hear, request.asked, park,
+            request.plan, controller, lambda: antenna.model, self._bounds, self._hear, request.asked, park,
             gate.cable_limits if gate.cable_deg is not None else None, options.dead_band_steps,
             beam_deg * math.sqrt(db / 12.0) if beam_deg is not None and db is not None else 0.0,
         )  # fmt: skip
         return voyage, name
+
+    def _bounds(self) -> Bounds:
+        from birdcage.station.mounting import mount_of
+        from birdcage.tracking.bounds import Bounds
+
+        return Bounds.of(mount_of(self._board.state, Settings()))  # whose horizon mask keeps the dish from nothing
 
     def _renew(self, plan: Plan) -> None:
         assert self._voyage is not None, "a live pursuit has one"

@@ -11,6 +11,7 @@ from birdcage.base.geometry import shortest_turn
 from birdcage.tracking import ways
 from birdcage.tracking.controller import Helm
 from birdcage.tracking.plan import Leg, Part
+from birdcage.tracking.routes import Point
 from birdcage.tracking.steps import Activity, Answer, Look, Send, Slew, Step, Wait
 from birdcage.tracking.voyage import Notice, Stage, Voyage, clock_text
 
@@ -33,7 +34,7 @@ class Pursuer:
         self._begun_s = self._now_s = now_s
         self._done_s = float("-inf")
         """The end of the last leg that is over."""
-        self._place: ways.Place | None = None
+        self._place: Point | None = None
         """Where the dish was sent last, as the course counts it; None before it was sent anywhere."""
 
     def run(self) -> Activity:
@@ -128,14 +129,15 @@ class Pursuer:
         finally:
             controller.close()
 
-    def _park(self, place: ways.Place) -> Activity:
+    def _park(self, place: Point) -> Activity:
         yield from self._count_down("The pass is over. The dish is about to park.", "park", self._now_s)
         here = yield from self._here()
         if here is None:
             return
         self._tell(Stage.PARKING, "Going to the park position.", "", None)
         az_deg = ways.nearest_turn(here[0], place[0], self._voyage.cable)
-        yield Slew(ways.way(here, (az_deg, place[1]), turn_known=True))
+        known = self._voyage.cable is not None
+        yield Slew(self._way(here, (az_deg, place[1]), turn_known=known).stops)
 
     def _join(self, leg: Leg) -> Activity:
         """Go to where the target will be when the dish gets there."""
@@ -145,27 +147,25 @@ class Pursuer:
         course, known = self._voyage.course(), leg.turn is not None
         to = course.at(self._now_s)
         for _ in range(2):
-            takes_s = ways.seconds(self._voyage.model(), here, to, turn_known=known)
-            to = course.at(min(self._now_s + takes_s, leg.end_s))
+            to = course.at(min(self._now_s + self._way(here, to, turn_known=known).seconds, leg.end_s))
         yield from self._slew(to, leg, here)
 
-    def _slew(self, to: ways.Place, leg: Leg, here: ways.Place | None = None) -> Activity:
+    def _slew(self, to: Point, leg: Leg, here: Point | None = None) -> Activity:
         if here is None:
             here = yield from self._here()
-        stops = (to,) if here is None else ways.way(here, to, turn_known=leg.turn is not None)
-        planned = self._voyage.plan.preposition
-        if here is not None and planned is not None and to == (planned.az_deg, planned.el_deg):
-            first, *rest = planned.waypoints or (to,)
-            stops = (*ways.way(here, first, turn_known=leg.turn is not None), *rest)
+        stops = (to,) if here is None else self._way(here, to, turn_known=leg.turn is not None).stops
         self._now_s = (yield Slew(stops)).now_s
         self._place = to
 
-    def _here(self) -> Generator[Step, Answer, ways.Place | None]:
+    def _way(self, here: Point, to: Point, *, turn_known: bool) -> ways.Way:
+        return ways.way(self._voyage.bounds(), self._voyage.model(), here, to, turn_known=turn_known)
+
+    def _here(self) -> Generator[Step, Answer, Point | None]:
         seen = yield Look()
         self._now_s = seen.now_s
         return None if seen.az_deg is None or seen.el_deg is None else (seen.az_deg, seen.el_deg)
 
-    def _is_at(self, place: ways.Place, within_deg: float) -> bool:
+    def _is_at(self, place: Point, within_deg: float) -> bool:
         here = self._place
         if here is None:
             return False

@@ -9,6 +9,7 @@ from enum import Enum
 
 from birdcage.base.geometry import shortest_turn
 from birdcage.protocol.model import DishModel
+from birdcage.tracking.bounds import Bounds
 from birdcage.tracking.controller import Controller, Helm
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.plan import Leg, Plan
@@ -46,6 +47,8 @@ class Voyage:
     controller: Controller
     model: Callable[[], DishModel]
     """With the speeds in force at that moment."""
+    bounds: Callable[[], Bounds]
+    """Of elevation and cable, and no-go sectors, at that moment."""
     tell: Callable[[Notice], None]
     asked: bool
     """Whether a person has just asked for it."""

@@ -1,39 +1,34 @@
-"""Ways of the whole dish from one place to another, in steps that it can only take the way round that was meant."""
+"""Ways of the whole dish from where it stands now: over no-go sectors, and in steps that leave it no choice."""
 
 from __future__ import annotations
 
-import math
+from dataclasses import dataclass
 
-from birdcage.antenna.motion import plan_axis
 from birdcage.base.geometry import shortest_turn
 from birdcage.protocol.model import DishModel
+from birdcage.tracking.bounds import Bounds
+from birdcage.tracking.routes import Point, route
 
-LONGEST_STEP_DEG = 170.0
-"""Of azimuth at a time: half a turn or more may be gone either way round."""
 MARGIN_S = 0.5
-"""What a slew takes beyond the motion itself: two lines, and the proof that it rests."""
-
-Place = tuple[float, float]
-"""Azimuth and elevation of the dish."""
+"""What each stop takes beyond the motion itself: two lines, and the proof that the dish rests."""
 
 
-def way(here: Place, to: Place, *, turn_known: bool) -> tuple[Place, ...]:
-    """Return the stops on the way, the last one `to`; azimuth goes the short way unless the turn is known."""
+@dataclass(frozen=True, slots=True)
+class Way:
+    """Every stop, the last one too, and about how long it takes to be there."""
+
+    stops: tuple[Point, ...]
+    seconds: float
+
+
+def way(bounds: Bounds, model: DishModel, here: Point, to: Point, *, turn_known: bool) -> Way:
+    """Return the way, in the turns of `to`; azimuth goes the short way unless the turn of the cable is known.
+
+    Where a no-go sector closes every way it is the straight one, which the gate refuses, and says why.
+    """
     turn = to[0] - here[0] if turn_known else shortest_turn(here[0], to[0])
-    steps = max(1, math.ceil(abs(turn) / LONGEST_STEP_DEG))
-    climb = to[1] - here[1]
-    stops = [(to[0] - turn * (1 - k / steps), here[1] + climb * k / steps) for k in range(1, steps)]
-    return (*stops, to)
-
-
-def seconds(model: DishModel, here: Place, to: Place, *, turn_known: bool) -> float:
-    """Return about how long that way takes."""
-    turn = to[0] - here[0] if turn_known else shortest_turn(here[0], to[0])
-    az_s, el_s = (
-        plan_axis(axis, 0.0, deg).duration_s
-        for axis, deg in ((model.azimuth, turn), (model.elevation, to[1] - here[1]))
-    )
-    return (max(az_s, el_s) if model.axes_together else az_s + el_s) + MARGIN_S
+    found = route(bounds, model, (to[0] - turn, here[1]), to, either_way=not turn_known)
+    return Way((to,), 0.0) if found is None else Way(found.stops, found.seconds + MARGIN_S * len(found.stops))
 
 
 def nearest_turn(here_az: float, az_deg: float, cable: tuple[float, float] | None) -> float:
