@@ -281,6 +281,25 @@ def test_a_locked_database_is_told_and_made_good(story, log, paths, monkeypatch)
     assert [each.utc for each in read_samples(paths.journal, 1)] == [at(0), at(1), at(2), at(3)]
 
 
+def test_what_waits_too_long_for_the_database_is_counted_and_the_beginning_stays(story, log, paths, monkeypatch):
+    monkeypatch.setattr("birdcage.base.store.BUSY_TIMEOUT_S", 0.02)
+    monkeypatch.setattr("birdcage.pursuit.pass_log_work.MOST_HELD_BACK", 10)
+    other = open_database(paths.journal, MIGRATIONS)
+    other.execute("BEGIN IMMEDIATE")
+    story.phase(0, Phase.FOLLOWING)
+    for second in range(30):
+        story.look(float(second))
+    assert log.flush()
+    assert "21 samples are missing in the log of passes." in log.problem
+    other.execute("ROLLBACK")
+    other.close()
+    story.phase(400, Phase.OVER, "Done.")
+    assert log.flush()
+    (record,) = list_passes(paths.journal)
+    assert (record.samples, record.last, record.outcome) == (9, at(29), "Done.")
+    assert len(rows_of(next(paths.passes.iterdir()))) == 30
+
+
 def test_a_database_that_cannot_be_made_leaves_the_file(story, log, paths):
     paths.state.parent.mkdir(parents=True, exist_ok=True)
     paths.state.write_text("a file where the folder should be")
