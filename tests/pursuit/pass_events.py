@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 
@@ -58,3 +59,9 @@ class Story:
         for second, error in enumerate(errors):
             self.look(float(second), error)
         self.phase(400, Phase.OVER, why)
+
+
+def rows_of(path):
+    """Return the samples of a file."""
+    lines = [line for line in path.read_text().splitlines() if not line.startswith("#")]
+    return list(csv.DictReader(lines))
