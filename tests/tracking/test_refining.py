@@ -8,7 +8,7 @@ import pytest
 from birdcage.sky.reach_limits import NoGo
 from birdcage.tracking.fast import fast
 from birdcage.tracking.queued import queued
-from birdcage.tracking.refining import refine
+from birdcage.tracking.planner import refine
 from birdcage.tracking.rehearsal import rehearse
 from birdcage.tracking.steps import Send, Wait
 
@@ -52,7 +52,7 @@ def test_what_is_forecast_is_what_a_rehearsal_shows(hard):
 
 def test_the_share_is_the_best_of_those_tried(hard):
     plan, on = hard
-    refined = refine(plan, on, queued)
+    refined = refine(plan, on)
     assert refined.refined
     assert refined.share in (0.75, 0.9, 1.0)
     assert refined.keyholes[0].max_error_deg < 2.6 * refined.keyholes[0].limit_deg

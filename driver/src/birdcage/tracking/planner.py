@@ -16,9 +16,12 @@ from birdcage.tracking.mount import Mount
 from birdcage.tracking.plan import Aim, Plan
 from birdcage.tracking.rates import FIRST_SHARE
 from birdcage.tracking.reached import reached
+from birdcage.tracking.refining import refine
 from birdcage.tracking.refraction import Refraction
 from birdcage.tracking.sight import Sight
 from birdcage.tracking.sky_path import sky_path
+
+__all__ = ["plan_pass", "refine"]
 
 _LEAST_S = 2.0
 """Of a pass that is nearly over a plan is made for so long at least, so that there is a path to draw."""

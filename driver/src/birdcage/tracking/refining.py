@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from birdcage.tracking.choose import controller_for
 from birdcage.tracking.completing import Basis, complete
 from birdcage.tracking.controller import Controller
 from birdcage.tracking.forecast import made
@@ -23,22 +24,29 @@ _AROUND_S = 20.0
 
 
 def refine(
-    plan: Plan, mount: Mount, controller: Controller, *, preposition_s: float = 60.0, shares: Sequence[float] = SHARES
+    plan: Plan,
+    mount: Mount,
+    controller: Controller | None = None,
+    *,
+    preposition_s: float = 60.0,
+    shares: Sequence[float] = SHARES,
 ) -> Plan:
     """Return the plan with the share that leaves the least error, and with the error that the rehearsal has shown.
 
-    A plan that has nothing to choose, as the axes move together or no keyhole is on the way, comes back as it is, but
-    for `refined`. The mount must be the one that it was made for. Takes seconds.
+    `controller` is the one that will steer, by default the one that suits the dish. The mount must be the one that the
+    plan was made for. A plan that has nothing to choose, as the axes move together or no keyhole is on the way, comes
+    back as it is, but for `refined`. Takes seconds.
     """
     if plan.course is None or plan.share is None or not plan.keyholes:
         return replace(plan, refined=True)
+    steers = controller_for(mount.model)[1] if controller is None else controller
     sight = Sight.of(plan.sky, mount)
     basis = Basis(plan.aim, plan.made_at, plan.passing, plan.reach, sight, _stretches(plan, sight), preposition_s)
     about = _about(plan)
     tried: list[tuple[float, float, Plan, Forecast]] = []
     for share in shares:
         drawn = complete(basis, share)
-        seen = rehearse(drawn, mount, controller, within=about)
+        seen = rehearse(drawn, mount, steers, within=about)
         tried.append((seen.rms_deg, share, drawn, seen))
     _, share, drawn, seen = min(tried, key=lambda one: one[:2])
     return complete(basis, share, _spliced(drawn, seen, about, mount))
