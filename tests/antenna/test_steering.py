@@ -61,9 +61,10 @@ def test_stop_aims_short_of_a_far_target_by_the_model_and_not_by_the_last_readin
 
 def test_a_dish_seen_a_little_beyond_its_target_does_not_turn_the_other_way_round():
     motion, now = stream(6.0, 3.0)
-    ahead = motion.rest[0] + 0.4
-    seen = motion.with_reading(Position(ahead, 40.0), now + 0.05, 1.0)
-    assert seen.rest == pytest.approx(motion.rest)
+    end = motion.azimuth.slew.end_deg
+    seen = motion.with_reading(Position(end + 0.4, 40.0), now + 0.05, 1.0)
+    seen = seen.with_reading(Position(end + 1.9, 40.0), now + 0.4, 1.0)
+    assert seen.azimuth.slew.end_deg == end
 
 
 def test_where_moves_queue_it_begins_when_the_one_before_is_over():
