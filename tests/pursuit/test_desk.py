@@ -10,6 +10,7 @@ from birdcage.base.config import Settings
 from birdcage.base.config.sections import MotionSettings
 from birdcage.pursuit.now import Mode
 from birdcage.sky.catalogue import Catalogue
+from birdcage.station.mounting import mount_of
 from birdcage.station.pursuit import Phase
 from birdcage.station.requests import Goto, ReleaseLease
 
@@ -239,3 +240,21 @@ def test_what_does_not_pass_is_carried_on_hour_after_hour(bench, monkeypatch):
     bench.step(130.0)
     assert (bench.pursuit.number, bench.phase()) == (1, Phase.FOLLOWING)
     assert bench.pursuit.plan.sky.end_s >= first.sky.end_s + 120.0
+
+
+def test_a_plan_of_axes_that_move_in_turn_is_refined_and_handed_on_before_reach(make, monkeypatch):
+    def on_a_slip_ring(state, settings):
+        mount = mount_of(state, settings)
+        return replace(mount, limits=replace(mount.limits, cable_min_deg=None, cable_max_deg=None, turn_known=True))
+
+    monkeypatch.setattr("birdcage.station.mounting.mount_of", on_a_slip_ring)
+    bench = make(address="hal205?seed=1", settings=Settings())
+    bench.desk.choose("LEO 10")  # goes through the zenith
+    bench.desk.follow()
+    bench.do(2.0)
+    plans = [each.plan for each in bench.told if each.plan is not None]
+    assert plans[0].keyholes
+    assert (plans[0].refined, plans[-1].refined) == (False, True)
+    assert plans[-1].passing == plans[0].passing
+    assert bench.pursuit.plan is plans[-1]
+    assert bench.pursuit.number == 1

@@ -35,12 +35,16 @@ def plan_for(choice: Choice, wants: Wanted, observer: Observer, now: datetime) -
     """Plan, with the share of a dish whose axes move in turn. BirdcageError where that cannot be done."""
     from birdcage.base.errors import BirdcageError
     from birdcage.pursuit.circumstances import Circumstances
+    from birdcage.pursuit.follower import options_of
+    from birdcage.pursuit.refiner import refined
 
     at = Circumstances(now, observer, mount_for(wants), wants.settings)
     choice.refresh(at)
     if choice.plan is None:
         raise BirdcageError(choice.problem, reason="no_plan")
-    choice.refine(at)
+    choice.plan = refined(
+        choice.plan, at.mount, options_of(wants.settings), wants.settings.tracking.preposition_s
+    )  # fmt: skip
 
 
 def mount_for(wants: Wanted) -> Mount:

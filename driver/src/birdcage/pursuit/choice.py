@@ -134,15 +134,6 @@ class Choice:
             return was is not here
         return abs(was.az_deg - here.az_deg) > than_deg or abs(was.el_deg - here.el_deg) > than_deg
 
-    def refine(self, at: Circumstances) -> bool:
-        """Choose the share of a dish whose axes move in turn, if that is still to be done; return whether it was."""
-        if self.plan is None or self.plan.refined:
-            return False
-        from birdcage.tracking.planner import refine
-
-        self.plan = refine(self.plan, at.mount)
-        return True
-
     def _find(self, at: Circumstances, *, pinned: bool) -> None:
         assert self.elements is not None, "asked for satellites only"
         key = (self.elements, at.observer, at.mount.limits, self.time_offset_s, self.favourite, self.priority)

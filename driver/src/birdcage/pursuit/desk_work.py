@@ -51,7 +51,7 @@ class DeskWork:
         self._beside: Beside | None = None
         self._station, self._clock, self._setup, self._post = station, clock, setup, post
         self._follower = Follower(station, setup.holder, post)
-        self._sheet = Sheet(station, clock, setup, self._follower)
+        self._sheet = Sheet(station, clock, setup, self._follower, post, self.look_again, threads=threads)
         self._keeper = Keeper(None if setup.demo else Memory(setup.paths.state), takes_up=setup.takes_up)
         self._auto = Autotrack(Timetable())
         self._by_autotrack = False
@@ -178,7 +178,7 @@ class DeskWork:
         self._changed = True
 
     def look_again(self) -> None:
-        """Show anew: the station has told something."""
+        """Show anew: something has changed."""
         self._changed = True
 
     # --- its own turns
@@ -200,11 +200,8 @@ class DeskWork:
             self._sheet.look_before_leaving(at)
             for choice in self._sheet.all:
                 self._changed |= self._sheet.refresh(choice, at)
-            # What was planned is shown first.
-            if not self._changed:
-                self._changed = any(self._sheet.refine(choice, at) for choice in self._sheet.all)
-            if self._sheet.unrefined:
-                return 0.0
+            self._sheet.hand_on()
+            self._sheet.refine(at)
         rest_s = LOOK_S if self._sheet.all or self._auto.on or self._keeper.may_resume else REST_S
         return min(rest_s, max(self._beside.step() - monotonic, 0.0))
 

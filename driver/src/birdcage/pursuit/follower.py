@@ -44,6 +44,8 @@ class Follower:
         self._number: int | None = None
         self._asked = False
         """Whether a request is under way whose answer is still to come."""
+        self._sent: Plan | None = None
+        """The plan that the station was given last."""
         self.problem = ""
         """Why the last one was not taken on."""
 
@@ -74,7 +76,7 @@ class Follower:
         from birdcage.tracking.same_pass import same_pass
 
         live = self.live
-        if live is not None and plan is not live.plan and same_pass(plan, live.plan):
+        if live is not None and plan is not self._sent and same_pass(plan, live.plan):
             # Its options stay; a person has asked for it before, and nothing begins that had not begun.
             self._send(Pursue(plan, self.holder, replace(live.options), asked=True))
 
@@ -84,6 +86,7 @@ class Follower:
             self._station.submit(EndPursuit(by))
 
     def _send(self, request: Pursue) -> None:
+        self._sent = request.plan
         future = self._station.submit(request)
         future.add_done_callback(lambda done: self._post(lambda: self._answered(done)))
 

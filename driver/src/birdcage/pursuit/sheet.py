@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from birdcage.base.clock import Clock
@@ -10,24 +11,31 @@ from birdcage.pursuit.choosing import bring_up_to_date, choice_of, listen_at
 from birdcage.pursuit.circumstances import Circumstances
 from birdcage.pursuit.desk_setup import DeskSetup
 from birdcage.pursuit.finder import Finder
-from birdcage.pursuit.follower import BEFORE_LEAVING, Follower, reach_start
+from birdcage.pursuit.follower import BEFORE_LEAVING, Follower, Post, options_of, reach_start
+from birdcage.pursuit.refiner import Refiner
 from birdcage.station.station import Station
 
 if TYPE_CHECKING:
     from birdcage.base.config import Settings
     from birdcage.sky.observer import Observer
     from birdcage.sky.targets import Target
+    from birdcage.tracking.plan import Plan
 
 BEFORE_S = 12.0
-"""So long before the dish has to leave, and before the countdown to that, the plan is made anew if it stands elsewhere."""
+"""So long before the dish has to leave, countdown included, the plan is made anew if it stands elsewhere by then."""
 ELSEWHERE_DEG = 1.0
 
 
 class Sheet:
     """For the desk's thread alone."""
 
-    def __init__(self, station: Station, clock: Clock, setup: DeskSetup, follower: Follower) -> None:
+    def __init__(
+        self, station: Station, clock: Clock, setup: DeskSetup, follower: Follower, post: Post,
+        changed: Callable[[], object], *, threads: bool,
+    ) -> None:  # fmt: skip
         self._station, self._clock, self._setup, self._follower = station, clock, setup, follower
+        self._changed = changed
+        self._refiner = Refiner(post, self._refined, threads=threads)
         self.settings: Settings = setup.settings()
         self.observer: Observer | None = setup.observer
         self.finder = Finder(setup.catalogue)
@@ -41,11 +49,6 @@ class Sheet:
     def all(self) -> list[Choice]:
         """Both, or the one that there is."""
         return list({id(each): each for each in (self.choice, self.followed) if each is not None}.values())
-
-    @property
-    def unrefined(self) -> bool:
-        """Whether a plan waits to be refined."""
-        return any(each.plan is not None and not each.plan.refined for each in self.all)
 
     def circumstances(self) -> Circumstances | None:
         """Return what plans are made for now; None while no place is set."""
@@ -98,24 +101,33 @@ class Sheet:
                 each.time_offset_s = seconds
 
     def refresh(self, choice: Choice, at: Circumstances) -> bool:
-        """Bring a choice up to date, and what is followed with it; return whether it has another plan."""
+        """Bring a choice up to date; return whether it has another plan."""
         live = self._follower.live if choice is self.followed else None
         pinned = None if live is None else live.plan.passing
         keep_turn = live is not None and live.phase not in BEFORE_LEAVING
-        if not choice.refresh(at, pinned=pinned, keep_turn=keep_turn):
-            return False
-        if live is not None and choice.plan is not None and choice.plan.course is not None:
-            self._follower.renew(choice.plan)
-        return True
+        return choice.refresh(at, pinned=pinned, keep_turn=keep_turn)
 
-    def refine(self, choice: Choice, at: Circumstances) -> bool:
-        """Refine a plan if that is still to be done, and hand it on while it is early enough; return whether it was."""
-        if not choice.refine(at):
-            return False
-        start = None if choice.plan is None else reach_start(choice.plan)
-        if choice is self.followed and choice.plan is not None and start is not None and at.now < start:
-            self._follower.renew(choice.plan)
-        return True
+    def hand_on(self) -> None:
+        """Give the station the present plan of what it follows, if that is another one than it has."""
+        plan = None if self.followed is None else self.followed.plan
+        if plan is not None and plan.course is not None:
+            self._follower.renew(plan)
+
+    def refine(self, at: Circumstances) -> None:
+        """Let plans be refined that are not yet."""
+        for choice in self.all:
+            if choice.plan is not None:
+                options = options_of(self.settings, self._setup.controller)
+                self._refiner.ask(choice.plan, at.mount, options, self.settings.tracking.preposition_s)
+
+    def _refined(self, plan: Plan, better: Plan) -> None:
+        """Take a refined plan over, unless it comes too late: once it is in reach the plan stands."""
+        start = reach_start(better)
+        for choice in self.all:
+            late = choice is self.followed and start is not None and self._clock.utc() >= start
+            if choice.plan is plan and not late:
+                choice.plan = better
+                self._changed()
 
     def look_before_leaving(self, at: Circumstances) -> None:
         """Let the plan be made anew shortly before the dish leaves, if it stands elsewhere than when it was made."""
