@@ -12,7 +12,7 @@ from birdcage.antenna.config import AntennaConfig, DialectBaud
 from birdcage.antenna.foresight import foresee
 from birdcage.antenna.motion import STOP_LATENCY_S, DishMotion, start_motion
 from birdcage.antenna.odometer import Odometer
-from birdcage.antenna.steering import steered
+from birdcage.antenna.steering import sent_to, steered
 from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused, MotionRefused, Stopped, WrongThread
 from birdcage.base.geometry import shortest_turn, wrap_360
@@ -255,7 +255,7 @@ class BirdcageAntenna:
         if motor == azimuth.index and azimuth.max_deg - azimuth.min_deg >= 360.0:
             dish_deg = round(wrap_360(dish_deg), 2) % 360.0  # as it is printed: never 360.00
         turns_az = motor == azimuth.index
-        az_deg, el_deg = (None, None) if self.motion is None else self.motion.rest
+        az_deg, el_deg = (None, None) if self.motion is None else sent_to(self.motion)
         gate.check(dish_deg if turns_az else az_deg, el_deg if turns_az else dish_deg)
         here = gate.position
         assert here is not None, "the gate has just checked this"
@@ -279,7 +279,9 @@ class BirdcageAntenna:
             if self.model.second_move is SecondMove.QUEUE:
                 return ()  # a move of one axis can't be called back
             self.motion = self.motion.stopped(self._clock.monotonic(), self._clock.rate)
-            return self._protocol.stop_lines(*self.motion.rest)
+            az_deg, el_deg = self.motion.rest
+            gate = self._protocol.gate  # an axis may rest a little beyond its limit, where it cannot be sent
+            return self._protocol.stop_lines(az_deg, min(max(el_deg, gate.el_min_deg), gate.el_max_deg))
 
     def stop_lines_seen(
         self, earlier: Position, earlier_at: float, later: Position, later_at: float

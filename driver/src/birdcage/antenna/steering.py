@@ -17,6 +17,16 @@ def resting(model: DishModel, here: Position, now: float) -> DishMotion:
     return DishMotion(azimuth, elevation)
 
 
+def sent_to(motion: DishMotion) -> tuple[float | None, float | None]:
+    """Return where each axis was sent, azimuth in [0, 360); None for one that only stands where it was read.
+
+    That may be a little beyond a limit: an axis overshoots.
+    """
+    az_deg, el_deg = motion.rest
+    azimuth, elevation = motion.azimuth.slew.segments, motion.elevation.slew.segments
+    return az_deg if azimuth else None, el_deg if elevation else None
+
+
 def steered(
     model: DishModel,
     under_way: DishMotion | None,

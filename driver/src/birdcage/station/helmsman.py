@@ -23,8 +23,8 @@ from birdcage.tracking.steps import Look as Read
 
 MOST_LOST = 2
 """So many answers in a row may be lost or damaged while it follows; after one more, the dish counts as silent."""
-ROUNDING_DEG = 0.05
-"""A command this little beyond the limit of elevation means the limit."""
+ROUNDING_DEG = 0.1
+"""A command this little beyond the limit of elevation means the limit: an axis overshoots by 0.06 (section 7.4)."""
 ON_ITS_WAY_S = 0.15
 """On a dish whose moves queue, the next command may leave so long before the one under way ends."""
 
