@@ -27,9 +27,9 @@ def off_deg(plan, alignment=None):
     return separations_deg(true[:, 0], true[:, 1], *plan.sky.sample(times))
 
 
-@pytest.mark.parametrize("alignment", [Alignment(), Alignment(az_offset_deg=123.4, el_offset_deg=-1.5)])
+@pytest.mark.parametrize("alignment", [Alignment(), Alignment(123.4, -1.5), Alignment(1.0, 0.5, 0.3, 0.8, -0.7)])
 def test_a_pass_well_inside_the_limits_is_followed_exactly(alignment):
-    on = mount(g2(80.0), alignment=alignment, az_offset_deg=alignment.az_offset_deg)
+    on = mount(g2(80.0), alignment=alignment, az_offset_deg=alignment.az_offset_deg, el_floor_deg=20.0)
     plan = plan_of(4.0, on)
     assert 55.0 < plan.passing.max_elevation_deg < 62.0
     assert off_deg(plan, alignment).max() < 1e-3
@@ -124,6 +124,7 @@ def test_above_the_ceiling_the_dish_stays_at_it_while_that_is_within_half_a_beam
     assert wide.course.el_deg.max() == pytest.approx(65.0, abs=1e-6)
     assert "ceiling" in wide.reach.reasons
     assert any(one.what == "unreach" and "65° ceiling" in one.text for one in narrow.incidents)
+    assert any("stays there while that is near enough: up to 0.5° off" in note for note in narrow.notes)
 
 
 def test_a_mast_is_passed_above_and_only_when_there_is_time():
@@ -159,6 +160,14 @@ def test_a_plan_made_in_mid_pass_begins_when_the_dish_can_be_there():
     assert plan.legs[0].start_s > passing.tca.timestamp() + 20.0
     assert plan.preposition.leave_s == passing.tca.timestamp()
     assert plan.sky.start_s == passing.aos.timestamp()
+
+
+def test_a_satellite_that_comes_late_is_planned_late():
+    early, late = plan_of(4.0), plan_of(4.0, time_offset_s=7.5)
+    assert late.aim.time_offset_s == 7.5
+    times = early.sky.t_s[100:-100:50]
+    assert late.sky.sample(times + 7.5)[1] == pytest.approx(early.sky.sample(times)[1], abs=0.2)  # the Earth turns
+    assert late.legs[0].start_s - early.legs[0].start_s == pytest.approx(7.5, abs=0.5)
 
 
 def test_what_does_not_move_is_held():

@@ -7,8 +7,8 @@ from dataclasses import replace
 import pytest
 from birdcage.sky.reach_limits import NoGo
 from birdcage.tracking.fast import fast
-from birdcage.tracking.queued import queued
 from birdcage.tracking.planner import refine
+from birdcage.tracking.queued import queued
 from birdcage.tracking.rehearsal import rehearse
 from birdcage.tracking.steps import Send, Wait
 

@@ -6,6 +6,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 
+import numpy as np
+
 from birdcage.sky.passes.model import Pass
 from birdcage.sky.reach_model import Reach
 from birdcage.tracking.course import course as course_of
@@ -21,6 +23,8 @@ from birdcage.tracking.sight import Sight
 
 _AT_ONCE_S = 0.5
 """A rewind that ends no longer than this before the target is followed again ends with that."""
+_SEEN_DEG = 0.05
+"""What a person is told of: five steps of a motor."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +49,12 @@ def complete(basis: Basis, share: float | None, seen: Forecast | None = None) ->
     if seen is not None:
         holes = simulated(holes, seen)
     place = preposition(sight, course, basis.preposition_s, basis.made_at.timestamp())
-    notes = [*_rewind_notes(legs), *map(_hole_note, holes), *_notes(basis.reach, mount)]
+    notes = [
+        *_rewind_notes(legs),
+        *map(_hole_note, holes),
+        *_beyond_notes(sight, stretches),
+        *_notes(basis.reach, mount),
+    ]
     if place is None:
         notes.insert(0, "No way to where it begins keeps clear of the no-go sectors.")
     return Plan(
@@ -99,6 +108,21 @@ def _hole_note(hole: Keyhole) -> str:
         f"It goes through the keyhole: up to {hole.max_error_deg:.1f}° off there, where {hole.limit_deg:.1f}° is the "
         "least possible."
     )
+
+
+def _beyond_notes(sight: Sight, stretches: Sequence[Stretch]) -> Iterator[str]:
+    """Yield that the dish stays at its ceiling, while the target is less than the tolerance above it."""
+    t, over = sight.sky.t_s, sight.el_deg - sight.high_deg
+    within = np.zeros(len(t), dtype=np.bool_)
+    for one in stretches:
+        within |= (t >= one.start_s) & (t <= one.end_s)
+    beyond = within & (over > _SEEN_DEG)
+    if beyond.any():
+        seconds = float(np.gradient(t)[beyond].sum())
+        yield (
+            f"Above its ceiling the dish stays there while that is near enough: up to {over[beyond].max():.1f}° off "
+            f"for {seconds:.0f} s."
+        )
 
 
 def _notes(reach: Reach, mount: Mount) -> Iterator[str]:

@@ -17,6 +17,7 @@ from birdcage.tracking.mount import Mount
 
 _DENSE = 4000
 """Points for which the alignment is asked one by one; of a longer path every so many, and a line between them."""
+_HAIR_DEG = 0.01
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,9 +102,13 @@ class Sight:
         return self._clear(_joined(sorted(kept))), cable
 
     def _clear(self, spans: list[tuple[float, float]]) -> list[tuple[float, float]]:
-        """Return spans without what lies in a no-go sector as the dish has it: larger, where its base leans."""
-        t = self.sky.t_s
-        blocked = self.bounds.blocked(self.az_deg, self.pointed_el_deg)
+        """Return spans without what the dish itself cannot point at: sectors and its stops count in its own degrees.
+
+        Where its base leans these are not quite what `reach` takes them for.
+        """
+        t, pointed = self.sky.t_s, self.pointed_el_deg
+        blocked = self.bounds.blocked(self.az_deg, pointed)
+        blocked |= np.abs(self.el_deg - pointed) > self.mount.limits.tolerance_deg + _HAIR_DEG
         for index in np.flatnonzero(np.diff(blocked.astype(np.int8))).tolist():
             blocked[index : index + 2] = True
         if not blocked.any():

@@ -20,6 +20,7 @@ Spans = Sequence[tuple[float, float]]
 _SAMPLES = 600
 _LATER = 0.5
 """How much the way to a later pass counts against the way to this one."""
+_LATER_PASSES = 4
 _NO_WAY_S = 1e6
 _HIGH_IS_WORTH = 0.3
 """How much more a second overhead counts than one at the horizon, when a place for a rewind is sought."""
@@ -73,7 +74,7 @@ def _cost_s(sight: Sight, spans: Spans, turn: int, standing: Standing | None, la
     if standing is not None:
         taken = route(sight.bounds, sight.mount.model, (standing.az_deg, standing.el_deg), start)
         cost += _NO_WAY_S if taken is None else taken.seconds
-    return cost + _LATER * _later_deg(sight, end[0], later) / rate
+    return cost + _LATER * _later_deg(sight, end[0], later[:_LATER_PASSES]) / rate
 
 
 def _later_deg(sight: Sight, from_deg: float, later: Sequence[Curve]) -> float:
