@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.errors import BirdcageError
 from birdcage.pursuit.circumstances import Circumstances, MountKey, key_of
-from birdcage.pursuit.passes_of import meant, next_passes
+from birdcage.pursuit.passes_of import meant, next_passes, still_followed
 from birdcage.sky.pass_row import PassRow
 
 if TYPE_CHECKING:
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from birdcage.sky.look import LookAngle
     from birdcage.sky.passes.model import Pass
     from birdcage.sky.targets import Target
+    from birdcage.tracking.curve import Curve
     from birdcage.tracking.mount import Standing
     from birdcage.tracking.plan import Plan
 
@@ -25,6 +26,8 @@ HOURS = 1.0
 """How far the plan of a target goes that does not pass."""
 RENEW_S = 1800.0
 """When a plan of that kind is carried on."""
+SOON = timedelta(hours=3)
+"""Until a pass that is further off the dish will have been sent elsewhere."""
 FIND_AGAIN = timedelta(hours=6)
 """Passes are looked for again when the list is this old, or half of it is over."""
 
@@ -163,13 +166,26 @@ class Choice:
         try:
             self.plan = plan_pass(
                 self._shifted(), at.observer, at.mount, at.now, passing=passing, frequency_hz=self.frequency_hz,
-                refraction=tracking.refraction, preposition_s=tracking.preposition_s, hours=HOURS,
+                refraction=tracking.refraction, next_tracks=self._later(at, passing),
+                preposition_s=tracking.preposition_s, hours=HOURS,
             )  # fmt: skip
         except BirdcageError as error:
             self.plan, self.problem = None, str(error)
         else:
             self.problem = ""
         return self.plan is not before
+
+    def _later(self, at: Circumstances, passing: Pass | None) -> tuple[Curve, ...]:
+        """Return the way of the next pass that comes into reach: the cable had better suit that one too."""
+        from birdcage.tracking.sky_path import sky_path
+
+        if passing is None:
+            return ()
+        row = next((row for row in self.rows if row.passing.aos > passing.aos and still_followed(row, at.now)), None)
+        if row is None or row.passing.aos - passing.los > SOON:
+            return ()
+        start_s, end_s = row.passing.aos.timestamp(), row.passing.los.timestamp()
+        return (sky_path(self._shifted(), at.observer, start_s, end_s, refraction=at.settings.tracking.refraction),)
 
     def _shifted(self) -> Target:
         from birdcage.sky.targets.model import Satellite
