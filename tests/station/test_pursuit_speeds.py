@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import pytest
+from birdcage.base.errors import CommandRefused
 from birdcage.station.pursuit import Phase
 from birdcage.station.requests import AcquireLease, EndPursuit, Goto, Release
+from birdcage.station.state import Link
 from birdcage.tracking.steps import Limit, Look, Wait
 
 from .pursuit_bench import PARK, at, g2, plan_of
@@ -85,3 +87,14 @@ def test_at_reconnection_after_a_lost_link(bench):
 def test_when_the_program_is_closed(bench):
     bench.session.close()
     assert speed(bench) == pytest.approx(65.0, abs=0.02)
+
+
+def test_a_dish_that_does_not_take_its_speed_back_is_a_fault(bench):
+    def refuse(_motor, _speed):
+        raise CommandRefused("The dish shows 7°/s.", reason="bad_parameter")
+
+    bench.station._antenna.protocol.set_speed = refuse
+    bench.do(EndPursuit("you"))
+    bench.step(3)
+    assert bench.state.fault.reason == "speed"
+    assert bench.state.link.state is Link.UP

@@ -7,7 +7,7 @@ from birdcage.base.config.sections import NoGoSector
 from birdcage.base.errors import LinkError, MotionRefused, PositionUnknown
 from birdcage.base.geometry import separation
 from birdcage.station.pursuit import Phase
-from birdcage.station.requests import AcquireLease, Goto, Home, Pursue, ReleaseLease
+from birdcage.station.requests import AcquireLease, Goto, Home, Pursue, Release, ReleaseLease
 
 from .conftest import Bench
 from .pursuit_bench import PARK, PursuitBench, at, g2, plan_of
@@ -137,3 +137,28 @@ def test_it_goes_over_a_no_go_sector_on_its_way():
     bench.until(Phase.OVER)
     assert bench.pursuit.why == "The pass is over."
     assert bench.pursuit.rms_error_deg < 0.1
+
+
+def test_no_countdown_while_somebody_else_has_control():
+    bench = g2()
+    bench.pursue(plan_of(at(bench) + 200.0), asked=False, **PARK)
+    bench.until(Phase.COUNTDOWN, 300.0)
+    bench.do(AcquireLease("Gpredict"))
+    bench.until(Phase.YIELDED, 0.5)
+    bench.do(ReleaseLease("Gpredict"))
+    bench.until(Phase.COUNTDOWN, 0.5)
+
+
+def test_a_link_lost_under_somebody_else_lets_a_waiting_pursuit_go_on_after_a_release():
+    bench = g2()
+    bench.pursue(plan_of(at(bench) + 100.0), asked=False, **PARK)
+    bench.do(Goto(150, 40, "Gpredict"))
+    bench.device.unplug()
+    bench.step(2)
+    bench.device.plug()
+    bench.step(8)
+    assert bench.state.held.reason == "link"
+    assert bench.pursuit.phase is Phase.INTERRUPTED
+    bench.do(Release("you"))
+    bench.until(Phase.WAITING, 1.0)
+    bench.until(Phase.FOLLOWING)

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from contextlib import suppress
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING
 
 from birdcage.antenna.antenna import BirdcageAntenna
-from birdcage.base.config import Settings
 from birdcage.base.errors import BirdcageError, CommandRefused, Held, LeaseDenied, LinkError, MotionRefused, Stopped
 from birdcage.station import pursuit_words as words
 from birdcage.station.board import Board
@@ -23,12 +22,12 @@ from birdcage.station.pursuit import Phase, Pursuit
 from birdcage.station.state import Activity, Link
 from birdcage.station.stopper import Stopper
 from birdcage.station.telling import Telling
+from birdcage.station.voyages import refuse, voyage_for
 from birdcage.station.watches import Watches
 from birdcage.tracking.steps import Answer, Step
 
 if TYPE_CHECKING:
     from birdcage.station.requests import Pursue
-    from birdcage.tracking.bounds import Bounds
     from birdcage.tracking.plan import Plan
     from birdcage.tracking.voyage import Notice, Voyage
 
@@ -47,6 +46,8 @@ class Pursuing:
     ) -> None:  # fmt: skip
         self._board, self._antenna, self._control = board, antenna, control
         self._mover, self._stopper, self._watches = mover, stopper, watches
+        self.on_slow: Callable[[str], None] = lambda _sentence: None
+        """Told when the dish does not take its speeds back."""
         self._helm = Helmsman(board, antenna, look, mover)
         self._run: Generator[Step, Answer, None] | None = None
         self._voyage: Voyage | None = None
@@ -75,11 +76,11 @@ class Pursuing:
         from birdcage.tracking.same_pass import same_pass
 
         live = self._live
-        self._refuse(request.plan)
+        refuse(request.plan, self._now_s)
         if live is not None and live.holder == request.holder and same_pass(live.plan, request.plan):
             self._renew(request.plan)
             return live.number
-        voyage, name = self._voyage_for(request)
+        voyage, name = voyage_for(request, self._board, self._antenna, self._hear)
         link = self._board.state.link
         if link.state is not Link.UP:
             raise LinkError(f"Nothing is followed without a link to the dish ({link.detail}).", reason=link.state.value)
@@ -118,46 +119,13 @@ class Pursuing:
         """
         if self._helm.speeds.are_changed:
             self.by_hand(holder)
-            self._helm.speeds.restore()
+            self.restore()
 
     def by_hand(self, holder: str) -> None:
         """Somebody moves the dish: if it is whose pursuit this is, that ends it."""
         live = self._live
         if live is not None and live.holder == holder and (self._leads or live.phase is Phase.COUNTDOWN):
             self._over(words.by_hand(holder), keep_lease=True)
-
-    def _refuse(self, plan: Plan) -> None:
-        if plan.course is None or not plan.legs:
-            why = plan.notes[0] if plan.notes else f"{plan.aim.name} is nowhere within this dish's reach."
-            raise MotionRefused(f"{why} Nothing was sent.", reason="unreachable")
-        if plan.legs[-1].end_s <= self._now_s:
-            raise MotionRefused(f"This pass of {plan.aim.name} is over. Nothing was sent.", reason="over")
-
-    def _voyage_for(self, request: Pursue) -> tuple[Voyage, str]:
-        from birdcage.tracking.choose import controller_for
-        from birdcage.tracking.voyage import Voyage
-
-        options, antenna = request.options, self._antenna
-        name, controller = controller_for(
-            antenna.protocol.model, options.controller, velocity_allowed=options.velocity_allowed
-        )
-        park = None
-        if options.at_end == "park" and options.park_az_deg is not None and options.park_el_deg is not None:
-            park = antenna.alignment.to_dish(options.park_az_deg, options.park_el_deg)
-        beam_deg, db = self._board.state.beam_deg, options.dead_band_db
-        gate = antenna.protocol.gate
-        voyage = Voyage(
-            request.plan, controller, lambda: antenna.model, self._bounds, self._hear, request.asked, park,
-            gate.cable_limits if gate.cable_deg is not None else None, options.dead_band_steps,
-            beam_deg * math.sqrt(db / 12.0) if beam_deg is not None and db is not None else 0.0,
-        )  # fmt: skip
-        return voyage, name
-
-    def _bounds(self) -> Bounds:
-        from birdcage.station.mounting import mount_of
-        from birdcage.tracking.bounds import Bounds
-
-        return Bounds.of(mount_of(self._board.state, Settings()))  # whose horizon mask keeps the dish from nothing
 
     def _renew(self, plan: Plan) -> None:
         assert self._voyage is not None, "a live pursuit has one"
@@ -174,7 +142,7 @@ class Pursuing:
         if live is None:
             return None
         # What is due at once is due since ever: the present time is later than the one that the loop compares it with.
-        if self._leads and self._is_robbed(live):
+        if self._is_robbed(live):
             return -math.inf
         if self._run is not None:
             return self._helm.due if not self._control.latched else self._board.clock.monotonic() + POLL_S
@@ -190,8 +158,12 @@ class Pursuing:
         return over and self._helm.speeds.are_changed and not self._stopper.is_pending
 
     def restore(self) -> None:
-        """Put them back."""
-        self._helm.speeds.restore()
+        """Put them back. What the dish refuses is told as a fault, and not tried again."""
+        try:
+            self._helm.speeds.restore()
+        except (CommandRefused, MotionRefused) as refused:
+            self._helm.speeds.forget()
+            self.on_slow(str(refused))
 
     def tick(self) -> None:
         """Go on with the pursuit, as far as one exchange."""
@@ -201,7 +173,7 @@ class Pursuing:
         self._poll_at = self._board.clock.monotonic() + POLL_S
         if self._run is None:
             self._see_whether_to_go_on(live)
-        elif self._leads and self._is_robbed(live):
+        elif self._is_robbed(live):
             self._yield(live)
         else:
             self._go_on(live)
@@ -215,6 +187,10 @@ class Pursuing:
             return False
         if held.reason != "stop" and live.phase is Phase.INTERRUPTED:
             return False
+        if held.reason not in ("stop", "fault"):
+            # While it waited: a latch that closes for what became of somebody else's motion.
+            self._interrupt("link" if held.reason == "link" else "clock", live)
+            return False
         self._over(words.held(held, self._board.state.fault))
         return True
 
@@ -225,6 +201,9 @@ class Pursuing:
             self._helm.speeds.forget()
         if live is None or live.phase is Phase.INTERRUPTED or (reason == "link" and live.phase in QUIET):
             return
+        self._interrupt(reason, live)
+
+    def _interrupt(self, reason: str, live: Pursuit) -> None:
         state, now = self._board.state, self._board.clock.monotonic()
         self._interruption = Interruption.now(reason, now, self._stopper.count, state, self._antenna)
         self._drop()
@@ -290,7 +269,7 @@ class Pursuing:
         if self._board.state.link.state is not Link.UP:
             self.interrupted("link")
             return False
-        if self._is_robbed(live):
+        if self._board.state.holder not in (None, live.holder):
             self._yield(live)
             return False
         if self._helm.moves:
@@ -311,7 +290,9 @@ class Pursuing:
             self._come_to_rest()
 
     def _is_robbed(self, live: Pursuit) -> bool:
-        return self._board.state.holder not in (None, live.holder)
+        """Return whether somebody else has control of a dish that the pursuit moves, or is about to."""
+        about_to = self._leads or (self._run is not None and live.phase is Phase.COUNTDOWN)
+        return about_to and self._board.state.holder not in (None, live.holder)
 
     @staticmethod
     def _over_at(live: Pursuit) -> float:

@@ -75,6 +75,7 @@ class Station:
             board, antenna, self._control, self._mover, self._stopper, look, self._watches
         )  # fmt: skip
         self._vigil.on_interrupted = self._pursuing.interrupted
+        self._pursuing.on_slow = self._vigil.slow
         self._pursued = False
         """Whether the last piece of work was the pursuit's: then a request has its turn."""
         self._connection = Connection(board, antenna, settings, look, self._wake, self._on_wake, self._vigil.on_line)

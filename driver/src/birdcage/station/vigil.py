@@ -183,6 +183,13 @@ class Vigil:
         self._mover.activity(Activity.IDLE, "")
         self.raise_fault("stall", sentence, *STALL)
 
+    def slow(self, sentence: str) -> None:
+        """A speed that was changed for a while could not be put back."""
+        self.raise_fault(
+            "speed", "The dish did not take its speed back", f"It goes slower than planned. {sentence}",
+            "Set its speed, or switch it off and on: then it has its own again.",
+        )  # fmt: skip
+
     def _forgotten(self) -> None:
         """Homing was lost without boot text: as after a dip of the supply."""
         self._antenna.motion = None

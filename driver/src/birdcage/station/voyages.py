@@ -1,0 +1,57 @@
+"""Makes of a request to pursue what the pursuit is carried out by."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.base.config import Settings
+from birdcage.base.errors import MotionRefused
+from birdcage.station.board import Board
+
+if TYPE_CHECKING:
+    from birdcage.station.requests import Pursue
+    from birdcage.tracking.bounds import Bounds
+    from birdcage.tracking.plan import Plan
+    from birdcage.tracking.voyage import Notice, Voyage
+
+
+def refuse(plan: Plan, now_s: float) -> None:
+    """Raise MotionRefused for a plan by which nothing can be followed: `unreachable`, `over`."""
+    if plan.course is None or not plan.legs:
+        why = plan.notes[0] if plan.notes else f"{plan.aim.name} is nowhere within this dish's reach."
+        raise MotionRefused(f"{why} Nothing was sent.", reason="unreachable")
+    if plan.legs[-1].end_s <= now_s:
+        raise MotionRefused(f"This pass of {plan.aim.name} is over. Nothing was sent.", reason="over")
+
+
+def voyage_for(
+    request: Pursue, board: Board, antenna: BirdcageAntenna, hear: Callable[[Notice], None]
+) -> tuple[Voyage, str]:
+    """Return it, and the name of the controller that steers. MotionRefused (`controller`) where that one must not."""
+    from birdcage.tracking.choose import controller_for
+    from birdcage.tracking.voyage import Voyage
+
+    options, gate = request.options, antenna.protocol.gate
+    name, controller = controller_for(
+        antenna.protocol.model, options.controller, velocity_allowed=options.velocity_allowed
+    )
+    park = None
+    if options.at_end == "park" and options.park_az_deg is not None and options.park_el_deg is not None:
+        park = antenna.alignment.to_dish(options.park_az_deg, options.park_el_deg)
+    beam_deg, loss_db = board.state.beam_deg, options.dead_band_db
+    voyage = Voyage(
+        request.plan, controller, lambda: antenna.model, lambda: _bounds(board), hear, request.asked, park,
+        gate.cable_limits if gate.cable_deg is not None else None, options.dead_band_steps,
+        beam_deg * math.sqrt(loss_db / 12.0) if beam_deg is not None and loss_db is not None else 0.0,
+    )  # fmt: skip
+    return voyage, name
+
+
+def _bounds(board: Board) -> Bounds:
+    from birdcage.station.mounting import mount_of
+    from birdcage.tracking.bounds import Bounds
+
+    return Bounds.of(mount_of(board.state, Settings()))  # whose horizon mask keeps the dish from nothing
