@@ -14,7 +14,7 @@ from birdcage.tracking.turns import Run, runs
 
 _SHORTEST_S = 0.5
 """What is shorter is not worth a leg."""
-_PASSES = 4
+_PASSES = 6
 _START_S = 0.5
 """For the first command to go out, where the target is up already."""
 
@@ -136,10 +136,14 @@ def _arrive(
     sight: Sight, begin: tuple[float, float], ready_s: float, piece: Stretch, *, either_way: bool
 ) -> tuple[Route, float] | None:
     """Return the way to a piece and when it is followed from: where the target is when the dish has come there."""
-    start_s, taken = piece.start_s, None
+    start_s = piece.start_s
     for _ in range(_PASSES):
         taken = route(sight.bounds, sight.mount.model, begin, sight.at(start_s, piece.turn), either_way=either_way)
-        if taken is None or ready_s + taken.seconds <= start_s + 1e-3:
-            break
+        if taken is None:
+            return None
+        if ready_s + taken.seconds <= start_s + 1e-3:
+            return taken, start_s
         start_s = min(ready_s + taken.seconds, piece.end_s)
+    # The last step was a hair: the route must end where the target is then, and may take that hair less.
+    taken = route(sight.bounds, sight.mount.model, begin, sight.at(start_s, piece.turn), either_way=either_way)
     return None if taken is None else (taken, start_s)
