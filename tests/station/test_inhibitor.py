@@ -10,8 +10,9 @@ import pytest
 from birdcage.base.clock import VirtualClock
 from birdcage.station import inhibitor
 from birdcage.station.board import Board
-from birdcage.station.events import ActivityChanged
+from birdcage.station.events import ActivityChanged, PursuitChanged
 from birdcage.station.inhibitor import SleepInhibitor
+from birdcage.station.pursuit import Phase, Pursuit, PursuitOptions
 from birdcage.station.state import Activity, StationState
 
 WAIT_S = 5.0
@@ -27,6 +28,10 @@ class Mover:
     @property
     def state(self) -> StationState:
         return self.board.state
+
+    def pursues(self, phase: Phase) -> None:
+        pursuit = Pursuit(1, "you", None, PursuitOptions(), phase, 0.0, "")
+        self.board.tell(PursuitChanged(*self.board.stamp(), pursuit))
 
     def does(self, activity: Activity) -> None:
         self.board.tell(ActivityChanged(*self.board.stamp(), activity, ""))
@@ -149,3 +154,16 @@ def test_which_helper_a_system_has(monkeypatch) -> None:
     assert [command[0] for command in started] == ["/bin/systemd-inhibit", "/bin/caffeinate"]
     monkeypatch.setattr(inhibitor.shutil, "which", lambda name: None)
     assert inhibitor.launch() is None
+
+
+def test_a_pass_that_is_waited_for_keeps_it_awake_though_nothing_moves() -> None:
+    station, holds = Mover(), Holds()
+    awake = SleepInhibitor(station, holds, after_s=0.05)
+    station.pursues(Phase.WAITING)
+    assert holds.become(1, 0)
+    station.does(Activity.SLEWING)
+    station.does(Activity.IDLE)
+    station.pursues(Phase.READY)
+    station.pursues(Phase.OVER)
+    assert holds.become(1, 1)
+    awake.close()

@@ -1,4 +1,4 @@
-"""Keeps the machine awake while the dish moves: a suspended program stops nothing."""
+"""Keeps the machine awake while the dish moves, or will: a suspended program stops nothing, and follows nothing."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ import threading
 from collections.abc import Callable
 from typing import Protocol
 
-from birdcage.station.events import ActivityChanged, Event
+from birdcage.station.events import ActivityChanged, Event, PursuitChanged
+from birdcage.station.pursuit import Phase
 from birdcage.station.state import MOVING, RAW_COMMAND, Activity, Link
 from birdcage.station.station import Station
 
@@ -76,7 +77,9 @@ def launch() -> Hold | None:
 
 
 class SleepInhibitor:
-    """Holds while the dish of `station` moves and `after_s` longer; never for a simulated dish. All on its own thread.
+    """Holds while the dish of `station` moves, or a pursuit is not over, and `after_s` longer. On a thread of its own.
+
+    Never for a simulated dish.
 
     On a system without such a thing, the log says so once.
     """
@@ -86,6 +89,8 @@ class SleepInhibitor:
         self._told: queue.SimpleQueue[bool | None] = queue.SimpleQueue()
         self._thread: threading.Thread | None = None
         self._hopeless = False
+        self._moves = self._pursues = False
+        """Whether the dish moves, and whether a pass is waited for or followed: asleep, it would be missed."""
         self._raw = False
         """Whether a raw line may have begun the motion: nothing need tell when that one ends."""
         self._unsubscribe = station.subscribe(self._hear)
@@ -98,10 +103,16 @@ class SleepInhibitor:
             self._thread.join(1.0)
 
     def _hear(self, event: Event) -> None:
-        if not isinstance(event, ActivityChanged) or self._station.state.demo:
+        if self._station.state.demo:
             return
-        self._raw = event.activity is Activity.UNKNOWN and event.text == RAW_COMMAND
-        moves = self._raw or event.activity in MOVING
+        if isinstance(event, PursuitChanged):
+            self._pursues = event.pursuit.phase is not Phase.OVER
+        elif isinstance(event, ActivityChanged):
+            self._raw = event.activity is Activity.UNKNOWN and event.text == RAW_COMMAND
+            self._moves = self._raw or event.activity in MOVING
+        else:
+            return
+        moves = self._moves or self._pursues
         if self._thread is None:
             if not moves:
                 return
