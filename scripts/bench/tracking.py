@@ -74,7 +74,10 @@ def main() -> None:
 def _run_all(groups: dict[str, list[Work]]) -> dict[str, list[Score]]:
     works = list(dict.fromkeys(work for group in groups.values() for work in group))
     with Pool(min(os.cpu_count() or 1, 4)) as pool:
-        found = dict(zip(works, pool.imap(run, works, chunksize=1), strict=True))
+        found: dict[Work, Score] = {}
+        for work, score in zip(works, pool.imap(run, works, chunksize=1), strict=True):
+            found[work] = score
+            print(f"{len(found)} of {len(works)}", end="\r", file=sys.stderr, flush=True)
     return {name: [found[work] for work in group] for name, group in groups.items()}
 
 

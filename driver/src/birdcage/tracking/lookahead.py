@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from birdcage.antenna.motion import plan_axis
 from birdcage.protocol.model import Axis
 from birdcage.tracking.axis_belief import spans
 from birdcage.tracking.curve import Curve, Floats
@@ -67,9 +68,11 @@ class Lookahead:
 
         The second move begins as the first one ends. None where no move is worth a command.
         """
-        first = self._aims(course, np.full(2, start_s), np.array(at_deg), FIRST_S)
         # An axis is due when it would be off where it meets the course, not where it would run ahead of it.
-        due = np.abs(first.way[:: len(FIRST_S)]) >= np.array(self._dead_bands)
+        due = np.array([self._off(course, column, at_deg[column], start_s) for column in (0, 1)]) >= self._dead_bands
+        if not due.any():
+            return None
+        first = self._aims(course, np.full(2, start_s), np.array(at_deg), FIRST_S)
         worth = np.flatnonzero(due[first.column] & (first.way != 0.0))
         if not len(worth):
             return None
@@ -87,6 +90,13 @@ class Lookahead:
         cost = _mean_square(course, t_s, at_deg, ((firsts, np.full(len(pairs), start_s)), (second, begins)))
         best = int(pairs[np.argmin(cost)])
         return Move(int(first.column[best]), float(first.goal[best]), float(first.lasts[best]))
+
+    def _off(self, course: Curve, column: int, at_deg: float, start_s: float) -> float:
+        """Return how far an axis would have to go to meet the course."""
+        axis, off = self._axes[column], 0.0
+        for _ in range(ROUNDS):
+            off = abs(course.at(start_s + plan_axis(axis, 0.0, off).duration_s)[column] - at_deg)
+        return off
 
     def _aims(self, course: Curve, begin_s: Floats, at_deg: Floats, later_s: tuple[float, ...]) -> _Moves:
         """Return the moves of each axis from each of the states; states alternate azimuth, elevation."""
