@@ -98,3 +98,32 @@ def test_a_dish_that_does_not_take_its_speed_back_is_a_fault(bench):
     bench.step(3)
     assert bench.state.fault.reason == "speed"
     assert bench.state.link.state is Link.UP
+
+
+def test_stop_while_the_console_is_in_another_menu_to_set_a_speed():
+    bench = g2()
+    start = at(bench) + 20.0
+    bench.pursue(
+        plan_of(start, lasts_s=60.0, az_rate=3.0, leave_s=start - 19.0), controller="velocity", velocity_allowed=True
+    )
+    bench.until(Phase.FOLLOWING).step(6.0)
+    write, pressed = bench.sim.write, []
+
+    def press(data):
+        write(data)
+        if data.startswith(b"mv 0") and not pressed:
+            pressed.append(bench.device.truth().az_deg)
+            bench.station.stop("you")
+
+    bench.sim.write = press
+    bench.step(8.0)
+    assert pressed, "it sets its speed again and again"
+    truth = bench.device.truth()
+    assert not truth.moving
+    assert abs(truth.az_deg - pressed[0]) < 3.0
+    assert bench.state.last_stop.confirmed is True
+    assert bench.pursuit.phase is Phase.OVER
+    assert settled(bench)
+    since = bench.clock.monotonic()
+    bench.step(60)
+    assert bench.moves_since(since) == []

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from birdcage.station.pursuit import Phase
-from birdcage.station.requests import EndPursuit, Goto, Release
+from birdcage.station.requests import EndPursuit, Goto, Jog, Release
 
 from .pursuit_bench import PARK, at, g2, plan_of, travler
 
@@ -114,3 +114,13 @@ def test_ending_it_on_a_dish_whose_moves_queue(phase):
     assert bench.state.held is None
     assert bench.state.activity.value == "idle"
     bench.do(Goto(180, 40, "you"), 60)
+
+
+def test_a_jog_in_mid_pass_steps_from_where_the_stream_has_led():
+    bench = begun(g2()).until(Phase.FOLLOWING)
+    bench.step(20)
+    before = bench.device.truth()
+    bench.do(Jog(1.0, 0.0, "you"))
+    after = bench.device.truth()
+    assert after.az_deg - before.az_deg == pytest.approx(1.0, abs=0.6)
+    assert bench.pursuit.why == "You moved the dish by hand."

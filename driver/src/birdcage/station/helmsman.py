@@ -209,6 +209,7 @@ class Helmsman:
             return
         now = self._shown_at = clock.monotonic()
         az_deg, el_deg = antenna.alignment.to_true(*motion.rest)
+        self._mover.target = az_deg, el_deg  # a jog steps from here
         power = stop_power(antenna.model, motion, clock.rate)
         self._board.change(
             motion=Motion(
