@@ -8,6 +8,7 @@ from datetime import timedelta
 import pytest
 from birdcage.base.config import Settings
 from birdcage.base.config.sections import MotionSettings
+from birdcage.base.config.tracking_sections import TrackingSettings
 from birdcage.pursuit.now import Mode
 from birdcage.sky.catalogue import Catalogue
 from birdcage.station.mounting import mount_of
@@ -258,3 +259,21 @@ def test_a_plan_of_axes_that_move_in_turn_is_refined_and_handed_on_before_reach(
     assert plans[-1].passing == plans[0].passing
     assert bench.pursuit.plan is plans[-1]
     assert bench.pursuit.number == 1
+
+
+@pytest.mark.parametrize("at_end", ["next", "stay"])
+def test_after_a_pass_it_goes_on_to_the_next_one_only_if_that_is_set(make, at_end):
+    settings = Settings(motion=MotionSettings(min_elevation_deg=58.0), tracking=TrackingSettings(at_end=at_end))
+    bench = make(settings=settings)
+    bench.desk.choose("LEO 2")
+    bench.desk.follow()
+    bench.do()
+    first = bench.pursuit.plan
+    bench.until(lambda: bench.phase() is Phase.FOLLOWING)
+    bench.until(lambda: bench.phase() is not Phase.FOLLOWING, 120.0)
+    bench.step(4.0)
+    if at_end == "next":
+        assert (bench.pursuit.number, bench.phase(), bench.desk.now.mode) == (2, Phase.WAITING, Mode.FOLLOW)
+        assert bench.pursuit.plan.passing.aos > first.passing.los
+    else:
+        assert (bench.pursuit.number, bench.phase(), bench.desk.now.mode) == (1, Phase.OVER, Mode.WATCH)

@@ -15,7 +15,7 @@ from birdcage.pursuit.autotrack import Autotrack
 from birdcage.pursuit.choice import Choice
 from birdcage.pursuit.circumstances import Circumstances
 from birdcage.pursuit.desk_setup import DeskSetup
-from birdcage.pursuit.follower import Follower, Post, options_of
+from birdcage.pursuit.follower import Follower, Post, options_of, reach_end
 from birdcage.pursuit.memory import Memory
 from birdcage.pursuit.now import DeskNow, Found, Mode
 from birdcage.pursuit.sheet import Sheet
@@ -129,19 +129,7 @@ class DeskWork:
     def follow(self, *, asked: bool = True) -> bool:
         """Follow the choice; return whether that was asked of the station."""
         ready = self._ready()
-        if ready is None:
-            return False
-        choice, at = ready
-        choice.forget_plan()
-        self._sheet.refresh(choice, at)
-        plan = choice.plan
-        if plan is None or plan.course is None:
-            why = choice.problem or ("" if plan is None else " ".join(plan.notes))
-            self._say(why or f"{choice.target.name} does not come into reach: there is nothing to follow.")
-            return False
-        self._sheet.followed, self._mode, self._by_autotrack = choice, Mode.FOLLOW, False
-        self._follower.follow(plan, options_of(self._sheet.settings, self._setup.controller), asked=asked)
-        return True
+        return ready is not None and self._follow(*ready, asked=asked)
 
     def leave(self) -> None:
         """Leave what is followed."""
@@ -263,13 +251,38 @@ class DeskWork:
         self._say(NO_PLACE if at is None else NO_CHOICE if choice is None else "")
         return None if choice is None or at is None else (choice, at)
 
+    def _follow(self, choice: Choice, at: Circumstances, *, asked: bool) -> bool:
+        choice.forget_plan()
+        self._sheet.refresh(choice, at)
+        plan = choice.plan
+        if plan is None or plan.course is None:
+            why = choice.problem or ("" if plan is None else " ".join(plan.notes))
+            self._say(why or f"{choice.target.name} does not come into reach: there is nothing to follow.")
+            return False
+        self._sheet.followed, self._mode, self._by_autotrack = choice, Mode.FOLLOW, False
+        self._follower.follow(plan, options_of(self._sheet.settings, self._setup.controller), asked=asked)
+        return True
+
+    def _after(self, choice: Choice, now: datetime) -> None:
+        """Go on to the next pass after one that came to its end, if that is what its owner has set."""
+        ended, at = self._follower.pursuit, self._sheet.circumstances()
+        end = None if ended is None else reach_end(ended.plan)
+        # Autotrack asks for the next one itself; what a person or STOP has ended is over.
+        wanted = self._sheet.settings.tracking.at_end == "next" and not self._auto.on and choice.elements is not None
+        at_its_end = end is not None and now >= end and self._station.state.held is None
+        if wanted and at_its_end and self._mode is Mode.FOLLOW and at is not None:
+            choice.wanted_at = None
+            if self._follow(choice, at, asked=False):
+                return
+        if self._mode is Mode.FOLLOW:
+            self._mode = Mode.WATCH
+
     def _notice(self, now: datetime, monotonic: float) -> None:
         """Notice what became of the pursuit, and of the one before this program."""
         if not self._follower.is_busy and self._sheet.followed is not None:
-            self._sheet.followed, self._changed = None, True
+            ended, self._sheet.followed, self._changed = self._sheet.followed, None, True
             self._auto.timetable.choose_again()
-            if self._mode is Mode.FOLLOW:
-                self._mode = Mode.WATCH
+            self._after(ended, now)
         live, followed = self._follower.live, self._sheet.followed
         if self._beside is not None:
             elements = None if followed is None else followed.elements
