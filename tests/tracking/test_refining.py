@@ -55,11 +55,14 @@ def test_the_share_is_the_best_of_those_tried(hard):
     refined = refine(plan, on)
     assert refined.refined
     assert refined.share in (0.75, 0.9, 1.0)
-    assert refined.keyholes[0].max_error_deg < 2.6 * refined.keyholes[0].limit_deg
     assert refined.legs[0].start_s == plan.legs[0].start_s
     others = [refine(plan, on, queued, shares=(share,)) for share in (0.75, 0.9, 1.0)]
-    assert refined.forecast.rms_deg == min(one.forecast.rms_deg for one in others)
     assert len({one.forecast.rms_deg for one in others}) == 3
+    good = [one for one in others if one.keyholes[0].max_error_deg <= 2.6 * one.keyholes[0].limit_deg]
+    if good:
+        assert refined.forecast.rms_deg == min(one.forecast.rms_deg for one in good)
+    else:
+        assert refined.keyholes[0].max_error_deg == min(one.keyholes[0].max_error_deg for one in others)
 
 
 def test_a_plan_without_a_keyhole_has_nothing_to_choose():

@@ -19,6 +19,9 @@ from birdcage.tracking.rehearsal import rehearse
 from birdcage.tracking.routes import Route
 from birdcage.tracking.sight import Sight
 
+_GOOD_RATIO, _WORTH_DEG = 2.6, 0.5
+"""The greatest error in a keyhole is to stay within so many times the physical limit, where that is over half a degree
+(reference section 3.4, Goals)."""
 _AROUND_S = 20.0
 """How much before and after a keyhole is rehearsed."""
 
@@ -43,13 +46,18 @@ def refine(
     sight = Sight.of(plan.sky, mount)
     basis = Basis(plan.aim, plan.made_at, plan.passing, plan.reach, sight, _stretches(plan, sight), preposition_s)
     about = _about(plan)
-    tried: list[tuple[float, float, Plan, Forecast]] = []
+    tried: list[Plan] = []
     for share in shares:
         drawn = complete(basis, share)
-        seen = rehearse(drawn, mount, steers, within=about)
-        tried.append((seen.rms_deg, share, drawn, seen))
-    _, share, drawn, seen = min(tried, key=lambda one: one[:2])
-    return complete(basis, share, _spliced(drawn, seen, about, mount))
+        seen = _spliced(drawn, rehearse(drawn, mount, steers, within=about), about, mount)
+        tried.append(complete(basis, share, seen))
+    return min(tried, key=_badness)
+
+
+def _badness(plan: Plan) -> tuple[float, float]:
+    """Return how much worse than it should be a keyhole is, and then the error on average."""
+    excess = max((hole.max_error_deg / max(hole.limit_deg, _WORTH_DEG) for hole in plan.keyholes), default=0.0)
+    return max(excess - _GOOD_RATIO, 0.0), 0.0 if plan.forecast is None else plan.forecast.rms_deg
 
 
 def _about(plan: Plan) -> list[tuple[float, float]]:
