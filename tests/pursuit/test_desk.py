@@ -229,6 +229,10 @@ def test_what_is_followed_goes_on_though_something_else_is_looked_at(bench):
     bench.step(10.0)
     assert bench.phase() is Phase.FOLLOWING
     assert bench.pursuit.plan.aim.name == STATION
+    bench.desk.choose(str(bench.orbits[1].norad_id))
+    now = bench.do()
+    assert now.plan is bench.pursuit.plan
+    assert now.choice == str(bench.orbits[1].norad_id)
 
 
 def test_what_does_not_pass_is_carried_on_hour_after_hour(bench, monkeypatch):

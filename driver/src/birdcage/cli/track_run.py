@@ -58,7 +58,6 @@ def follow(dish: Dish, wants: Wanted, order: Order) -> None:
         HOLDER, takes_up=False,
     )  # fmt: skip
     desk = PursuitDesk(dish.station, dish.session.clock, setup, lambda _now: None)
-    desk.start()
     try:
         desk.choose(order.text, order.target)
         if order.time_offset_s is not None:
@@ -66,6 +65,7 @@ def follow(dish: Dish, wants: Wanted, order: Order) -> None:
         if order.freq_hz is not None:
             desk.set_frequency(order.freq_hz)
         desk.follow()
+        desk.start()  # so that the first thing it tells is what came of all of that
         _Watch(dish, desk, order).run()
     finally:
         desk.close()

@@ -309,7 +309,7 @@ class DeskWork:
         asked = self._auto.just_on
         self._auto.asked_for(row, monotonic)
         if self.choose(str(row.norad_id)) and self._sheet.choice is not None:
-            self._sheet.choice.wanted_at = row.reach_start
+            self._sheet.take(self._sheet.choice.for_another_pass(row.reach_start))
             self._by_autotrack = self.follow(asked=asked)
 
     def _aimed(self, done: Future[object]) -> None:

@@ -63,7 +63,11 @@ class Sheet:
         """Choose. UnknownTarget, or another BirdcageError with a sentence, when nothing is called that."""
         self.finder.refresh()
         meant = self.finder.target(text) if target is None else target
-        self.take(choice_of(text, meant, self.finder if target is None else None))
+        choice = choice_of(text, meant, self.finder if target is None else None)
+        if self.followed is not None and self.followed.target == choice.target:
+            choice = self.followed  # with its pass, its frequency and its plan
+            choice.text = text
+        self.take(choice)
 
     def take(self, choice: Choice) -> None:
         """Choose it."""
