@@ -22,6 +22,10 @@ AGAIN_S = 15.0
 """A pass that was not taken on is asked for again after so many monotonic seconds."""
 SAME = timedelta(minutes=15)
 """By how much newer elements may shift a pass that is still the same one."""
+PARKS_FIRST = timedelta(minutes=3)
+"""With more time than this until the next pass the dish goes to its park direction before that is asked for."""
+ENDS = IN_MID_PASS | {Phase.COUNTDOWN, Phase.PARKING}
+"""Phases after the end of a pass, until it is parked: the countdown is to the motion to the park direction then."""
 BEGUN = IN_MID_PASS | {Phase.COUNTDOWN, Phase.PREPOSITIONING, Phase.READY}
 
 
@@ -58,6 +62,8 @@ class Autotrack:
             return None
         if live is not None and live.phase in BEGUN and self.row is not None and now < self.row.reach_end:
             return None  # what has begun is followed to its end
+        if live is not None and live.phase in ENDS and row.reach_start - now > PARKS_FIRST:
+            return None  # it parks first, as after a pass that a person has chosen
         if self.row is not None and same_pass(row, self.row) and monotonic < self.tried_at + AGAIN_S:
             return None
         return row
