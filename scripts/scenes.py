@@ -23,7 +23,7 @@ class Scene:
 
 
 async def dashboard(on: Stage) -> None:
-    """The demo's tour, a minute after its start, in the middle of a slew along the arc."""
+    """The demo, a minute after its start: in mid-pass."""
     await on.wait(62.3)
 
 
@@ -38,6 +38,18 @@ async def control(on: Stage) -> None:
     await on.type("148 44")
     await on.press("enter")
     await on.wait(0.4)
+
+
+async def craft(on: Stage) -> None:
+    """Following the Moon, two minutes after it was chosen: what the picture of the source document shows."""
+    await on.wait(9)
+    await on.press("f2", "c", "slash")
+    await on.type("moon")
+    await on.wait(0.4)
+    await on.press("enter")
+    await on.wait(2)
+    await on.press("f")
+    await on.wait(120)
 
 
 async def console(on: Stage) -> None:
@@ -83,14 +95,15 @@ async def world(on: Stage) -> None:
 
 
 SCENES = (
-    Scene("tui-dashboard", dashboard, ("2.3° to go", "Signal", "Health"), (160, 48), tour=True),
+    Scene("tui-dashboard", dashboard, ("FOLLOWING DEMO LEO 1", "error 0.", "LOS", "Signal", "Health"), (160, 48), tour=True),
     Scene("tui-control", control, ("SLEWING", "Cable")),
+    Scene("tui-craft-tracking", craft, ("FOLLOWING Moon", "of the beam", "Azimuth, elevation, error"), (160, 48)),
     Scene("tui-console", console, ("Min: 18.00", "beyond the limit")),
     Scene("tui-setup", setup, ("TV search", "North")),
     Scene("tui-craft-search", passes, ("Timeline of favourites", "in reach", "Doppler"), (160, 48)),
     Scene("tui-world", world, ("Sun overhead", "seen within")),
     Scene("tui-pocket", pocket, ("S T O P",), (40, 12), "daylight"),
 )
-NOT_BUILT = ("tui-craft-tracking", "tui-signal", "tui-system", "tui-camera")
+NOT_BUILT = ("tui-signal", "tui-system", "tui-camera")
 """Pictures of the source document whose pages this version does not have."""
 COLLAGE = ("tui-dashboard", "tui-control", "tui-console", "tui-setup")
