@@ -162,3 +162,19 @@ def test_a_link_lost_under_somebody_else_lets_a_waiting_pursuit_go_on_after_a_re
     bench.do(Release("you"))
     bench.until(Phase.WAITING, 1.0)
     bench.until(Phase.FOLLOWING)
+
+
+def test_a_later_pass_in_place_of_the_present_one_does_not_let_the_dish_go_on_to_the_old_one():
+    bench = g2()
+    bench.pursue(plan_of(at(bench) + 30.0, from_az=200.0, leave_s=at(bench)), **PARK)
+    bench.until(Phase.PREPOSITIONING).step(0.5)
+    assert bench.device.truth().moving
+    before = bench.device.truth().az_deg
+    bench.pursue(plan_of(at(bench) + 900.0, name="METEOR"))
+    bench.step(5)
+    truth = bench.device.truth()
+    assert not truth.moving
+    assert abs(truth.az_deg - before) < 25.0
+    assert bench.pursuit.phase is Phase.WAITING
+    assert bench.state.holder is None
+    assert bench.state.held is None

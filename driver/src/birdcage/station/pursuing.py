@@ -91,7 +91,10 @@ class Pursuing:
                 raise LeaseDenied(
                     f"{live.holder} follows {live.plan.aim.name}. Take control over first, or wait until that is over."
                 )
+            leads = self._leads
             self._over(words.REPLACED)
+            if leads:
+                self._come_to_rest()
         self._number += 1
         at = self._board.clock.monotonic()
         pursuit = Pursuit(
