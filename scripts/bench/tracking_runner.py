@@ -10,7 +10,7 @@ from datetime import UTC, datetime
 import numpy as np
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.clock import VirtualClock
-from birdcage.base.errors import CommandRefused, NoReply
+from birdcage.base.errors import NoReply
 from birdcage.base.geometry import wrap_360
 from birdcage.link.link import Link
 from birdcage.protocol.model import DishModel
@@ -147,18 +147,14 @@ class Bench:
     def _ask(self, step: Step, before_s: float) -> Answer:
         self.commands += 1
         if isinstance(step, Look):
-            seen = self.protocol.get_position()
+            seen = self.antenna.get_position()
             now_s = self.now_s
             return Answer(now_s, az_deg=seen.azimuth, el_deg=seen.elevation, seen_s=(before_s + now_s) / 2.0)
         if isinstance(step, Limit):
             self.protocol.set_speed(step.axis, step.speed_deg_s)
             return Answer(self.now_s, sent_s=before_s)
         assert isinstance(step, Send)
-        deg = wrap_360(round(step.deg, 2)) if step.axis == self.model.azimuth.index else step.deg
-        try:
-            self.protocol.move_motor(step.axis, deg)
-        except CommandRefused as refused:
-            raise AssertionError(f"{step} was refused") from refused
+        self.antenna.steer(step.axis, step.deg)
         self._sent(step)
         self._count_waiting()
         return Answer(self.now_s, sent_s=before_s)

@@ -16,6 +16,7 @@ from birdcage.tracking.fast import fast
 from birdcage.tracking.plan import Leg, Part, Plan
 from birdcage.tracking.planner import plan_pass
 from birdcage.tracking.queued import queued
+from birdcage.tracking.refining import refine
 from birdcage.tracking.velocity import velocity
 from tracking_dishes import G2, IDEAL, SHAKEN, TRAVLER_5, WORN, Dish
 from tracking_passes import Case
@@ -113,10 +114,12 @@ def run(work: Work) -> Score:
 
 
 def planned(work: Work, dish: Dish, now: datetime, offset_s: float) -> Plan:
-    return plan_pass(
-        Satellite(work.case.satellite), work.case.observer, dish.mount(*dish.stands), now, passing=work.case.passing,
+    mount = dish.mount(*dish.stands)
+    plan = plan_pass(
+        Satellite(work.case.satellite), work.case.observer, mount, now, passing=work.case.passing,
         time_offset_s=offset_s,
     )  # fmt: skip
+    return refine(plan, mount) if work.policy in OURS else plan
 
 
 def _stretches(plan: Plan) -> tuple[list[tuple[float, float]], list[Leg | None]]:
