@@ -95,7 +95,7 @@ async def world(on: Stage) -> None:
 
 
 SCENES = (
-    Scene("tui-dashboard", dashboard, ("FOLLOWING DEMO LEO 1", "error 0.", "LOS", "Signal", "Health"), (160, 48), tour=True),
+    Scene("tui-dashboard", dashboard, ("FOLLOWING DEMO LEO 1", "error 0.", "LOS", "Health"), (160, 48), tour=True),
     Scene("tui-control", control, ("SLEWING", "Cable")),
     Scene("tui-craft-tracking", craft, ("FOLLOWING Moon", "of the beam", "Azimuth, elevation, error"), (160, 48)),
     Scene("tui-console", console, ("Min: 18.00", "beyond the limit")),

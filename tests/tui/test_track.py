@@ -366,3 +366,13 @@ def test_what_is_not_known_is_a_dash():
         return stand_in.text_of(app)
 
     assert "--.-- dB" in run(unknown)
+
+
+def test_help_says_what_the_tab_is_for():
+    async def ask(app, pilot, _desk):
+        await pilot.press("question_mark")
+        await pilot.pause()
+        return str(app.screen.query_one("OptionList").get_option_at_index(0).prompt)
+
+    assert "Craft finds a target and follows it." in run(ask)
+    assert "Who has control" in run(ask, keys=("f2", "N"))

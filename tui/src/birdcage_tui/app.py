@@ -214,7 +214,7 @@ class BirdcageApp(Shell):
             if name is not None:
                 self.action_command(name)
 
-        self.push_screen(HelpScreen(self.view(), help_words(self.screen.focused, self.page)), chosen)
+        self.push_screen(HelpScreen(self.view(), help_words(self.screen.focused, self.page.part)), chosen)
 
     def show_palette(self) -> None:
         """Show every command by its name."""

@@ -51,6 +51,11 @@ class Tabbed(Page):
         found = self.query_one_optional(f"#{self.tab}") if self.tab in SCOPES else None
         return found if found is not None and found.is_mounted else None
 
+    @property
+    def part(self) -> Widget:
+        """The tab that was made later, where that is seen."""
+        return self.body or self
+
     def show_tab(self, name: str) -> None:
         """Show a tab, and give the focus to what it wants it on."""
         if name == self.tab:

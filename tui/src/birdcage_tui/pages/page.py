@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from textual.containers import Container
+from textual.widget import Widget
 
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
@@ -21,6 +22,11 @@ class Page(Container):
     def scope(self) -> str:
         """The page's name, which its commands have in `where`."""
         return (self.id or "").removeprefix("page-")
+
+    @property
+    def part(self) -> Widget:
+        """What of it is seen, and says in `HELP` what it is for."""
+        return self
 
     def show(self, view: View) -> None:
         """Hand the view to every pane."""

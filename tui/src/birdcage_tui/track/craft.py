@@ -70,8 +70,8 @@ class CraftTab(Vertical):
         border-title-style: none; }
     """
     HELP = (
-        "Craft: / searches, Enter takes a target. w watches it, a aims at it once, f follows it, x leaves. "
-        "[ and ] shift the time in which the target is expected, when it comes early or late."
+        "Craft finds a target and follows it. / searches, Enter takes a target. w watches it, a aims at it once, f "
+        "follows it, x leaves. [ and ] shift the time at which it is expected, where it comes early or late."
     )
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002

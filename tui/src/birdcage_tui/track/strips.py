@@ -168,7 +168,7 @@ def _curve(canvas: Braille, series: Series, x_of: Callable[[float], float], up: 
     near = dict(beside)
     before: tuple[float, float] | None = None
     for t_s, deg in series:
-        here = x_of(t_s), up(deg)
+        here = float(int(x_of(t_s))), up(deg)  # whole columns: a line between fractions of them would leave some out
         hidden = t_s in near and abs(here[1] - up(near[t_s])) < 1.0
         # Two looks that are far apart in time are not joined: what lies between was not seen.
         if before is not None and not hidden and here[0] - before[0] < canvas.width:
