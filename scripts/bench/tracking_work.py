@@ -15,6 +15,7 @@ from birdcage.tracking.curve import Curve
 from birdcage.tracking.fast import fast
 from birdcage.tracking.plan import Leg, Part, Plan
 from birdcage.tracking.planner import plan_pass
+from birdcage.tracking.pursue import LEAD_S
 from birdcage.tracking.queued import queued
 from birdcage.tracking.refining import refine
 from birdcage.tracking.velocity import velocity
@@ -107,7 +108,8 @@ def run(work: Work) -> Score:
             bench.go(rewind.waypoints or ((rewind.to_az_deg, course.at(rewind.end_s)[1]),))
         bench.at = course.at(begin_s)
         if ours:
-            bench.follow(OURS[work.policy](), course, begin_s, end_s)
+            lead_s = LEAD_S if rewind is None else 0.0
+            bench.follow(OURS[work.policy](), course, begin_s - lead_s, end_s)
         else:
             bench.follow(PEERS[work.policy](), plan.sky, begin_s, end_s)
     return _score(work, dish, plan, true, bench)
