@@ -223,7 +223,7 @@ class Shell(Surface):
                 if part is not None:  # none is left when the app ends
                     part.show(view)
         if self._frames is not None:
-            if view.moving:
+            if view.animated:
                 self._frames.resume()
             else:
                 self._frames.pause()

@@ -148,6 +148,11 @@ class View:
         return self.state.motion is not None or self.state.activity in MOVING
 
     @property
+    def animated(self) -> bool:
+        """Whether frames are worth drawing between what the dish tells: a slew is foretold, following is looked at."""
+        return self.moving and self.state.activity is not Activity.FOLLOWING
+
+    @property
     def may_move(self) -> bool:
         """Whether it moves, or may move by itself: then Esc stops first.
 

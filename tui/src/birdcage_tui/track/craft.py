@@ -112,7 +112,8 @@ class CraftTab(Vertical):
 
     def lay_out(self, view: View) -> None:
         """Give every part its room; nothing is done where nothing has changed."""
-        found, listing = layout(self.size.width, self.size.height - bool(self._searching)), self.listing(view)
+        found = layout(self.size.width, self.size.height - bool(self._searching), self._shown)
+        listing = self.listing(view)
         shown = VIEWS[0] if listing and not found.roomy else self._shown
         key = (found, listing, shown, bool(TrackNow.lines(view, 80)))
         if key == self._arranged or not self.size:

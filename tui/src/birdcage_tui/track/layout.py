@@ -8,6 +8,7 @@ ROOMY = (100, 26)
 """From this size on passes, autotrack and radio are always seen."""
 VIEWS = ("curves", "passes", "autotrack", "radio")
 """What takes turns where there is no room for all."""
+LISTS = ("passes", "autotrack")
 FRAME = 2
 
 
@@ -27,12 +28,17 @@ class Layout:
     """Width of the radio beside the two others."""
 
 
-def layout(width: int, height: int) -> Layout:
-    """Return the layout of a tab of that size: the map is as wide as its height makes it round."""
+def layout(width: int, height: int, shown: str = VIEWS[0]) -> Layout:
+    """Return the layout of a tab of that size: the map is as wide as its height makes it round.
+
+    `shown` is one of `VIEWS`: lists grow while they are chosen, where there is little room for them.
+    """
     roomy = width >= ROOMY[0] and height >= ROOMY[1]
     if not roomy:
         return Layout(False, 3, min(max((height - 3 - FRAME) * 2 + 6, 24), width - 42), 5, 0)
     head, lower = 4, min(max(height // 4, 8), 14)
+    if shown in LISTS:
+        lower = max(lower, min(lower + 6, height - head - 14))
     upper = height - head - lower
     sky = min((upper - FRAME) * 2 + 6, width - 56)
     now = 9 + FRAME if upper >= 24 else 6 + FRAME

@@ -152,8 +152,8 @@ def _angles(cells: Cells, view: View, spots: Sequence[Spot], axis: int, box: tup
     _curve(canvas, was, x_of, up, "accent", lambda _: False)
     canvas.onto(cells, LEFT, y)
     top, bottom = ((f"{deg % 360.0:.0f}°" if axis == 0 else f"{deg:.0f}°") for deg in (high, low))
-    cells.right(LEFT - 1, y, top, "dim")
     if height > 1:
+        cells.right(LEFT - 1, y, top, "dim")
         cells.right(LEFT - 1, y + height - 1, bottom, "dim")
     cells.put(0, y + (height - 1) // 2 if height > 2 else y, name, "strong")
     here = next((spot for spot in spots if spot.t_s >= now_s), None)
@@ -195,7 +195,8 @@ def _errors(cells: Cells, view: View, plan: Plan, box: tuple[int, int, int], x_o
             worst[column] = max(worst.get(column, (t_s, 0.0)), (t_s, look.error_deg), key=lambda pair: pair[1])
         _curve(canvas, list(worst.values()), x_of, up, "accent", lambda _: False)
     canvas.onto(cells, LEFT, y)
-    cells.right(LEFT - 1, y, degrees(top) if top < 10 else f"{top:.0f}°", "dim")
+    if height > 1:
+        cells.right(LEFT - 1, y, degrees(top) if top < 10 else f"{top:.0f}°", "dim")
     lost = loss_db(top, view.state.beam_deg)
     cells.right(cells.width, y, "" if lost is None else f"-{lost:.2f}dB" if lost < 9.995 else f"-{lost:.0f}dB",
               "dim")  # fmt: skip
