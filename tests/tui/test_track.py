@@ -10,7 +10,7 @@ import stand_in
 import track_stand_in
 from birdcage.station.events import PursuitChanged
 from birdcage.station.pursuit import Phase
-from birdcage.station.requests import Release
+from birdcage.station.requests import AcquireLease, Jog, Release, ReleaseLease
 from birdcage_tui.control.tabs import TABS, TabRow
 from birdcage_tui.track.found import FoundList
 from birdcage_tui.track.head import TrackHead
@@ -383,3 +383,40 @@ def test_following_draws_when_the_dish_was_looked_at_and_not_between():
         return app._frames._active.is_set(), app.view().moving
 
     assert run(pace) == (False, True)
+
+
+def test_a_key_that_moves_by_hand_takes_your_own_pursuit_over():
+    async def jog(app, pilot, _desk):
+        await pilot.press("right")
+        return [request for request in app.station.asked if isinstance(request, AcquireLease | Jog)]
+
+    assert run(jog, keys=("f1",)) == [AcquireLease("you", take_over=True), Jog(1.0, 0.0, "you")]
+
+
+def test_it_takes_nothing_from_anybody_else():
+    async def jog(app, pilot, _desk):
+        app.station.state = replace(app.station.state, holder="Gpredict")
+        await pilot.press("right")
+        return app.station.asked_for(AcquireLease)
+
+    assert run(jog, keys=("f1",)) == []
+
+
+def test_follow_gives_back_what_was_taken_by_hand():
+    async def follow(app, pilot, desk):
+        app.station.state = replace(
+            app.station.state,
+            holder="you",
+            pursuit=replace(app.station.state.pursuit, phase=Phase.YIELDED, why="You have control."),
+        )
+        app.paint()
+        await pilot.pause()
+        text = stand_in.text_of(app)
+        await pilot.press("f")
+        await pilot.pause()
+        return text, app.station.asked_for(ReleaseLease), desk.asked
+
+    text, released, asked = run(follow)
+    assert "f follows it again, x leaves it." in text
+    assert released == [ReleaseLease("you")]
+    assert asked == [("follow",)]

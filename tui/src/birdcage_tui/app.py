@@ -10,6 +10,7 @@ from concurrent.futures import Future
 from birdcage.station.requests import (
     AcceptLimits,
     AcknowledgeFault,
+    AcquireLease,
     Goto,
     Home,
     Jog,
@@ -30,6 +31,7 @@ from birdcage_tui.messages import CommandChosen
 from birdcage_tui.palette import Palette
 from birdcage_tui.shell import Shell
 from birdcage_tui.themes import LOOKS
+from birdcage_tui.track.pursuing import pursuit_of
 from birdcage_tui.view import YOU
 from birdcage_tui.words import power_switch
 
@@ -107,6 +109,10 @@ class BirdcageApp(Shell):
             if error is not None and self._loop is not None and not self._loop.is_closed():
                 self._loop.call_soon_threadsafe(self.say, str(error))
 
+        pursuit = pursuit_of(self.view())
+        if isinstance(request, MOTIONS) and pursuit is not None and self.station.state.holder == pursuit.holder != YOU:
+            # It is your own pursuit: a key that moves by hand is word enough that you want it back.
+            self.station.submit(AcquireLease(YOU, take_over=True))
         future = self.station.submit(request)
         if isinstance(request, MOTIONS):
             self.end_tour()

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import cast
 
+from birdcage.station.requests import ReleaseLease
 from textual import events
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
@@ -25,7 +26,7 @@ from birdcage_tui.track.radio import RadioPane
 from birdcage_tui.track.schedule import SchedulePane
 from birdcage_tui.track.strips import TrackStrips
 from birdcage_tui.track_feed import TrackSource
-from birdcage_tui.view import View
+from birdcage_tui.view import YOU, View
 
 OFFSETS_S = {"track-earlier": -0.1, "track-later": 0.1, "track-far-earlier": -1.0, "track-far-later": 1.0}
 ORDERS: dict[str, Callable[[TrackSource], None]] = {
@@ -36,6 +37,8 @@ ORDERS: dict[str, Callable[[TrackSource], None]] = {
     "track-resume": lambda source: source.take_up(),
     "track-forget": lambda source: source.forget_unfinished(),
 }
+MOVES = ("track-aim", "track-follow", "track-resume", "track-autotrack")
+"""What may move the dish."""
 LOWEST_HZ, HIGHEST_HZ = 1e6, 100e9
 
 
@@ -171,6 +174,18 @@ class CraftTab(Vertical):
                 return False
             case "track-take":
                 self._take(view, source)
+            case _ if command in MOVES and view.state.holder == YOU:
+                # What you have taken by hand is given back to the tracker first.
+                self.host.ask(ReleaseLease(YOU))
+                return self.do_with(command, view, source)
+            case _:
+                return self.do_with(command, view, source)
+        self.host.paint()
+        return True
+
+    def do_with(self, command: str, view: View, source: TrackSource) -> bool:
+        """Do what the desk is asked for."""
+        match command:
             case "track-autotrack":
                 source.set_autotrack(view.track is None or not view.track.autotrack)
             case _ if command in ORDERS:

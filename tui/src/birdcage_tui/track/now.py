@@ -96,6 +96,8 @@ class TrackNow(Pane):
             found.append(("text", words))
         if pursuit.why:
             found.append(("dim" if sample is not None else "text", pursuit.why))
+        if pursuit.phase in (Phase.YIELDED, Phase.INTERRUPTED):
+            found.append(("text", "f follows it again, x leaves it."))
         steers = f"{pursuit.controller} controller" if pursuit.controller else ""
         if pursuit.latency_s is not None:
             steers += f", {pursuit.latency_s * 1000:.0f} ms a command"
