@@ -1,0 +1,66 @@
+"""The demo, untouched, with the real desk and station on a virtual clock: it follows, parks, waits, and goes again."""
+
+from __future__ import annotations
+
+import asyncio
+import importlib.util
+import sys
+from pathlib import Path
+
+import pytest
+from birdcage.station.pursuit import Phase
+
+SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
+
+
+def stage_of_the_pictures():
+    """`scripts/stage.py`, which plays the real demo; `stage` is the tests' own."""
+    if str(SCRIPTS) not in sys.path:
+        sys.path.append(str(SCRIPTS))
+    spec = importlib.util.spec_from_file_location("stage_of_the_pictures", SCRIPTS / "stage.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+async def until(on, wanted, seconds, step_s):
+    """Let time pass until `wanted(pursuit)`; return how much did, and the phases met."""
+    met, passed_s = [], 0.0
+    while passed_s < seconds:
+        on.app.session.step(step_s)
+        passed_s += step_s
+        for source in (on.app.sky.source, on.app.track.source):
+            if source is not None:
+                source.step()
+        await on.pilot.pause()
+        on.app._tick()
+        pursuit = on.app.station.state.pursuit
+        if pursuit is not None:
+            if (pursuit.number, pursuit.phase) not in met:
+                met.append((pursuit.number, pursuit.phase))
+            if wanted(pursuit):
+                return passed_s, met
+    pytest.fail(f"not within {seconds} s: {met}")
+
+
+def test_the_demo_follows_within_seconds_parks_and_waits_for_the_next_pass():
+    scenery = stage_of_the_pictures()
+
+    async def play():
+        async with scenery.demo((80, 24), tour=True) as on:
+            began_s, _ = await until(on, lambda one: one.phase is Phase.FOLLOWING and one.sample, 20.0, 0.5)
+            assert on.app.station.state.pursuit.sample.error_deg < 1.0
+            on.app.paint()
+            await on.pilot.pause()
+            row = on.text().splitlines()[0]
+            _, met = await until(on, lambda one: one.phase is Phase.WAITING, 900.0, 3.0)
+            position = on.app.station.state.position
+            return began_s, row, [phase for _, phase in met], (position.az_deg, position.el_deg)
+
+    began_s, row, phases, parked = asyncio.run(play())
+    assert began_s <= 8.0
+    assert "FOLLOW" in row
+    assert Phase.COUNTDOWN in phases
+    assert Phase.PARKING in phases[-3:]
+    assert phases[-1] is Phase.WAITING
+    assert parked == pytest.approx((180.0, 40.0), abs=0.5)
