@@ -13,6 +13,10 @@ OTHERS = (
     ("birdcage stop", "stops it at once, from any terminal of this machine, whoever has control."),
     ("birdcage track", "follows a target without this app; not beside it, for the port has one owner."),
 )
+TAKING = (
+    "A key that moves the dish by hand takes control where nobody has it, and from the tracker; from anybody else it "
+    "is refused. STOP is everybody's."
+)
 LATER = (
     "This version has none. It is the server that Gpredict, Look4Sat and others connect to; a later version brings "
     "it, with a list of who may connect."
@@ -32,7 +36,7 @@ def rows(view: View) -> list[tuple[str, str, str]]:
     pursuit = pursuit_of(view)
     if pursuit is not None:
         found.append(("Following", "text", f"{pursuit.plan.aim.name}, for {pursuit.holder}."))
-    found.append(("Taking it", "text", "A key that moves the dish by hand takes control. STOP is everybody's."))
+    found.append(("Taking it", "text", TAKING))
     found.append(("Port", "text", f"{state.port.split('?')[0] or '--'}: one program at a time may have it open."))
     return found
 
@@ -55,7 +59,8 @@ class NetworkPane(Pane):
         cells.put(1, y, "In a shell", "dim")
         y += 1
         for name, words in OTHERS:
-            y = self._row(cells, y, name, words, "text", label_ink="strong")
+            aside = " It does not reach a demo." if view.state.demo and name == "birdcage stop" else ""
+            y = self._row(cells, y, name, words + aside, "text", label_ink="strong")
         y += 1
         self._row(cells, y, "rotctld", LATER, "dim")
 
