@@ -39,9 +39,9 @@ class HorizonPane(Pane):
         left = 1 if wide else 0
         y = 0
         if cells.height > 1:
-            ink, words = horizon_text(view)
+            ink, told = horizon_text(view)
             start = self.button(cells, cells.width - len(CLEAR[1]) - 5, 0, CLEAR[0], view, CLEAR[1])
-            cells.put(left, 0, words[: start - len(CLEAR[1]) - 6 - left], ink)
+            cells.put(left, 0, told[: start - len(CLEAR[1]) - 6 - left], ink)
             y = 1
         recording = view.horizon.recording
         words = {command: "end" if command == "horizon-record" and recording else name for command, name in KEYS}
