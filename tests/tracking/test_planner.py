@@ -11,9 +11,12 @@ from birdcage.antenna.alignment import Alignment
 from birdcage.sky.horizon import HorizonMask
 from birdcage.sky.reach_limits import NoGo
 from birdcage.sky.targets.model import Fixed
+from birdcage.tracking.bounds import Bounds
 from birdcage.tracking.forecast import separations_deg
 from birdcage.tracking.plan import Part
 from birdcage.tracking.planner import plan_pass
+from birdcage.tracking.routes import route
+from birdcage.tracking.sight import Sight
 
 from .orbits import NOW, NOW_S, PLACE, g2, mount, overhead, plan_of, travler
 
@@ -113,6 +116,20 @@ def test_a_rewind_goes_through_the_keyhole_where_that_is_near():
     assert rewind.start_s < plan.passing.tca.timestamp() < rewind.end_s
     assert abs(rewind.to_az_deg - rewind.from_az_deg) < 220.0
     assert plan.keyholes == ()
+
+
+@pytest.mark.parametrize("aside_deg", [0.1, 0.7, 2.0])
+def test_the_target_is_followed_as_soon_as_a_rewind_can_end(aside_deg):
+    """The later a rewind ends the shorter it may be: no second is given away."""
+    on = mount(travler(5.0))
+    plan = plan_of(aside_deg, on)
+    before, rewind, after = plan.legs
+    assert after.start_s == pytest.approx(rewind.end_s, abs=0.01)
+    here = plan.course.at(before.end_s)
+    for sooner_s in (2.0, 6.0, 12.0):
+        target = Sight.of(plan.sky, on).at(after.start_s - sooner_s, after.turn)
+        needed = route(Bounds.of(on), on.model, here, target)
+        assert needed.seconds > after.start_s - sooner_s - before.end_s
 
 
 def test_above_the_ceiling_the_dish_stays_at_it_while_that_is_within_half_a_beam():

@@ -15,6 +15,7 @@ from birdcage.tracking.turns import Run, runs
 _SHORTEST_S = 0.5
 """What is shorter is not worth a leg."""
 _PASSES = 6
+_HAIR_S = 1e-3
 _START_S = 0.5
 """For the first command to go out, where the target is up already."""
 
@@ -135,15 +136,29 @@ def _free(sight: Sight, before: Stretch, after: Stretch) -> bool:
 def _arrive(
     sight: Sight, begin: tuple[float, float], ready_s: float, piece: Stretch, *, either_way: bool
 ) -> tuple[Route, float] | None:
-    """Return the way to a piece and when it is followed from: where the target is when the dish has come there."""
-    start_s = piece.start_s
+    """Return the way to a piece and when it is followed from: as soon as the dish can be where the target is then."""
+
+    def there(at_s: float) -> tuple[Route, float] | None:
+        """Return the way to where the target is at a time, and how much too late the dish would come."""
+        taken = route(sight.bounds, sight.mount.model, begin, sight.at(at_s, piece.turn), either_way=either_way)
+        return None if taken is None else (taken, ready_s + taken.seconds - at_s)
+
+    late_s, start_s = piece.start_s, piece.start_s
     for _ in range(_PASSES):
-        taken = route(sight.bounds, sight.mount.model, begin, sight.at(start_s, piece.turn), either_way=either_way)
-        if taken is None:
+        found = there(start_s)
+        if found is None:
             return None
-        if ready_s + taken.seconds <= start_s + 1e-3:
-            return taken, start_s
-        start_s = min(ready_s + taken.seconds, piece.end_s)
-    # The last step was a hair: the route must end where the target is then, and may take that hair less.
-    taken = route(sight.bounds, sight.mount.model, begin, sight.at(start_s, piece.turn), either_way=either_way)
-    return None if taken is None else (taken, start_s)
+        if found[1] <= _HAIR_S:
+            break
+        late_s, start_s = start_s, min(start_s + found[1], piece.end_s)
+    # A way that is the shorter the later it ends has been given too much time: the least lies between.
+    while start_s - late_s > _HAIR_S:
+        middle_s = (late_s + start_s) / 2.0
+        found = there(middle_s)
+        if found is None or found[1] > 0.0:
+            late_s = middle_s
+        else:
+            start_s = middle_s
+    # What is left of it is a hair: the route must end where the target is then, and may take that hair less.
+    found = there(start_s)
+    return None if found is None else (found[0], start_s)
