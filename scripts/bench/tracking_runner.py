@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -25,12 +26,34 @@ EARLY_S = 240.0
 """How long before the pass the bench is set up: a Trav'ler at 5 deg/s needs 91 s for its whole cable."""
 
 
-class LossyPort(SimPort):
-    """Loses some answers whole: everything that arrives at that moment."""
+PIECE_S = 0.004
+"""How long a byte waits in the adapter at the longest while others follow it."""
+
+
+class AdapterPort(SimPort):
+    """Hands over what has arrived in pieces, as a USB adapter does, and loses some answers whole.
+
+    The last byte of an answer comes when it came before; a read for each byte would be most of the run's time.
+    """
 
     share = 0.0
     dice = random.Random(7)
     lost = 0
+
+    def pending(self) -> bool:
+        found = super().pending()
+        inbox = self.device.inbox
+        return found and (not inbox or self._handed_over_s() <= self.device.machine.now)
+
+    def next_event(self) -> float | None:
+        found = super().next_event()
+        if found is None or not self.device.inbox or math.isinf(found):
+            return found
+        return min(self._handed_over_s(), self.device.machine.next_event())
+
+    def _handed_over_s(self) -> float:
+        inbox = self.device.inbox
+        return min(inbox[-1][0], inbox[0][0] + PIECE_S)
 
     def read(self) -> bytes:
         data = super().read()
@@ -75,7 +98,7 @@ class Bench:
         self.clock = VirtualClock(datetime.fromtimestamp(self.start_s - EARLY_S, UTC))
         self.device = open_device(self.address, clock=self.clock)
         self.protocol = get_protocol(self.address.partition("?")[0])
-        self.port = LossyPort(self.device, "bench", baud=self.model.baud)
+        self.port = AdapterPort(self.device, "bench", baud=self.model.baud)
         self.protocol.attach(Link(self.port, self.clock), self.clock, delay_s=self.delay_s)
         self.antenna = BirdcageAntenna(self.protocol)
         self.antenna.initialize()
