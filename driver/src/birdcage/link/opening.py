@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import stat
 from pathlib import Path
+from typing import TYPE_CHECKING
 from urllib.parse import urlsplit
 
 from birdcage.base.clock import Clock
@@ -12,6 +13,9 @@ from birdcage.base.errors import LinkError
 from birdcage.link.link import Link
 from birdcage.link.port import Port
 from birdcage.link.transcript import Transcript
+
+if TYPE_CHECKING:
+    from importlib.metadata import EntryPoint
 
 ENTRY_POINTS = "birdcage.link"
 """Packages register further kinds of port here: name = scheme, value = callable(address, *, clock, baud) -> Port."""
@@ -58,6 +62,12 @@ def has_speed(url: str) -> bool:
     return _scheme(url) not in ("socket", "loop")
 
 
+def is_registered(url: str) -> bool:
+    """Return whether a package has registered this kind of port: `sim:g2`, not `localhost:4532`."""
+    scheme = _scheme(url)
+    return scheme is not None and scheme in _registered()
+
+
 def _scheme(url: str) -> str | None:
     """Return the scheme of a URL, None for a device (`/dev/serial/by-path/pci-0:1` and `COM4:` are devices)."""
     found = _SCHEME.fullmatch(url)
@@ -66,10 +76,14 @@ def _scheme(url: str) -> str | None:
     return found.group(1).lower()
 
 
-def _open_registered(url: str, scheme: str, baud: int, clock: Clock) -> Port:
+def _registered() -> dict[str, EntryPoint]:
     from importlib.metadata import entry_points
 
-    registered = {each.name: each for each in entry_points(group=ENTRY_POINTS)}
+    return {each.name: each for each in entry_points(group=ENTRY_POINTS)}
+
+
+def _open_registered(url: str, scheme: str, baud: int, clock: Clock) -> Port:
+    registered = _registered()
     if scheme not in registered:
         kinds = ["a device such as /dev/ttyUSB0 or COM4", "socket://host:port", "rfc2217://host:port", "loop://"]
         kinds += [f"{name}:NAME" for name in sorted(registered)]

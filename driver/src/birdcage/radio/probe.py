@@ -5,11 +5,11 @@ from __future__ import annotations
 import threading
 import time
 
+from birdcage.base.clock import RealClock
 from birdcage.base.errors import BirdcageError
-from birdcage.radio.address import parse_address
 from birdcage.radio.errors import RadioLost, RadioRefused
+from birdcage.radio.opening import caller
 from birdcage.radio.rigctl import Rig
-from birdcage.radio.wire import connector
 
 
 def ask_frequency(address: str, timeout_s: float = 1.0) -> float | None:
@@ -17,12 +17,12 @@ def ask_frequency(address: str, timeout_s: float = 1.0) -> float | None:
 
     ConfigError where that is no address, RadioLost where nobody answers in time.
     """
-    host, port = parse_address(address)
+    where, call = caller(address, RealClock())
     told: list[float | BirdcageError | None] = []
 
     def ask() -> None:
         try:
-            rig = Rig(connector()(host, port, timeout_s), time.monotonic, reply_s=timeout_s)
+            rig = Rig(call(timeout_s), time.monotonic, reply_s=timeout_s)
             try:
                 told.append(rig.frequency_hz())
             finally:
@@ -37,7 +37,7 @@ def ask_frequency(address: str, timeout_s: float = 1.0) -> float | None:
     asking.start()
     asking.join(timeout_s)
     if not told:
-        raise RadioLost(f"{host}:{port} has not answered within {timeout_s:g} s.")
+        raise RadioLost(f"{where} has not answered within {timeout_s:g} s.")
     answer = told[0]
     if isinstance(answer, BirdcageError):
         raise answer

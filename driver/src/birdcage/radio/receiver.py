@@ -13,7 +13,7 @@ from birdcage.radio.now import RadioNow, RadioState
 from birdcage.radio.recorder import Recorder
 from birdcage.radio.rigctl import Rig
 from birdcage.radio.tuning import Tuning
-from birdcage.radio.wire import CONNECT_S, HURRY_S, Connect
+from birdcage.radio.wire import CONNECT_S, HURRY_S, Call
 
 TUNE_EVERY_S = 0.1
 LOOK_EVERY_S = 1.0
@@ -29,18 +29,18 @@ class Receiver:
     """Used on one thread, which waits for every answer. `now` is replaced, never changed: any thread may read it."""
 
     def __init__(
-        self, settings: RadioSettings, clock: Clock, host: str, port: int, connect: Connect,
-        publish: Callable[[RadioNow], None],
-    ) -> None:  # fmt: skip
+        self, settings: RadioSettings, clock: Clock, where: str, call: Call, publish: Callable[[RadioNow], None]
+    ) -> None:
+        """`where` is what its address is called, `call` connects to it."""
         self._settings, self._clock, self._publish = settings, clock, publish
-        self._host, self._port, self._connect = host, port, connect
+        self._connect = call
         self._recorder = Recorder()
         self._rig: Rig | None = None
         self._failures = 0
         self._call_at = self._tune_at = self._look_at = -math.inf
         self._tuned_hz: int | None = None
         self._has_strength = True
-        self.now = RadioNow(address=f"{host}:{port}")
+        self.now = RadioNow(address=where)
 
     def another_pass(self) -> None:
         """What it did not know in the pass before is tried again."""
@@ -91,7 +91,7 @@ class Receiver:
         heard = True
         try:
             if self._rig is None and self._recorder.owed is not None:
-                self._rig = Rig(self._connect(self._host, self._port, HURRY_S), self._clock.monotonic, reply_s=HURRY_S)
+                self._rig = Rig(self._connect(HURRY_S), self._clock.monotonic, reply_s=HURRY_S)
             if self._rig is not None:
                 self._recorder.end(self._rig)
         except RadioLost:
@@ -119,7 +119,7 @@ class Receiver:
         self._put(RadioNow(RadioState.CONNECTING, self._where, tuning.name, tuning.downlink_hz,
                            sentence=self.now.sentence, recording=self._recorder.recording))  # fmt: skip
         try:
-            self._rig = Rig(self._connect(self._host, self._port, CONNECT_S), self._clock.monotonic)
+            self._rig = Rig(self._connect(CONNECT_S), self._clock.monotonic)
             read_back_hz = _or_none(self._rig.frequency_hz)
         except RadioLost as error:
             self._lost(error, first=self._rig is not None)

@@ -10,11 +10,11 @@ from birdcage.base.clock import Clock
 from birdcage.base.config.tracking_sections import RadioSettings
 from birdcage.base.errors import ConfigError
 from birdcage.base.wake import Wake
-from birdcage.radio.address import parse_address
 from birdcage.radio.now import RadioNow
+from birdcage.radio.opening import caller
 from birdcage.radio.receiver import Receiver
 from birdcage.radio.tuning import Tuning
-from birdcage.radio.wire import Connect, connector
+from birdcage.radio.wire import Connect
 
 LEAD_S = 60.0
 """How long before reach the receiver is taken: until then it is its owner's."""
@@ -44,11 +44,11 @@ class Tuner:
         if settings.rigctld is None:
             return
         try:
-            host, port = parse_address(settings.rigctld)
+            where, call = caller(settings.rigctld, clock, self._hurry, connect)
         except ConfigError as error:
             self._problem = str(error)
         else:
-            self._receiver = Receiver(settings, clock, host, port, connect or connector(self._hurry), publish)
+            self._receiver = Receiver(settings, clock, where, call, publish)
 
     @property
     def now(self) -> RadioNow:

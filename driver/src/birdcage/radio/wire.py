@@ -30,6 +30,8 @@ class Wire(Protocol):
 
 Connect = Callable[[str, int, float], Wire]
 """`connect(host, port, timeout_s)`. RadioLost (reason `missing`) when nothing listens there."""
+Call = Callable[[float], Wire]
+"""The same for one address: `call(timeout_s)`."""
 
 
 def connector(hurry: Wake | None = None) -> Connect:

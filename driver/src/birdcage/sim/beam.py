@@ -42,6 +42,20 @@ def gain(right_deg: float, up_deg: float) -> float:
     return (share * vertical + (1.0 - share) * horizontal - FLOOR) / (PEAK - FLOOR)
 
 
+def gain_toward(az_deg: float, el_deg: float, source_az_deg: float, source_el_deg: float) -> float:
+    """Return what a beam that looks at one direction lets through of a source at another, anywhere in the sky."""
+    el, source_el = math.radians(el_deg), math.radians(source_el_deg)
+    turn = math.radians(az_deg - source_az_deg)
+    right = math.cos(el) * math.sin(turn)
+    up = math.sin(el) * math.cos(source_el) - math.cos(el) * math.sin(source_el) * math.cos(turn)
+    ahead = math.sin(el) * math.sin(source_el) + math.cos(el) * math.cos(source_el) * math.cos(turn)
+    aside = math.hypot(right, up)
+    away_deg = math.degrees(math.atan2(aside, ahead))
+    # As far away as on the sphere, in the direction in which it is seen from the source.
+    scale = away_deg / aside if aside else 0.0
+    return gain(right * scale, up * scale)
+
+
 def _counts(profile: Profile, away_deg: float) -> float:
     for (near, more), (far, less) in pairwise(profile):
         if away_deg <= far:

@@ -17,6 +17,8 @@ from birdcage.sim.g2.firmware import G2Firmware
 from birdcage.sim.g2.knobs import G2Settings
 from birdcage.sim.hal.firmware import Hal205Firmware
 from birdcage.sim.hal.knobs import HalSettings
+from birdcage.sim.rig import Rig, RigSettings
+from birdcage.sim.rig_port import RigPort
 from birdcage.sim.settings import AnySettings, parse_query
 from birdcage.sim.wire import Wire
 
@@ -165,13 +167,25 @@ def open_device(address: str, *, clock: Clock) -> Device:
         return _named[settings.id]
 
 
-def open_port(address: str, *, clock: Clock, baud: int | None = None) -> SimPort:
-    """Open a port to the dish that `address` (what follows `sim:`) describes, at a rate that the dish may not share.
+def find_device(name: str) -> Device | None:
+    """Return the dish that was made for this `id`; None where there is none yet."""
+    with _named_lock:
+        return _named.get(name)
+
+
+def open_port(address: str, *, clock: Clock, baud: int | None = None) -> SimPort | RigPort:
+    """Open a port to what `address` (what follows `sim:`) describes, at a rate that a dish may not share.
+
+    `rig`, or `rig?dish=ID&beacons=FILE`, is a receiver (`birdcage.sim.rig`); all others are dishes.
 
     Raises:
         ValueError: as `open_device`.
         ConnectionError: the adapter of a dish with an id was pulled out.
 
     """
+    kind, _, query = address.partition("?")
+    if kind == "rig":
+        settings = parse_query(query, RigSettings)
+        return RigPort(Rig(settings, clock, lambda: find_device(settings.dish) if settings.dish else None))
     device = open_device(address, clock=clock)
     return SimPort(device, f"sim:{address.partition('?')[0]}", baud=baud)

@@ -12,10 +12,14 @@ from types import FrameType
 from typing import TextIO
 from urllib.parse import urlencode
 
-from birdcage.base.clock import RealClock, ScaledClock
+from birdcage.base.clock import Clock, RealClock, ScaledClock
 from birdcage.base.wake import Wake
+from birdcage.sim.beacons import read_beacons
 from birdcage.sim.channel import Channel
+from birdcage.sim.device import Device
 from birdcage.sim.port import open_device
+from birdcage.sim.rig import Rig, RigSettings
+from birdcage.sim.rig_server import RigServer
 from birdcage.sim.server import Server
 
 ENDING_SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP")
@@ -33,6 +37,8 @@ def run_simulator(
     tcp: bool = False,
     json: bool = False,
     options: Mapping[str, str] | None = None,
+    rig: int | None = None,
+    beacons: Path | None = None,
     out: TextIO | None = None,
     stop: Wake | None = None,
 ) -> int:
@@ -47,28 +53,43 @@ def run_simulator(
         pace_baud: bytes cross the wire at this rate; 0 for at once.
         link: a symbolic link that points at the pty while there is one.
         tcp: serve on 127.0.0.1 instead of a pty.
-        json: print one line `{"port": …, "firmware": …, "control": …}` instead of sentences.
+        json: print one line `{"port": …, "firmware": …, "control": …}` instead of sentences; with a receiver `"rig"`.
         options: further settings by name (`birdcage.sim.settings` and the firmware's own); they go before the
             arguments above.
+        rig: serve a receiver beside the dish, too, at this port of 127.0.0.1; 0: one that the system chooses.
+        beacons: what that hears (`birdcage.sim.beacons`); noise alone when left out.
         out: where to print; standard output when left out.
         stop: ends it instead of signals (for a caller that is not the main thread).
 
     Raises:
-        ValueError: a firmware, option or value that does not exist.
-        OSError: the pty, port or link cannot be made; the message says why.
+        ValueError: a firmware, option or value that does not exist, or a file that holds no beacons.
+        OSError: the pty, port or link cannot be made, or the file not be read; the message says why.
 
     """
     chosen = {"seed": str(seed), "unhomed": str(int(unhomed)), "boot": str(int(boot)), "pace_baud": str(pace_baud)}
     chosen |= dict(options or {})
-    device = open_device(f"{firmware}?{urlencode(chosen)}", clock=RealClock() if speed == 1.0 else ScaledClock(speed))
+    clock = RealClock() if speed == 1.0 else ScaledClock(speed)
+    device = open_device(f"{firmware}?{urlencode(chosen)}", clock=clock)
     with ExitStack() as stack:
         if stop is None:
             stop = _stopped_by_signals(stack)
-        server = Server(device, _channel(link, device.firmware.baud, tcp=tcp), f"sim:{firmware}")
+        receiver = _receiver(device, clock, rig, beacons, seed)
+        server = Server(device, _channel(link, device.firmware.baud, tcp=tcp), f"sim:{firmware}", receiver)
         stack.callback(server.close)
         _announce(server, firmware, link, json=json, out=out or sys.stdout)
         server.serve(stop)
     return 0
+
+
+def _receiver(device: Device, clock: Clock, port: int | None, beacons: Path | None, seed: int) -> RigServer | None:
+    if port is None:
+        if beacons is not None:
+            raise ValueError("--beacons is what a receiver hears: --rig PORT serves one")
+        return None
+    if beacons is not None:
+        read_beacons(beacons)  # one that is wrong is better told now
+    settings = RigSettings(beacons="" if beacons is None else str(beacons), seed=seed)
+    return RigServer(Rig(settings, clock, lambda: device), port)
 
 
 def _channel(link: Path | None, baud: int, *, tcp: bool) -> Channel:
@@ -88,13 +109,14 @@ def _channel(link: Path | None, baud: int, *, tcp: bool) -> Channel:
 def _announce(server: Server, firmware: str, link: Path | None, *, json: bool, out: TextIO) -> None:
     port = str(link) if link is not None else server.channel.path
     if json:
-        print(
-            json_format.dumps({"port": port, "firmware": firmware, "control": server.control.path}),
-            file=out,
-            flush=True,
-        )
+        told = {"port": port, "firmware": firmware, "control": server.control.path}
+        if server.rig is not None:
+            told["rig"] = server.rig.path
+        print(json_format.dumps(told), file=out, flush=True)
         return
     print(f"{port}\nA simulated {firmware} listens there; Ctrl+C ends it. Control: {server.control.path}", file=out)
+    if server.rig is not None:
+        print(f"A simulated receiver for whatever speaks to rigctld: {server.rig.path}", file=out)
     out.flush()
 
 

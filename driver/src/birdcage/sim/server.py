@@ -12,6 +12,7 @@ from birdcage.sim.channel import Channel
 from birdcage.sim.control import ControlSocket, obey
 from birdcage.sim.device import Device
 from birdcage.sim.port import SimPort
+from birdcage.sim.rig_server import RigServer
 
 LONGEST_WAIT_S = 3600.0
 
@@ -19,9 +20,11 @@ LONGEST_WAIT_S = 3600.0
 class Server:
     """Carries bytes between a channel and a dish, and answers the control socket. One thread, one `select`."""
 
-    def __init__(self, device: Device, channel: Channel, name: str) -> None:
+    def __init__(self, device: Device, channel: Channel, name: str, rig: RigServer | None = None) -> None:
         self.device = device
         self.channel = channel
+        self.rig = rig
+        """The receiver beside the dish, where there is one; `close` ends it."""
         self._name = name
         channel.open()
         self.control = ControlSocket(self._obey)
@@ -32,7 +35,7 @@ class Server:
         while not stop.is_set():
             self._tune()
             self._forward()
-            readable = [stop.fileno(), *self.control.descriptors(), *self.channel.descriptors()]
+            readable = [stop.fileno(), *self.control.descriptors(), *self.channel.descriptors(), *self._rig_asks()]
             ready, writable, _ = select.select(readable, self.channel.backlog(), [], self._wait_s())
             if writable:
                 self.channel.send(b"")
@@ -42,13 +45,20 @@ class Server:
                     if data and self._port is not None:
                         self._tune()
                         self._port.write(data)
+                elif self.rig is not None and descriptor in self.rig.descriptors():
+                    self.rig.handle(descriptor)
                 elif descriptor != stop.fileno():
                     self.control.handle(descriptor)
 
     def close(self) -> None:
-        """Close the channel and the control socket."""
+        """Close the channel, the control socket, and the receiver's port."""
         self.channel.close()
         self.control.close()
+        if self.rig is not None:
+            self.rig.close()
+
+    def _rig_asks(self) -> list[int]:
+        return [] if self.rig is None else self.rig.descriptors()
 
     def _tune(self) -> None:
         """Take over the rate that the client has set: nothing tells when it does."""

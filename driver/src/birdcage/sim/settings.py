@@ -17,11 +17,20 @@ LINE_ENDS = {"crlf": b"\r\n", "lf": b"\n", "cr": b"\r"}
 
 
 @dataclass(frozen=True, slots=True)
-class Settings:
+class Options:
+    """What an address may say of a simulated thing: each field of a subclass is an option."""
+
+    firmware: ClassVar[str] = ""
+    """What its messages call it."""
+    choices: ClassVar[Mapping[str, tuple[str, ...]]] = {}
+    """The values that an option may have, where it is one of a few words."""
+
+
+@dataclass(frozen=True, slots=True)
+class Settings(Options):
     """The knobs that every simulated dish has. Angles in degrees, times in seconds of dish time."""
 
     firmware: ClassVar[str] = "dish"
-    """What its messages call it."""
     choices: ClassVar[Mapping[str, tuple[str, ...]]] = {
         "stall": ("stop", "slip"),
         "root_q": ("error", "ignore", "kill"),
@@ -30,7 +39,6 @@ class Settings:
         "stream_key": ("swallow", "keep"),
         "wrong_baud": ("silent", "garbage"),
     }
-    """The values that an option may have, where it is one of a few words."""
 
     seed: int = 1
     """Of every random figure: overshoot, noise, latency, faults, where an unhomed dish stands."""
@@ -104,7 +112,7 @@ class Settings:
     """Longest delay of a byte in real seconds, each way; order is kept."""
 
 
-AnySettings = TypeVar("AnySettings", bound=Settings)
+AnySettings = TypeVar("AnySettings", bound=Options)
 
 
 def option_names(kind: type[Settings]) -> list[str]:

@@ -23,16 +23,21 @@ FIRMWARE = "g2"
 @click.option("--pace-baud", type=click.IntRange(0), default=0, help="Let bytes take the time they take at this baud.")
 @click.option("--link", type=click.Path(path_type=Path), help="A symbolic link to the pty: a name that stays.")
 @click.option("--tcp", is_flag=True, help="Serve on 127.0.0.1 instead of a pty.")
+@click.option("--rig", type=click.IntRange(0, 65535), metavar="PORT",
+              help="Serve a receiver beside it, too, as rigctld does; 0: at any free port.")  # fmt: skip
+@click.option("--beacons", type=click.Path(path_type=Path), help="What that receiver hears: a JSON file.")
 @click.option("-o", "options", metavar="KEY=VALUE", multiple=True, help="A setting of the simulated dish; repeatable.")
 @global_options("firmware", "json", "verbose", firmware=FIRMWARE)
 @click.pass_context
 def command(
     context: click.Context, speed: float, seed: int, unhomed: bool, boot: bool, pace_baud: int, link: Path | None,
-    tcp: bool, options: tuple[str, ...],
+    tcp: bool, rig: int | None, beacons: Path | None, options: tuple[str, ...],
 ) -> None:  # fmt: skip
     """Simulate a dish that any program can talk to: prints the port, and serves until Ctrl+C.
 
     With --json it prints one line: {"port": …, "firmware": …, "control": …}. --firmware is g2 or hal205.
+    With --rig any program that speaks to Hamlib's rigctld can tune a receiver, and read what it hears through the
+    dish's beam: `rigctl -m 2 -r 127.0.0.1:PORT l STRENGTH`.
     """
     from birdcage.sim.run import run_simulator
 
@@ -44,7 +49,7 @@ def command(
         status = run_simulator(
             given.get("firmware") or os.environ.get("BIRDCAGE_FIRMWARE") or FIRMWARE,
             speed=speed, seed=seed, unhomed=unhomed, boot=boot, pace_baud=pace_baud, link=link, tcp=tcp,
-            json=given.json, options=pairs,
+            json=given.json, options=pairs, rig=rig, beacons=beacons,
         )  # fmt: skip
     except (ValueError, OSError) as error:
         raise click.UsageError(_sentence(str(error))) from error
