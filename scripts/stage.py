@@ -14,7 +14,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "tui"))
 import picture
 import stand_in
 from birdcage.base.clock import VirtualClock
-from birdcage.base.config import PlaceSettings, Settings, load
+from birdcage.base.config import LinkSettings, PlaceSettings, Settings, load
 from birdcage.base.config.tracking_sections import TrackingSettings
 from birdcage.base.paths import throw_away_paths
 from birdcage.setup.engine import Setup
@@ -22,7 +22,7 @@ from birdcage.station.build import open_session
 from birdcage.station.known import SystemFacts
 from birdcage_tui.app import BirdcageApp
 from birdcage_tui.control.horizon_file import ConfigHorizon
-from birdcage_tui.run import DEMO_PARK, DEMO_PLACE, demo_port
+from birdcage_tui.run import DEMO_DELAY_S, DEMO_PARK, DEMO_PLACE, demo_port
 from birdcage_tui.settings import AppSettings
 from birdcage_tui.sky_feed import make_sky
 from birdcage_tui.themes import LOOKS
@@ -33,6 +33,7 @@ STEP_S = 0.1
 START = datetime(2026, 3, 20, 15, 30, tzinfo=UTC)
 """When every picture begins: the same sky each time."""
 HERE = Settings(
+    link=LinkSettings(delay_s=DEMO_DELAY_S),
     place=PlaceSettings(
         name=DEMO_PLACE.name, latitude_deg=DEMO_PLACE.latitude_deg, longitude_deg=DEMO_PLACE.longitude_deg
     ),
@@ -95,7 +96,7 @@ async def demo(
     with throw_away_paths() as paths:
         clock = VirtualClock(START)
         session = open_session(
-            port=demo_port(firmware), firmware=firmware, baud=None, settings=Settings(), paths=paths, clock=clock
+            port=demo_port(firmware), firmware=firmware, baud=None, settings=HERE, paths=paths, clock=clock
         )
         session.start = lambda: None  # stepped here instead of running on its thread
         settings = AppSettings(

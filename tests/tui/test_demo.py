@@ -8,7 +8,11 @@ import sys
 from pathlib import Path
 
 import pytest
+from birdcage.base.clock import VirtualClock
+from birdcage.base.paths import Paths
+from birdcage.station.build import open_session
 from birdcage.station.pursuit import Phase
+from birdcage_tui.track_source import make_track
 
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 
@@ -58,9 +62,21 @@ def test_the_demo_follows_within_seconds_parks_and_waits_for_the_next_pass():
             return began_s, row, [phase for _, phase in met], (position.az_deg, position.el_deg)
 
     began_s, row, phases, parked = asyncio.run(play())
-    assert began_s <= 8.0
+    assert began_s <= 4.0
     assert "FOLLOW" in row
     assert Phase.COUNTDOWN in phases
     assert Phase.PARKING in phases[-3:]
     assert phases[-1] is Phase.WAITING
     assert parked == pytest.approx((180.0, 40.0), abs=0.5)
+
+
+def test_the_desk_of_the_demo_has_its_passes_at_its_first_look_whoever_is_first(tmp_path):
+    scenery = stage_of_the_pictures()
+    clock, paths, told = VirtualClock(scenery.START), Paths.in_folder(tmp_path), []
+    session = open_session(port="sim:g2", firmware="g2", baud=None, settings=scenery.HERE, paths=paths, clock=clock)
+    source = make_track(session, scenery.HERE, lambda: scenery.HERE, paths, demo=True, threads=False)(told.append)
+    source.start()
+    source.desk.step()
+    source.close()
+    session.close()
+    assert any(row.kept and row.name.startswith("DEMO") for row in told[0].schedule)

@@ -36,6 +36,8 @@ DEMO_PLACE = Place(39.1, -95.7, "EM29, demo")
 DEMO_CABLE_DEG, DEMO_EL_DEG = -236.0, 43.0
 """Where the demo's dish stands at first: a few seconds of turning away from the pass that is under way then, which
 is the same at any time of day (`birdcage.sky.demo_plan`)."""
+DEMO_DELAY_S = 0.5
+"""How late its answers may be. It is in this program: nothing is under way from another one, and no wire is slow."""
 DEMO_PARK = (180.0, 40.0)
 """True azimuth and elevation to which it goes after a pass."""
 EXIT_ERROR = 1
@@ -117,6 +119,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSetti
         "dish.port": demo_port(demo_firmware) if options.demo else options.port,
         "dish.firmware": demo_firmware if options.demo else options.firmware,
         "dish.baud": None if options.demo else options.baud,
+        "link.delay_s": DEMO_DELAY_S if options.demo else None,
         "place.name": DEMO_PLACE.name if options.demo else None,
         "place.latitude_deg": DEMO_PLACE.latitude_deg if options.demo else None,
         "place.longitude_deg": DEMO_PLACE.longitude_deg if options.demo else None,

@@ -93,7 +93,7 @@ class Shell(Surface):
         self.horizon = HorizonBook(self.settings.horizon)
         """The line of trees and roofs."""
         self.sky = SkyFeed(self.settings.sky, lambda sky: self.post_message(SkyChanged(sky)), self.say_soon)
-        self.track = TrackFeed(self.settings.track, self.soon, self._changed, self.bell)
+        self.track = TrackFeed(self.settings.track, self.soon, self._news, self.bell)
         self.clock_watch = ClockWatch(
             self.settings.clock_check, lambda told: self.soon(partial(self._hear_clock, told))
         )
@@ -106,7 +106,6 @@ class Shell(Surface):
         self._tour = Tour(self.track.set_autotrack)
         if not self.settings.tour:
             self._tour.end()
-        self._tour_says = ""
         self._unsubscribe: Callable[[], None] | None = None
         self._watching: str | None = None
         self._features: frozenset[str] = frozenset()
@@ -187,7 +186,7 @@ class Shell(Surface):
             clock.utc(),
             self.settings,
             tuple(self._signal),
-            self._tour_says,
+            self._tour.says,
             "" if crash is None else f"{type(crash).__name__}: {crash}",
             self._note,
             self._watching is not None,
@@ -249,8 +248,14 @@ class Shell(Surface):
 
     def _tick(self) -> None:
         """Move the tour on and draw: ages and the time have changed."""
-        self._tour_says = self._tour.step(self.view())
+        self._tour.step(self.view())
         self._keep_sky()
+        self._changed()
+
+    def _news(self) -> None:
+        """Draw what was told; a tour that is still to begin waits for no frame."""
+        if self._tour.running:
+            self._tour.step(self.view())
         self._changed()
 
     @on(StationEvent)
@@ -261,7 +266,7 @@ class Shell(Surface):
         if isinstance(event, MoveEnded) and event.end is not End.SUPERSEDED:  # the newer one ends, too
             self.note(ended_text(event))
         self.track.hear(event)
-        self._changed()
+        self._news()
 
     @on(SkyChanged)
     def _see(self, message: SkyChanged) -> None:
@@ -311,10 +316,6 @@ class Shell(Surface):
     def show_page(self, name: str, then: str | None = None) -> None:
         """Show a page, or slide the console over it; `then` is one of its commands, to be done there."""
         self.run_worker(self._paging.show(name, then), group="page", exclusive=False)
-
-    def soon(self, work: Callable[[], None]) -> None:
-        """Do something soon on the app's thread. Any thread; nothing happens once the app has ended."""
-        self.call_later(work)
 
     def say_soon(self, words: str) -> None:
         """Tell something soon. Any thread; nothing is told once the app has ended."""
@@ -395,4 +396,3 @@ class Shell(Surface):
         if self._tour.running:
             self._changed()
         self._tour.end()
-        self._tour_says = ""

@@ -22,6 +22,7 @@ from birdcage.sky.watch import SkyWatch
 from birdcage.sky.watch_model import SkyNow
 from birdcage.station.reach_limits import reach_limits_of
 
+from birdcage_tui.demo_sky import lay_demo_sky
 from birdcage_tui.passes.model import Frequency, Row
 from birdcage_tui.settings import Place
 from birdcage_tui.sky_convert import Converter
@@ -40,7 +41,6 @@ MOON_FIRST_S = 3.0
 """Real seconds after the start before the library that knows it is loaded: the passes come first."""
 CLOSE_S = 0.03
 """How long closing may wait for the watch."""
-DEMO_FAVOURITES = ("LEO 1 ", "LEO 2 ", "LEO 5 ", "LEO 6 ", "LEO 10 ", "LEO 12 ")
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,18 +182,8 @@ class WatchedSky:
         self._moon = (now.timestamp(), look.az_deg, look.el_deg)
 
     def _fill_catalogue(self) -> None:
-        """Lay the demo's orbits over its place, in its own catalogue, which is thrown away afterwards."""
-        from birdcage.sky.catalogue import Catalogue
-        from birdcage.sky.demo_orbits import demo_orbits
-
-        if self._observer is None:
-            return
-        elements = demo_orbits(self._setup.clock.utc(), self._observer)
-        with Catalogue(self._setup.catalogue) as catalogue:
-            catalogue.add(elements, group="demo")
-            for one in elements:
-                if any(mark in f"{one.name} " for mark in DEMO_FAVOURITES):
-                    catalogue.set_favourite(one.norad_id)
+        """Lay the demo's orbits over its place."""
+        lay_demo_sky(self._setup.catalogue, self._setup.clock.utc(), self._observer)
 
     def _read_groups(self) -> None:
         """Read which groups and tags satellites have, and what the feed hears, to filter by."""

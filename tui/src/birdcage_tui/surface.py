@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import cast
 
 from textual.app import App
@@ -97,3 +97,7 @@ class Surface(App[None]):
     def _terminal_lags(self) -> bool:
         """Return whether a frame still waits to be written: another one would only stand behind it."""
         return getattr(self._driver, "unwritten", 0) > 0
+
+    def soon(self, work: Callable[[], None]) -> None:
+        """Do something soon on the app's thread. Any thread; nothing happens once the app has ended."""
+        self.call_later(work)

@@ -16,6 +16,8 @@ class Tour:
     def __init__(self, set_autotrack: Callable[[bool], object]) -> None:
         self._set_autotrack = set_autotrack
         self._begun = self._ended = False
+        self.says = ""
+        """What it says, empty when there is none."""
 
     @property
     def running(self) -> bool:
@@ -24,10 +26,14 @@ class Tour:
 
     def end(self) -> None:
         """End it for ever. What is followed already ends with STOP, or when somebody takes over."""
-        self._ended = True
+        self._ended, self.says = True, ""
 
-    def step(self, view: View) -> str:
-        """Begin as soon as the dish is ready and passes are known. Return what it says, empty when there is none."""
+    def step(self, view: View) -> None:
+        """Begin as soon as the dish is ready and passes are known."""
+        self.says = self._step(view)
+
+    def _step(self, view: View) -> str:
+        """Return what it says."""
         state, desk = view.state, view.track
         if self._ended or not state.demo:
             return ""

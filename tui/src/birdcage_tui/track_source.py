@@ -7,6 +7,7 @@ from collections.abc import Callable
 from datetime import datetime
 from typing import TYPE_CHECKING
 
+from birdcage_tui.demo_sky import lay_demo_sky
 from birdcage_tui.settings import Place
 
 if TYPE_CHECKING:
@@ -35,7 +36,11 @@ def make_track(session: Session, settings: Settings, load: Callable[[], Settings
             from birdcage.pursuit.desk import PursuitDesk
             from birdcage.pursuit.desk_setup import DeskSetup
 
-            setup = DeskSetup(paths.catalogue, lambda: settings, paths, observer_of(settings), demo)
+            observer = observer_of(settings)
+            if demo:
+                # Else it might read the catalogue before that is filled, and look at it again seconds later only.
+                lay_demo_sky(paths.catalogue, session.clock.utc(), observer)
+            setup = DeskSetup(paths.catalogue, lambda: settings, paths, observer, demo)
             return PursuitDesk(session.station, session.clock, setup, show, threads=threads)
 
         return DeskSource(open_desk, load, threads=threads)
