@@ -116,6 +116,45 @@ def test_a_dish_inside_a_sector_may_leave_it_upwards(gate):
         gate.check(180, 40)
 
 
+@pytest.mark.parametrize(
+    ("start", "goal", "may"),
+    [
+        (100.0, 104.0, True),
+        (104.0, 100.0, True),
+        (100.0, 190.0, True),  # meets no stop, whatever the turn
+        (60.0, 239.9, False),  # as far as that, it might go either way
+        (358.0, 2.0, False),  # across north
+        (299.0, 296.0, False),  # across the stop at -423.33
+        (297.9, 299.0, True),
+        (23.0, 26.0, False),  # across the stop at 23.33
+        (22.5, 22.0, False),  # too near to it to be sure
+        (22.0, 10.0, True),
+    ],
+)
+def test_an_unknown_turn_is_no_matter_where_no_stop_is_near(gate, start, goal, may):
+    gate.update(sectors=(Sector(250.0, 280.0, 40.0, "mast"),))
+    gate.see(Position(start, 30.0))
+    if may:
+        gate.check(goal, 31)
+        gate.check(goal, 29)
+        return
+    with pytest.raises(MotionRefused, match=r"turn of the cable is not known.*other way round.*\(mast\).*home") as no:
+        gate.check(goal, 31)
+    assert no.value.reason == "sector"
+    gate.see(Position(start, 40.0))
+    gate.check(goal, 45)
+    gate.see(Position(start, 30.0))
+    gate.cable_deg = start - 360.0
+    gate.check(goal, 31)
+
+
+def test_the_short_way_through_a_sector_stays_closed(gate):
+    gate.update(sectors=(Sector(101.0, 102.0, 40.0),))
+    gate.see(Position(100.0, 30.0))
+    with pytest.raises(MotionRefused, match="passes through"):
+        gate.check(104, 31)
+
+
 @pytest.mark.parametrize(("reason", "words"), [("mast", "below 50° (mast),"), ("", "below 50°,")])
 def test_a_refusal_says_what_stands_in_the_sector(gate, reason, words):
     gate.update(sectors=(Sector(170.0, 190.0, 50.0, reason),))

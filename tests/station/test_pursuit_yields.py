@@ -178,3 +178,30 @@ def test_a_later_pass_in_place_of_the_present_one_does_not_let_the_dish_go_on_to
     assert bench.pursuit.phase is Phase.WAITING
     assert bench.state.holder is None
     assert bench.state.held is None
+
+
+def test_close_beside_a_no_go_sector_the_dish_is_looked_at_anew_before_a_command_is_given_up():
+    bench = g2(sectors=(NoGoSector(130.0, 149.6, 40.2, "mast"),))
+    bench.do(Home("you"), 60)
+    bench.do(Goto(100, 55, "you"))
+    plan = plan_of(at(bench) + 30.0)
+    bench.pursue(plan, at_end="stay")
+    bench.until(Phase.FOLLOWING)
+    while bench.pursuit.phase is Phase.FOLLOWING:
+        bench.step(0.05)
+        truth = bench.device.truth()
+        assert not (130.0 < truth.az_deg < 149.6 and truth.el_deg < 40.2)
+    assert bench.pursuit.why == "The pass is over."
+    assert bench.pursuit.max_error_deg < 0.2
+
+
+def test_a_stream_that_would_go_through_a_no_go_sector_ends_the_pursuit():
+    bench = g2(sectors=(NoGoSector(130.0, 149.6, 49.0, "mast"),))
+    bench.do(Home("you"), 60)
+    bench.do(Goto(100, 55, "you"))
+    bench.pursue(plan_of(at(bench) + 30.0), at_end="stay")
+    while bench.pursuit.phase is not Phase.OVER:
+        bench.step(0.05)
+        truth = bench.device.truth()
+        assert not (130.0 < truth.az_deg < 149.6 and truth.el_deg < 48.9), "but for what an axis overshoots"
+    assert "no-go sector" in bench.pursuit.why

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from birdcage.base.errors import BelowFloor, MotionRefused, PositionUnknown
 from birdcage.base.geometry import shortest_turn
 from birdcage.protocol.model import DishModel
+from birdcage.protocol.turning import goes_short
 from birdcage.protocol.types import Position
 
 
@@ -270,15 +271,22 @@ class MotionGate:
         turn = shortest_turn(start.azimuth, az_deg)
         if abs(turn) < self.model.azimuth.step_deg and el_deg >= start.elevation:
             return  # straight up is the way out of a sector
+        round_about = 0.0
         if self.cable_deg is not None and (turns := self.cable_turns(az_deg)):
-            ways = [turns[0] - self.cable_deg]
-        else:
-            ways = [turn, turn - 360.0 if turn > 0 else turn + 360.0] if abs(turn) > 0 else [0.0]
+            turn = turns[0] - self.cable_deg
+        elif turn and not goes_short(self.model, start.azimuth, turn):
+            round_about = turn - math.copysign(360.0, turn)
         for sector in self.bounds.sectors:
-            if lowest < sector.below_el_deg and any(sector.overlaps(start.azimuth, way) for way in ways):
+            if lowest >= sector.below_el_deg:
+                continue
+            if sector.overlaps(start.azimuth, turn):
                 raise self._in_the_way(sector, az_deg, el_deg, lowest)
+            if round_about and sector.overlaps(start.azimuth, round_about):
+                raise self._in_the_way(sector, az_deg, el_deg, lowest, round_about=True)
 
-    def _in_the_way(self, sector: Sector, az_deg: float, el_deg: float, lowest_deg: float) -> MotionRefused:
+    def _in_the_way(
+        self, sector: Sector, az_deg: float, el_deg: float, lowest_deg: float, *, round_about: bool = False
+    ) -> MotionRefused:
         plus = self.bounds.el_offset_deg
         below, by = sector.below_el_deg + plus, sector.below_el_deg - lowest_deg
         where = (
@@ -289,6 +297,11 @@ class MotionGate:
         target = f"{self._true_az(az_deg):.2f}°/{el_deg + plus:.2f}°"
         if el_deg < sector.below_el_deg and sector.overlaps(az_deg, 0.0):
             sentence = f"{target} lies in {where}, {by:.2f}° too low. Nothing was sent."
+        elif round_about:
+            sentence = (
+                f"The turn of the cable is not known: the dish may go to {target} the other way round, through {where}, "
+                f"{by:.2f}° too low. Nothing was sent: home the dish, or go up first, then across, then down."
+            )
         else:
             sentence = (
                 f"The way to {target} passes through {where}, {by:.2f}° too low, as both axes turn at once or in any "

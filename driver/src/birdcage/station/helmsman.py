@@ -25,6 +25,9 @@ MOST_LOST = 2
 """So many answers in a row may be lost or damaged while it follows; after one more, the dish counts as silent."""
 ROUNDING_DEG = 0.1
 """A command this little beyond the limit of elevation means the limit: an axis overshoots by 0.06 (section 7.4)."""
+LATE = "late"
+MOST_LATE = 3
+"""So many answers in a row that were not waited for count as one that was lost."""
 ON_ITS_WAY_S = 0.15
 """On a dish whose moves queue, the next command may leave so long before the one under way ends."""
 
@@ -48,12 +51,14 @@ class Helmsman:
         """Whether a wait ends now: the plan was replaced."""
         self._stops: deque[tuple[float, float]] = deque()
         self._arrival: Future[object] | None = None
-        self._lost = 0
+        self._lost = self._late = 0
         self._az_deg: float | None = None
         """Where the azimuth was sent last, unrolled."""
         self._ends_at = 0.0
         """When the move under way ends, on a dish whose moves queue."""
         self._shown_at = -math.inf
+        self._looked_for: Step | None = None
+        """The command for which the dish was looked at anew."""
 
     @property
     def now_s(self) -> float:
@@ -84,7 +89,7 @@ class Helmsman:
 
     def begin(self, holder: str) -> None:
         """A pursuit begins, or goes on."""
-        self.holder, self.step, self._arrival, self._lost = holder, None, None, 0
+        self.holder, self.step, self._arrival, self._lost, self._late = holder, None, None, 0, 0
         self._ends_at, self._shown_at = 0.0, -math.inf
 
     def forget_turn(self) -> None:
@@ -116,6 +121,18 @@ class Helmsman:
             return Answer(self.now_s, sent_s)
         return Answer(self.now_s)
 
+    def looks_anew(self) -> bool:
+        """Read where the dish is before a stream's command is tried once more; False if that was done for it already.
+
+        The gate judges the way from the last reading: that may be a second old, and its way much the longer.
+        """
+        step = self.step
+        if not isinstance(step, Send) or step is self._looked_for:
+            return False
+        self._looked_for = step
+        self._read()
+        return True
+
     def unrolled(self, dish_az_deg: float) -> float:
         """Return an azimuth as the course counts it."""
         cable_deg = self._antenna.protocol.gate.cable_deg
@@ -141,8 +158,10 @@ class Helmsman:
             self._antenna.steer(step.axis, deg)
         except (CommandRefused, NoReply) as error:
             self._bear(error)
+            if error.reason == LATE and not elevation:
+                self._az_deg = deg
             return Answer(self.now_s)
-        self._lost = 0
+        self._lost = self._late = 0
         if not elevation:
             self._az_deg = deg
         if self._board.clock.monotonic() >= self._shown_at + SHOW_S:
@@ -222,7 +241,10 @@ class Helmsman:
 
     def _bear(self, error: BirdcageError) -> None:
         """Bear a lost or damaged answer, for a line that is otherwise sound has them too."""
-        self._lost += 1
+        if error.reason == LATE and self._late < MOST_LATE:
+            self._late += 1
+            return
+        self._lost, self._late = self._lost + 1, 0
         if self._lost > MOST_LOST or stalled_axis(str(error)) is not None:
             raise error
 
@@ -257,11 +279,11 @@ class Helmsman:
     def _read(self) -> Answer | None:
         before_s = self.now_s
         try:
-            pointing = self._look.position()
+            pointing = self._look.position(glance=self._board.state.activity is Activity.FOLLOWING)
         except NoReply as error:
             self._bear(error)
             return Answer(self.now_s)
-        self._lost = 0
+        self._lost = self._late = 0
         if self._board.state.activity is Activity.FOLLOWING:
             self._show()
         if pointing is None:

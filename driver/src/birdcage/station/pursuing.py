@@ -251,7 +251,12 @@ class Pursuing:
         if helm.needs_wire and not self._may_talk(live):
             return
         try:
-            answer = helm.carry_out()
+            try:
+                answer = helm.carry_out()
+            except MotionRefused as refused:
+                if refused.reason != "sector" or not helm.looks_anew():
+                    raise
+                return
         except MotionRefused as refused:
             if self._run is run:
                 self._over(str(refused))

@@ -8,12 +8,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from birdcage.base.geometry import shortest_turn
+from birdcage.protocol.turning import CLEAR_DEG, borders
 from birdcage.tracking.curve import Floats
 from birdcage.tracking.mount import Mount
 
 CABLE_MARGIN_DEG = 0.05
 SECTOR_MARGIN_DEG = 0.1
 """How far a plan keeps off a no-go sector: more than an axis overshoots (reference section 7.1: 0.06 degrees)."""
+BORDER_HALF_DEG = CLEAR_DEG + 0.2
+"""How far a plan keeps off where the dish may turn the other way round: beyond what the gate asks for, as above."""
 _HAIR_DEG = 1e-6
 """Where a way over a sector ends, the dish stands at its very edge."""
 
@@ -25,6 +28,8 @@ class Keepout:
     middle_deg: float
     half_deg: float
     below_deg: float
+    is_border: bool = False
+    """Whether nothing stands there, but the dish may turn the other way round, through what stands elsewhere."""
 
     def swept(self, start_deg: float, turn_deg: float) -> bool:
         """Return whether an azimuth sweep from `start_deg` through `turn_deg` touches its azimuths."""
@@ -50,6 +55,8 @@ class Bounds:
     turn_known: bool
     """Whether the azimuth tells the turn of the cable; True where nothing winds up."""
     keepouts: tuple[Keepout, ...]
+    """The no-go sectors. While the turn of the cable is not known also where the dish may turn the other way round,
+    below the highest of them."""
 
     @classmethod
     def of(cls, mount: Mount) -> Bounds:
@@ -60,12 +67,21 @@ class Bounds:
         cable = limits.cable
         if cable is not None:
             cable = cable[0] + CABLE_MARGIN_DEG, cable[1] - CABLE_MARGIN_DEG
-        return cls(low, high, cable, cable is None or limits.turn_known, _keepouts(mount))
+        turn_known = cable is None or limits.turn_known
+        keepouts = _keepouts(mount)
+        if keepouts and not turn_known:
+            highest = max(keepout.below_deg for keepout in keepouts)
+            keepouts += tuple(
+                Keepout(border, BORDER_HALF_DEG, highest, is_border=True) for border in borders(mount.model)
+            )
+        return cls(low, high, cable, turn_known, keepouts)
 
-    def blocked(self, az_deg: Floats, el_deg: Floats) -> NDArray[np.bool_]:
-        """Return which directions lie in a no-go sector, its margin included."""
+    def blocked(self, az_deg: Floats, el_deg: Floats, *, borders_only: bool = False) -> NDArray[np.bool_]:
+        """Return which directions lie in a no-go sector, its margin included; or only where the dish may turn round."""
         inside = np.zeros(len(az_deg), dtype=np.bool_)
         for keepout in self.keepouts:
+            if borders_only and not keepout.is_border:
+                continue
             back, on = keepout.beside(az_deg)
             inside |= (el_deg < keepout.below_deg - _HAIR_DEG) & (np.minimum(back, on) <= 0.0)
         return inside

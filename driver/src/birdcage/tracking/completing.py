@@ -53,6 +53,7 @@ def complete(basis: Basis, share: float | None, seen: Forecast | None = None) ->
         *_rewind_notes(legs),
         *map(_hole_note, holes),
         *_beyond_notes(sight, stretches),
+        *_border_notes(sight),
         *_notes(basis.reach, mount),
     ]
     if place is None:
@@ -68,7 +69,7 @@ def complete(basis: Basis, share: float | None, seen: Forecast | None = None) ->
 def unfollowed(aim: Aim, made_at: datetime, passing: Pass | None, reach: Reach, sight: Sight) -> Plan:
     """Return the plan of what cannot be followed, which says why."""
     limits = sight.mount.limits
-    notes = ("Nothing of it can be followed from now on.", *_notes(reach, sight.mount))
+    notes = ("Nothing of it can be followed from now on.", *_border_notes(sight), *_notes(reach, sight.mount))
     return Plan(
         aim, made_at, passing, reach, sight.sky, None, (), None, (), None,
         incidents(passing, sight.sky, (), (), reach, limits), notes,
@@ -122,6 +123,17 @@ def _beyond_notes(sight: Sight, stretches: Sequence[Stretch]) -> Iterator[str]:
         yield (
             f"Above its ceiling the dish stays there while that is near enough: up to {over[beyond].max():.1f}° off "
             f"for {seconds:.0f} s."
+        )
+
+
+def _border_notes(sight: Sight) -> Iterator[str]:
+    """Yield that a no-go sector keeps the dish from where it may turn the other way round."""
+    within = sight.el_deg >= sight.low_deg
+    if (sight.bounds.blocked(sight.az_deg, sight.pointed_el_deg, borders_only=True) & within).any():
+        highest = max(keepout.below_deg for keepout in sight.bounds.keepouts)
+        yield (
+            f"Below {highest:.0f}° it is not followed across north or a stop of the cable: of unknown turn the dish may "
+            "go the other way round there, through a no-go sector. Home the dish, and its turn is known."
         )
 
 

@@ -24,10 +24,12 @@ class Way:
 def way(bounds: Bounds, model: DishModel, here: Point, to: Point, *, turn_known: bool) -> Way:
     """Return the way, in the turns of `to`; azimuth goes the short way unless the turn of the cable is known.
 
+    `turn_known`: whether the turns of `to` tell that of the cable; it counts while the dish still knows its own.
+
     Where a no-go sector closes every way it is the straight one, which the gate refuses, and says why.
     """
-    turn = to[0] - here[0] if turn_known else shortest_turn(here[0], to[0])
-    found = route(bounds, model, (to[0] - turn, here[1]), to, either_way=not turn_known)
+    turn = to[0] - here[0] if turn_known and bounds.turn_known else shortest_turn(here[0], to[0])
+    found = route(bounds, model, (to[0] - turn, here[1]), to)
     return Way((to,), 0.0) if found is None else Way(found.stops, found.seconds + MARGIN_S * len(found.stops))
 
 
