@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 from birdcage.protocol.hal.model import TRAVLER
 from birdcage.tracking.lookahead import Lookahead
-from birdcage.tracking.many_moves import durations, progress, ramps
 from birdcage.tracking.modelled import modelled
+from birdcage.tracking.move_times import durations, progress, ramps
 from birdcage.tracking.queued import queued
 from birdcage.tracking.steps import Look, Send
 

@@ -7,8 +7,8 @@ import numpy as np
 from birdcage.protocol.model import Axis, DishModel, SecondMove
 from birdcage.tracking.curve import Curve, Floats
 from birdcage.tracking.itinerary import Stretch
+from birdcage.tracking.move_times import durations
 from birdcage.tracking.plan import Forecast
-from birdcage.tracking.rates import move_seconds
 from birdcage.tracking.sight import Sight
 
 LATENCY_S = 0.06
@@ -92,7 +92,7 @@ def _interval_s(model: DishModel, across: Floats, up: Floats) -> Floats:
     for _ in range(12):
         interval = np.maximum(
             2.0 * one_s,
-            move_seconds(model.azimuth, across * interval) + move_seconds(model.elevation, up * interval),
+            durations(model.azimuth, across * interval) + durations(model.elevation, up * interval),
         )
     # Where the azimuth has no time to spare it lags on average by what the course has left for it.
     capped: Floats = np.minimum(interval, 8.0)

@@ -15,7 +15,7 @@ from birdcage.antenna.motion import plan_axis
 from birdcage.protocol.model import Axis
 from birdcage.tracking.axis_belief import spans
 from birdcage.tracking.curve import Curve, Floats
-from birdcage.tracking.many_moves import durations, progress, ramps
+from birdcage.tracking.move_times import durations, progress, ramps
 
 Whole = NDArray[np.int_]
 
@@ -100,19 +100,22 @@ class Lookahead:
 
     def _aims(self, course: Curve, begin_s: Floats, at_deg: Floats, later_s: tuple[float, ...]) -> _Moves:
         """Return the moves of each axis from each of the states; states alternate azimuth, elevation."""
-        begin, at = np.repeat(begin_s, len(later_s)), np.repeat(at_deg, len(later_s))
-        later = np.tile(later_s, len(begin_s))
-        column = np.repeat(np.arange(len(begin_s)) % 2, len(later_s))
-        goal, lasts, ramp = at.copy(), np.zeros(len(at)), np.full(len(at), 0.5)
+        shape = len(begin_s) // 2, 2, len(later_s)
+        begin = np.repeat(begin_s, len(later_s)).reshape(shape)
+        later = np.broadcast_to(np.array(later_s), shape)
+        at = np.repeat(at_deg, len(later_s)).reshape(shape)
+        goal, lasts, ramp = at.copy(), np.zeros(shape), np.full(shape, 0.5)
+        limits = spans(course)
         for _ in range(ROUNDS):
             both = course.sample(begin + lasts + later)
             for index, axis in enumerate(self._axes):
-                mine = column == index
-                steps = np.round(both[index][mine] / axis.step_deg) * axis.step_deg
-                goal[mine] = np.clip(steps, *spans(course)[index])
-                lasts[mine] = durations(axis, goal[mine] - at[mine])
-                ramp[mine] = ramps(axis, lasts[mine])
-        return _Moves(column, goal, goal - at, np.maximum(lasts, 1e-3), ramp)
+                steps = np.round(both[index][:, index] / axis.step_deg) * axis.step_deg
+                goal[:, index] = np.minimum(np.maximum(steps, limits[index][0]), limits[index][1])
+                lasts[:, index] = durations(axis, goal[:, index] - at[:, index])
+        for index, axis in enumerate(self._axes):
+            ramp[:, index] = ramps(axis, lasts[:, index])
+        column = np.broadcast_to(np.array([[[0], [1]]]), shape)
+        return _Moves(column.ravel(), goal.ravel(), (goal - at).ravel(), np.maximum(lasts, 1e-3).ravel(), ramp.ravel())
 
 
 def _mean_square(
@@ -130,4 +133,4 @@ def _mean_square(
     az, el = np.radians(where)
     course_az, course_el = np.radians(course.sample(t_s))
     h = np.sin((el - course_el) / 2.0) ** 2 + np.cos(el) * np.cos(course_el) * np.sin((az - course_az) / 2.0) ** 2
-    return np.asarray((np.arcsin(np.sqrt(np.clip(h, 0.0, 1.0))) ** 2).mean(axis=1))
+    return np.asarray((np.arcsin(np.sqrt(np.minimum(h, 1.0))) ** 2).mean(axis=1))

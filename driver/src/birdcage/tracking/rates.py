@@ -33,17 +33,3 @@ def azimuth_rates_deg_s(model: DishModel, t_s: Floats, el_deg: Floats, share: fl
     busy = np.abs(np.gradient(el_deg, t_s)) / mean_rate_deg_s(model.elevation)
     rates: Floats = rate * np.maximum((1.0 - busy) * share, _LEAST)
     return rates
-
-
-def move_seconds(axis: Axis, ways_deg: Floats) -> Floats:
-    """Return how long moves of these lengths take, from rest to rest."""
-    ways = np.abs(ways_deg)
-    if axis.times is not None:
-        grid = np.geomspace(1e-3, 400.0, 400)
-        return np.interp(ways, grid, [axis.times.seconds(way) for way in grid.tolist()])
-    ramp = axis.speed_deg_s**2 / axis.acceleration_deg_s2
-    short = 2.0 * np.sqrt(ways / axis.acceleration_deg_s2)
-    seconds: Floats = np.where(
-        ways < ramp, short, ways / axis.speed_deg_s + axis.speed_deg_s / axis.acceleration_deg_s2
-    )
-    return seconds

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from birdcage.tracking.curve import Curve, Floats
 from birdcage.tracking.mount import Standing
-from birdcage.tracking.rates import mean_rate_deg_s, move_seconds
+from birdcage.tracking.move_times import durations
+from birdcage.tracking.rates import mean_rate_deg_s
 from birdcage.tracking.routes import HOP_DEG, route
 from birdcage.tracking.sight import Sight
 
@@ -106,12 +107,12 @@ def _rewind_s(sight: Sight, az: Floats, el: Floats, turns: int) -> Floats:
     model = sight.mount.model
     ways = np.abs(az[None, :] + 360.0 * turns - az[:, None])
     hops = np.maximum(np.ceil(ways / HOP_DEG), 1.0)
-    seconds: Floats = hops * move_seconds(model.azimuth, ways / hops)
+    seconds: Floats = hops * durations(model.azimuth, ways / hops)
     if sight.bounds.keepouts:
         over = max(keepout.below_deg for keepout in sight.bounds.keepouts)
         if over > sight.bounds.high_el_deg:
             return np.full_like(seconds, np.inf)
-        climb = move_seconds(model.elevation, np.maximum(over - el, 0.0))
+        climb = durations(model.elevation, np.maximum(over - el, 0.0))
         seconds += climb[:, None] + climb[None, :]
     return seconds
 
