@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from birdcage.antenna.alignment import Alignment
 from birdcage.base.config import Settings
+from birdcage.base.config.feeds import FeedProfile, FeedSettings
 from birdcage.base.errors import BirdcageError
 from birdcage.station.mounting import mount_of
-from birdcage.station.requests import Goto, Home, SetSpeed
+from birdcage.station.requests import ApplySettings, Goto, Home, SetSpeed
 from birdcage.station.state import StationState
 
 from .conftest import Bench
@@ -30,6 +33,17 @@ def test_limits_are_the_dish_s_own_degrees_and_its_speed_is_the_one_in_force():
     assert mount.alignment == Alignment(5.0, 2.0)
     assert (mount.standing.az_deg, mount.standing.el_deg) == pytest.approx((175.0, 43.0), abs=0.1)
     assert mount.beam_deg == 3.0
+
+
+def test_the_beam_is_as_wide_as_the_band_of_its_feed_says():
+    settings = Settings(feeds={"ku": FeedProfile(freq_min_hz=11.0e9, freq_max_hz=13.0e9, beam_deg=3.0)})
+    settings = replace(settings, feed=FeedSettings(active="ku"))
+    bench = Bench().connect()
+    bench.do(ApplySettings(settings, "you"))
+    mount = mount_of(bench.state, settings)
+    assert mount.beam_deg_at(None) == 3.0
+    assert mount.beam_deg_at(10.0e9) == pytest.approx(3.6)
+    assert mount.beam_deg_at(137.1e6) == 3.0, "no law tells how wide it is so far off its band"
 
 
 def test_it_stands_on_a_turn_of_the_cable_where_that_was_counted():

@@ -299,8 +299,8 @@ class MotionGate:
             sentence = f"{target} lies in {where}, {by:.2f}° too low. Nothing was sent."
         elif round_about:
             sentence = (
-                f"The turn of the cable is not known: the dish may go to {target} the other way round, through {where}, "
-                f"{by:.2f}° too low. Nothing was sent: home the dish, or go up first, then across, then down."
+                f"The turn of the cable is not known: the dish may go to {target} the other way round, through "
+                f"{where}, {by:.2f}° too low. Nothing was sent: home the dish, or go up first, then across, then down."
             )
         else:
             sentence = (

@@ -52,7 +52,7 @@ class Applying:
         self._board.change(
             position=position, alignment=alignment,
             az_offset_deg=alignment.az_offset_deg, el_offset_deg=alignment.el_offset_deg,
-            feed_name=rules.feed_name, beam_deg=rules.beam_deg, stow_allowed=rules.stow_allowed,
-            motion_refused_because=rules.refuse_motion,
+            feed_name=rules.feed_name, beam_deg=rules.beam_deg, beam_at_hz=rules.beam_at_hz,
+            stow_allowed=rules.stow_allowed, motion_refused_because=rules.refuse_motion,
         )  # fmt: skip
         self._look.limit()

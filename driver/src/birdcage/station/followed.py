@@ -45,7 +45,9 @@ class Errors:
 
 def sample_of(plan: Plan, state: StationState, alignment: Alignment, seen_s: float) -> Sample | None:
     """Return how well the last reading, made at `seen_s` (POSIX), points; None where there is none to judge."""
-    here = state.position
+    from birdcage.tracking.mount import beam_deg_at
+
+    here, beam_deg = state.position, beam_deg_at(state.beam_deg, state.beam_at_hz, plan.aim.frequency_hz)
     if here is None or plan.course is None:
         return None
     target_az, target_el = plan.sky.at(seen_s)
@@ -56,5 +58,5 @@ def sample_of(plan: Plan, state: StationState, alignment: Alignment, seen_s: flo
         here.at, here.utc, wrap_360(target_az), target_el, wrap_360(planned_az), planned_el,
         commanded[0] if commanded[0] is not None else here.az_deg,
         commanded[1] if commanded[1] is not None else here.el_deg,
-        here.az_deg, here.el_deg, error, None if state.beam_deg is None else 12.0 * (error / state.beam_deg) ** 2,
+        here.az_deg, here.el_deg, error, None if beam_deg is None else 12.0 * (error / beam_deg) ** 2,
     )  # fmt: skip

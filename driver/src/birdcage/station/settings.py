@@ -28,6 +28,8 @@ class Rules:
     """No-go sectors, true."""
     feed_name: str = ""
     beam_deg: float | None = None
+    beam_at_hz: float | None = None
+    """Where that width holds: the middle of the feed's band."""
     stow_allowed: bool = False
     stop_releases_motors: bool = False
     refuse_motion: str | None = None
@@ -52,6 +54,7 @@ def rules_from(settings: Settings) -> Rules:
         sectors=motion.no_go_sectors,
         feed_name=settings.feed.active,
         beam_deg=feed.beam_deg,
+        beam_at_hz=feed.middle_hz,
         stow_allowed=feed.stow_allowed,
         stop_releases_motors=motion.stop_releases_motors,
         refuse_motion=settings.motion_problem,

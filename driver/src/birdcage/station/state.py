@@ -237,6 +237,8 @@ class StationState:
     """The whole of what is in force: the offsets above, tilt and collimation. Shown whenever it is not zero."""
     feed_name: str = ""
     beam_deg: float | None = None
+    beam_at_hz: float | None = None
+    """The frequency at which the beam is so wide: the middle of the feed's band."""
     stow_allowed: bool = False
     el_min_deg: float | None = None
     """The lowest and highest true elevation that a motion may go to: the dish's own limits and the user's."""

@@ -132,8 +132,8 @@ def _border_notes(sight: Sight) -> Iterator[str]:
     if (sight.bounds.blocked(sight.az_deg, sight.pointed_el_deg, borders_only=True) & within).any():
         highest = max(keepout.below_deg for keepout in sight.bounds.keepouts)
         yield (
-            f"Below {highest:.0f}° it is not followed across north or a stop of the cable: of unknown turn the dish may "
-            "go the other way round there, through a no-go sector. Home the dish, and its turn is known."
+            f"Below {highest:.0f}° it is not followed across north or a stop of the cable: of unknown turn the dish "
+            "may go the other way round there, through a no-go sector. Home the dish, and its turn is known."
         )
 
 

@@ -8,6 +8,8 @@ from birdcage.antenna.alignment import Alignment
 from birdcage.protocol.model import DishModel
 from birdcage.sky.reach_limits import ReachLimits
 
+OCTAVE = 2.0
+
 
 @dataclass(frozen=True, slots=True)
 class Standing:
@@ -38,10 +40,17 @@ class Mount:
     """The frequency at which `beam_deg` holds; None where that is not known."""
 
     def beam_deg_at(self, frequency_hz: float | None) -> float | None:
-        """Return the width of the beam at a frequency: it grows with the wavelength (reference section 5).
+        """Return the width of the beam at a frequency; see `beam_deg_at`."""
+        return beam_deg_at(self.beam_deg, self.beam_at_hz, frequency_hz)
 
-        `beam_deg` as it is, where no frequency is asked for or the one at which it holds is not known.
-        """
-        if self.beam_deg is None or frequency_hz is None or self.beam_at_hz is None:
-            return self.beam_deg
-        return self.beam_deg * self.beam_at_hz / frequency_hz
+
+def beam_deg_at(beam_deg: float | None, beam_at_hz: float | None, frequency_hz: float | None) -> float | None:
+    """Return the width of a beam at a frequency: it grows with the wavelength (reference section 5).
+
+    As it is, where no frequency is asked for, or the one at which it holds is not known or an octave away: of a feed
+    that is not made for a frequency no law tells.
+    """
+    if beam_deg is None or beam_at_hz is None or frequency_hz is None:
+        return beam_deg
+    ratio = beam_at_hz / frequency_hz
+    return beam_deg * ratio if 1.0 / OCTAVE <= ratio <= OCTAVE else beam_deg

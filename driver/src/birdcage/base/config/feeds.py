@@ -43,6 +43,12 @@ class FeedProfile(Section):
     el_offset_deg: float = setting(0.0, "How far the beam looks above the dish's axis.", minimum=-45.0, maximum=45.0)
     stow_allowed: bool = setting(False, "Whether the dish may fold flat with this feed: false if it would be crushed.")
 
+    @property
+    def middle_hz(self) -> float | None:
+        """The middle of the band; None where that is not known."""
+        low, high = self.freq_min_hz, self.freq_max_hz
+        return None if low is None or high is None else (low + high) / 2.0
+
     def complaints(self) -> Iterator[Complaint]:
         """Yield a band turned upside down."""
         if self.freq_min_hz is not None and self.freq_max_hz is not None and self.freq_min_hz >= self.freq_max_hz:
