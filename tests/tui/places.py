@@ -6,6 +6,7 @@ import asyncio
 import sys
 from dataclasses import dataclass, field, replace
 
+import calibrate_stand_in
 import horizon_stand_in
 import setup_stand_in
 import sky_stand_in
@@ -33,6 +34,7 @@ class Place:
     engine: str = "home"
     state: dict[str, object] = field(default_factory=dict)
     track: str = "craft-idle"
+    calibrate: str = "five"
 
 
 def _page(name: str, *keys: str, holds: str = "", **more: object) -> Place:
@@ -55,6 +57,8 @@ FORMS = {"mute": FORM, "feed": FORM, "place": FORM, "north": FORM, "level": f"{S
          "busy": STEPS, "dish": STEPS, "search": STEPS}  # fmt: skip
 """What the form of a step holds, where that is not buttons alone."""
 POCKET = (40, 12)
+AIM = "CalibratePage/AimPane"
+CALIBRATE = f"{AIM} CalibratePage/ObjectsPane CalibratePage/PeaksPane CalibratePage/SetsPane"
 
 PLACES = (
     *(_page(name, f"f{number}") for number, (name, _, _) in enumerate(PAGES, 1)
@@ -87,6 +91,12 @@ PLACES = (
     _page("console, over setup", "f8", "f5", holds=f"{BUTTONS} {LOG} {TYPED}"),
     *(_page(f"setup, {name}", "f8", holds=FORMS.get(name, BUTTONS), engine=name)
       for name in setup_stand_in.ENGINES),
+    _page("calibrate", "f8", "C", holds=f"{AIM} CalibratePage/ObjectsPane"),
+    _page("calibrate, first", "f8", "C", holds=f"{AIM} CalibratePage/ObjectsPane", calibrate="first"),
+    _page("calibrate, peaks", "f8", "C", "p", holds=f"{AIM} CalibratePage/PeaksPane"),
+    _page("calibrate, sets", "f8", "C", "s", holds=f"{AIM} CalibratePage/SetsPane"),
+    _page("calibrate, roomy", "f8", "C", holds=CALIBRATE, size=(120, 36)),
+    _page("calibrate, on the sky", "f8", "C", "v", holds=f"{AIM} CalibratePage/ObjectsPane"),
     _page("setup, roomy form", "f8", holds=FORM, engine="place", size=(120, 36)),
     _page("setup, wiring", "f8", "w"),
     _page("pocket", size=POCKET),
@@ -104,6 +114,8 @@ PLACES = (
     _dialog("clear the horizon", "HorizonHands._clear", "f2", "Z"),
     _dialog("jump to a time", "PassesPage._ask_time", "f7", "t", **FIELDS),
     _dialog("frequency", "CraftTab._ask_frequency", "f2", "c", "F", track="craft-following", **FIELDS),
+    _dialog("forget all peaks", "CalibratePage._ask_begin", "f8", "C", "X"),
+    _dialog("name of a fit", "CalibratePage._ask_name", "f8", "C", "a", **FIELDS),
     _dialog("new preset", "ControlPage._add", "f2", "a", **FIELDS),
     _dialog("edit preset", "ControlPage._edit", "f2", "p", "e", **FIELDS),
     _dialog("area clear", "SetupPage._when_clear", "f8", "enter"),
@@ -133,7 +145,8 @@ def at(place, folder, test, *, state="slewing", size=None, **settings):
         asked = []
         app = stand_in.app_in(
             state, setup=setup_stand_in.ENGINES[place.engine], presets_file=presets, history_file=folder / "history",
-            sky=sky_stand_in.make(), horizon=horizon_stand_in.File(), **settings,
+            sky=sky_stand_in.make(), horizon=horizon_stand_in.File(),
+            calibrate=calibrate_stand_in.make(place.calibrate), **settings,
         )  # fmt: skip
         app.track._make = track_stand_in.Source(track_stand_in.desk_in(place.track, app.session.clock))
         app.station.state = replace(app.station.state, **place.state)

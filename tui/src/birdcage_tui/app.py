@@ -109,16 +109,30 @@ class BirdcageApp(Shell):
             if error is not None and self._loop is not None and not self._loop.is_closed():
                 self._loop.call_soon_threadsafe(self.say, str(error))
 
-        pursuit = pursuit_of(self.view())
-        if isinstance(request, MOTIONS) and pursuit is not None and self.station.state.holder == pursuit.holder != YOU:
-            # It is your own pursuit: a key that moves by hand is word enough that you want it back.
-            self.station.submit(AcquireLease(YOU, take_over=True))
+        if isinstance(request, MOTIONS):
+            self._take_back()
         future = self.station.submit(request)
         if isinstance(request, MOTIONS):
             self.end_tour()
             self.under_way.add(future)
             self.horizon.moved(jog=isinstance(request, Jog))
         future.add_done_callback(done)
+
+    def begin_way(self) -> Future[object]:
+        """Count a motion of yours that somebody else will submit as under way, until what is returned is done."""
+        self._take_back()
+        self.end_tour()
+        self.horizon.moved(jog=False)
+        way: Future[object] = Future()
+        self.under_way.add(way)
+        way.add_done_callback(self.under_way.discard)
+        return way
+
+    def _take_back(self) -> None:
+        """Take control from your own pursuit: a key that moves by hand is word enough that you want it back."""
+        pursuit = pursuit_of(self.view())
+        if pursuit is not None and self.station.state.holder == pursuit.holder != YOU:
+            self.station.submit(AcquireLease(YOU, take_over=True))
 
     def open_goto(self, text: str = "") -> None:
         """Open the go-to line, over whatever page is seen."""
@@ -253,8 +267,12 @@ class BirdcageApp(Shell):
 
     def leave(self, by: str = YOU, status: int = 0) -> None:
         """STOP first if anything moves; give the terminal back; `main` closes the session."""
-        if self.view().moving:
+        moving = self.view().moving
+        # It waits for nothing. Told after STOP, the desk would take what is followed for ended, and not offer it again.
+        self.track.close()
+        if moving:
             self.station.stop(by)
+        self.sky.close()
         self.exit(return_code=status)
 
     def _catch_signals(self) -> None:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from concurrent.futures import Future
 from typing import Protocol
 
 from birdcage.station.requests import Request
 
+from birdcage_tui.calibrate.feed import CalibrateFeed
 from birdcage_tui.control.book import PresetBook
 from birdcage_tui.control.horizon_book import HorizonBook
 from birdcage_tui.sky_feed import SkyFeed
@@ -24,6 +26,8 @@ class Host(Protocol):
     """What is known of the sky, and how to ask for more."""
     track: TrackFeed
     """The pursuit desk, and what it has told."""
+    calibrate: CalibrateFeed
+    """The guide of the calibration, and what it has told."""
     aim: tuple[float, float] | None
     """Where the go-to line would lead, while one types into it."""
 
@@ -41,6 +45,9 @@ class Host(Protocol):
 
     def ask(self, request: Request) -> None:
         """Submit a request; if it fails, the sentence of its error is shown."""
+
+    def begin_way(self) -> Future[object]:
+        """Count a motion of yours that somebody else will submit as under way, until what is returned is done."""
 
     def open_goto(self, text: str = "") -> None:
         """Open the go-to line with `text` in it."""

@@ -20,6 +20,7 @@ from birdcage.station.known import list_firmwares, list_ports
 from birdcage.station.session import Session
 
 from birdcage_tui.app import BirdcageApp
+from birdcage_tui.calibrate.source import make_calibrate
 from birdcage_tui.clock_watch import make_check
 from birdcage_tui.control.horizon_file import ConfigHorizon
 from birdcage_tui.glyphs import fitting
@@ -160,6 +161,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSetti
         setup=make_setup,
         sky=make_sky(settings, paths, clock, demo=options.demo),
         track=make_track(session, settings, load_again, paths, demo=options.demo),
+        calibrate=make_calibrate(session, load_again, paths, environ={} if options.demo else None, flags=flags),
         horizon=ConfigHorizon(paths, settings, load_again),
         clock_check=make_check(clock, paths),
         first_page=begin,

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Protocol
 if TYPE_CHECKING:
     from birdcage.sky.horizon import HorizonMask
 
+    from birdcage_tui.calibrate.feed import MakeCalibrate
     from birdcage_tui.clock_told import ClockTold
     from birdcage_tui.setup.engine import SetupEngine
     from birdcage_tui.sky_feed import MakeSky
@@ -66,6 +67,8 @@ class AppSettings:
     """Makes what watches the sky, after the first frame; None: nothing does."""
     track: MakeTrack | None = field(default=None, compare=False)
     """Makes the pursuit desk, after the first frame; None: there is none."""
+    calibrate: MakeCalibrate | None = field(default=None, compare=False)
+    """Makes the guide of the calibration when its tab is first visited; None: there is none."""
     horizon: HorizonFile | None = field(default=None, compare=False)
     """Where the line of trees and roofs is kept; None: nowhere."""
     clock_check: Callable[[], ClockTold] | None = field(default=None, compare=False)

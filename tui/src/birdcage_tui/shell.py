@@ -22,6 +22,7 @@ from textual.timer import Timer
 from textual.widgets import ContentSwitcher, Input
 
 from birdcage_tui import commands
+from birdcage_tui.calibrate.feed import CalibrateFeed
 from birdcage_tui.clock_told import ClockTold
 from birdcage_tui.clock_watch import ClockWatch
 from birdcage_tui.console.tap import WireTap
@@ -94,6 +95,7 @@ class Shell(Surface):
         """The line of trees and roofs."""
         self.sky = SkyFeed(self.settings.sky, lambda sky: self.post_message(SkyChanged(sky)), self.say_soon)
         self.track = TrackFeed(self.settings.track, self.soon, self._news, self.bell)
+        self.calibrate = CalibrateFeed(self.settings.calibrate, self.soon, self._changed)
         self.clock_watch = ClockWatch(
             self.settings.clock_check, lambda told: self.soon(partial(self._hear_clock, told))
         )
@@ -163,9 +165,8 @@ class Shell(Surface):
 
     def on_unmount(self) -> None:
         """Hear no more events."""
-        self.sky.close()
-        self.track.close()
-        self.clock_watch.close()
+        for each in (self.sky, self.track, self.calibrate, self.clock_watch):
+            each.close()
         if self._unsubscribe is not None:
             self._unsubscribe()
 
@@ -202,6 +203,7 @@ class Shell(Surface):
             clock=self.clock_watch.now,
             track=self.track.now,
             followed=tuple(self.track.looks),
+            calibrate=self.calibrate.now,
         )
 
     def paint(self) -> None:

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from birdcage.pursuit.now import DeskNow
     from birdcage.station.pursuit import Sample as Look
 
+    from birdcage_tui.calibrate.feed import CalibrateNow
     from birdcage_tui.passes.model import SkyPicture
 
 YOU = "you"
@@ -89,6 +90,8 @@ class View:
     """What the pursuit desk shows; None before it has told anything."""
     followed: Sequence[Look] = ()
     """How well the dish has pointed in the pursuit under way, a look a second."""
+    calibrate: CalibrateNow | None = None
+    """What the calibration shows; None before its tab was visited."""
 
     @property
     def position_age_s(self) -> float | None:

@@ -9,9 +9,9 @@ from concurrent.futures import Future
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from birdcage.base.alignments import AlignmentSet, alignment_settings, keep_set
+from birdcage.base.alignments import AlignmentSet, alignment_settings, keep_set, load_sets
 from birdcage.base.config import Settings, edit, load
-from birdcage.base.errors import BirdcageError
+from birdcage.base.errors import BirdcageError, ConfigError
 from birdcage.base.paths import Paths
 from birdcage.calibration.candidates import Candidate
 from birdcage.calibration.expected import expected
@@ -76,7 +76,7 @@ class Guide:
 
     def __init__(
         self, session: Session, settings: Settings, paths: Paths, *, environ: Mapping[str, str] | None = None,
-        flags: Mapping[str, object] | None = None, holder: str = "calibration",
+        flags: Mapping[str, object] | None = None, holder: str = "calibration", watch: bool = True,
     ) -> None:  # fmt: skip
         self._station, self._clock = session.station, session.clock
         self.settings, self._paths, self._holder = settings, paths, holder
@@ -87,7 +87,8 @@ class Guide:
         self._busy = self._failure = ""
         self._proposals: tuple[Proposal, ...] = ()
         self._read()
-        self._station.submit(Watch("calibration", frozenset({"position"}), rate_hz=2.0))
+        if watch:
+            self._station.submit(Watch("calibration", frozenset({"position"}), rate_hz=2.0))
 
     @property
     def peaks(self) -> tuple[Peak, ...]:
@@ -103,6 +104,11 @@ class Guide:
     def fit(self) -> Fit | None:
         """The fit to them; None without any."""
         return self._fit
+
+    @property
+    def busy(self) -> str:
+        """What is under way; empty where nothing is."""
+        return self._busy
 
     def close(self) -> None:
         """Look away from the dish, and give control back."""
@@ -176,13 +182,25 @@ class Guide:
         remove_peaks(peaks_file(self._paths), *numbers)
         self._read()
 
+    def put_back(self, peak: Peak) -> Peak:
+        """Keep a peak that was removed, under a number of its own, and fit anew. StoreError if it can't be kept."""
+        kept = add_peak(peaks_file(self._paths), peak)
+        self._read()
+        return kept
+
     def apply(self, name: str) -> AlignmentSet:
         """Keep the fit as a set called `name` and put it into force. ConfigError, NoPeak: nothing was changed."""
         if self._fit is None:
             raise NoPeak("There is no peak yet, so there is nothing to apply.", reason="target")
         found = set_from(self.settings, self._fit, name, self._clock.utc())
-        kept = keep_set(self._paths.alignments_file, found).named(name)
-        assert kept is not None, "it was written just now"
+        keep_set(self._paths.alignments_file, found)
+        return self.use(name)
+
+    def use(self, name: str) -> AlignmentSet:
+        """Put the set called `name`, which was kept before, into force. ConfigError where there is none."""
+        kept = load_sets(self._paths.alignments_file).named(name)
+        if kept is None:
+            raise ConfigError(f"There is no set called {name!r}.")
         edit(self._paths.config_file, alignment_settings(kept))
         self.settings = load(self._paths.config_file, self._environ, self._flags)
         self._ask(ApplySettings(self.settings, self._holder), f"putting {kept.name} into force")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from birdcage_tui.commands.calibrate import CALIBRATE
 from birdcage_tui.commands.console import CONSOLE
 from birdcage_tui.commands.control import CONTROL
 from birdcage_tui.commands.everywhere import APP, MOTION, PAGE_COMMANDS, PAGES, SAFETY, SEARCH
@@ -17,7 +18,8 @@ from birdcage_tui.commands.track import TRACK
 __all__ = ["BY_NAME", "COMMANDS", "KEYS", "PAGES", "Command", "for_key", "in_force"]
 
 COMMANDS: tuple[Command, ...] = (
-    *SAFETY, *JOG, *CONTROL, *HORIZON, *TRACK, *PASSES, *CONSOLE, *SETUP, *MOTION, *SEARCH, *APP, *PAGE_COMMANDS
+    *SAFETY, *JOG, *CONTROL, *HORIZON, *TRACK, *PASSES, *CONSOLE, *CALIBRATE, *SETUP, *MOTION, *SEARCH, *APP,
+    *PAGE_COMMANDS,
 )  # fmt: skip
 BY_NAME = {command.name: command for command in COMMANDS}
 KEYS: dict[str, bool] = {

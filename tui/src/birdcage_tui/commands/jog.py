@@ -6,6 +6,7 @@ from birdcage_tui.commands.table import Command, can_move
 from birdcage_tui.view import View
 
 WHERE = ("dashboard", "control", "pocket")
+STEPPED = (*WHERE, "calibrate")
 STEPS_DEG = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
 """What one press of a jog key may be, in degrees."""
 DIRECTIONS = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "up": (0.0, 1.0), "down": (0.0, -1.0)}
@@ -47,10 +48,10 @@ JOG = (
         can_turn_skew, where=WHERE,
     ),
     Command(
-        "step-down", ("minus",), "-", "Smaller step", "From 10° down to 0.01°.", "Jog", where=WHERE,
+        "step-down", ("minus",), "-", "Smaller step", "From 10° down to 0.01°.", "Jog", where=STEPPED,
     ),
     Command(
-        "step-up", ("plus", "equals_sign"), "+", "Larger step", "From 0.01° up to 10°.", "Jog", where=WHERE,
+        "step-up", ("plus", "equals_sign"), "+", "Larger step", "From 0.01° up to 10°.", "Jog", where=STEPPED,
         footer="step",
     ),
 )  # fmt: skip

@@ -9,9 +9,10 @@ from typing import cast
 from birdcage.setup.case import Cause
 from birdcage.setup.step import Choice, Mark, StepView
 from textual.app import ComposeResult
-from textual.containers import Vertical, VerticalScroll
+from textual.containers import Container, Vertical, VerticalScroll
 from textual.widgets import Input
 
+from birdcage_tui.calibrate.tabs import SetupTabs
 from birdcage_tui.panes.pointing import PointingPane
 from birdcage_tui.settings import Place
 from birdcage_tui.setup.absent import AbsentSetup
@@ -25,7 +26,6 @@ from birdcage_tui.setup.steps import StepsPane
 from birdcage_tui.setup.words import StepWords, Telling
 from birdcage_tui.view import View
 
-TITLE = "Setup: from wires to the first satellite"
 HERE = Choice("here", "enter", "Make this the present step")
 HAND_STEPS = ("north", "first")
 """Steps at which a person may want to move the dish by hand."""
@@ -42,7 +42,6 @@ class SetupBody(SetupLayout):
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
-        self.border_title = TITLE
         self.wrong = ""
         """Why the last answer was not taken."""
         self.note = ""
@@ -56,18 +55,20 @@ class SetupBody(SetupLayout):
 
     def compose(self) -> ComposeResult:
         """The list above, the step, the list below; wider, list and step side by side."""
-        with Vertical(id="setup-list") as column:
-            column.border_title = "Setup: eleven steps"  # narrower than the page, whose title would be cut
-            steps = StepsPane(id="setup-steps")
-            steps.can_focus = True
-            yield steps
-        with VerticalScroll(id="setup-step", can_focus=False):
-            yield StepWords(id="setup-words")
-            yield AnswerForm(id="setup-form")
-            yield ExtraPane(id="setup-extra")
-            yield PointingPane(id="setup-pointing")
-            yield ExtraPane(id="setup-below")
-        yield StepsPane(id="setup-rest")
+        yield SetupTabs("setup")
+        with Container(id="setup-frame"):
+            with Vertical(id="setup-list") as column:
+                column.border_title = "Setup: eleven steps"
+                steps = StepsPane(id="setup-steps")
+                steps.can_focus = True
+                yield steps
+            with VerticalScroll(id="setup-step", can_focus=False):
+                yield StepWords(id="setup-words")
+                yield AnswerForm(id="setup-form")
+                yield ExtraPane(id="setup-extra")
+                yield PointingPane(id="setup-pointing")
+                yield ExtraPane(id="setup-below")
+            yield StepsPane(id="setup-rest")
 
     def on_mount(self) -> None:
         """Make the engine, and look at its present step."""

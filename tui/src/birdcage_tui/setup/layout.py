@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from birdcage.setup.step import Choice, StepView
 from textual.containers import VerticalScroll
+from textual.geometry import Size
 from textual.widget import Widget
 
 from birdcage_tui.pages.page import Page
@@ -42,6 +43,11 @@ class SetupLayout(Page):
         return self.query_one(AnswerForm)
 
     @property
+    def room(self) -> Size:
+        """How large it is under the tabs."""
+        return self.query_one("#setup-frame").size
+
+    @property
     def step(self) -> StepView:
         """The step that is looked at."""
         return self.views[self.looked]
@@ -66,13 +72,13 @@ def lay_out(page: SetupLayout) -> object:
     words, form, extra = page.query_one(StepWords), page.form, page.query_one("#setup-extra", ExtraPane)
     scroll = page.query_one("#setup-step", VerticalScroll)
     fills, wide = page.wiring_fills, page.wide
-    width = scroll.size.width or page.size.width - 8
+    width = scroll.size.width or page.room.width - 8
     words.display = form.display = not fills
     form.fill(page.step.name, page.answers(), width)
     told = 0 if fills else words.rows(width)
     asked = 0 if fills else form.rows
     # A row of air above and below the answers, where the list does not need it.
-    spare = extra.kind is Kind.NOTHING and page.size.height - told - asked - len(page.views) >= 2
+    spare = extra.kind is Kind.NOTHING and page.room.height - told - asked - len(page.views) >= 2
     airy = not fills and (wide or (asked > 0 and spare))
     form.set_class(airy, "-airy")
     asked += 2 if airy else 0
@@ -94,12 +100,12 @@ def lay_out(page: SetupLayout) -> object:
     elif extra.display:
         needs = extra.wiring_rows(width) if fills else 0
         _rows(extra, max(room - told - asked, needs))
-    return page.size, width, wide, told, asked, room, page.looked, extra.kind, page.present
+    return page.room, width, wide, told, asked, room, page.looked, extra.kind, page.present
 
 
 def _narrow(page: SetupLayout, needs: int, *, has_extra: bool) -> int:
     """List and step in one column. Return the rows that the step has."""
-    height, count = page.size.height, len(page.views)
+    height, count = page.room.height, len(page.views)
     least = LEAST_LIST if has_extra else min(max(height - needs, LEAST_LIST), count)
     listed = 0 if page.wiring_fills else least
     rows = fold(count, page.looked, listed)

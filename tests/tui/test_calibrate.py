@@ -1,0 +1,283 @@
+"""The Calibrate tab of F8 over a stand-in guide: what is seen at every size, and what each key asks for."""
+
+from __future__ import annotations
+
+import asyncio
+from concurrent.futures import Future
+
+import calibrate_stand_in
+import pytest
+import stand_in
+from birdcage_tui.calibrate.aim import AimPane
+from birdcage_tui.calibrate.figures import FiguresPane
+from birdcage_tui.calibrate.lists import ObjectsPane, PeaksPane, SetsPane
+from birdcage_tui.calibrate.over_sky import OverSkyPane
+from birdcage_tui.calibrate.scatter import ScatterPane, reach_of
+from birdcage_tui.calibrate.tabs import SetupTabs
+from birdcage_tui.commands.table import can_move
+from birdcage_tui.footer import KeyBar
+from birdcage_tui.status import BadDayRow, StatusLine, StopButton
+
+SIZES = [(80, 24), (120, 36), (160, 48), (200, 60)]
+OWN = (SetupTabs, ScatterPane, AimPane, ObjectsPane, FiguresPane, PeaksPane, SetsPane, OverSkyPane)
+
+
+def run(test, scene="five", size=(80, 24), state="idle", **options):
+    async def body():
+        app = stand_in.app_in(state, calibrate=calibrate_stand_in.make(scene), **options)
+        async with app.run_test(size=size) as pilot:
+            await settle(app, pilot)
+            await press(app, pilot, "f8")
+            await press(app, pilot, "C")
+            await settle(app, pilot)
+            return await test(app, pilot, app.calibrate.source)
+
+    return asyncio.run(body())
+
+
+async def settle(app, pilot):
+    app.paint()
+    for _ in range(3):
+        await pilot.pause()
+
+
+async def press(app, pilot, *keys):
+    await pilot.press(*keys)
+    await settle(app, pilot)
+
+
+async def read(app, _pilot, _source):
+    return stand_in.text_of(app)
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+@pytest.mark.parametrize("scene", calibrate_stand_in.SCENES)
+def test_what_a_person_needs_is_inside_the_screen_and_over_nothing_else(scene, size):
+    async def look(app, _pilot, _source):
+        kinds = [StatusLine, StopButton, BadDayRow, KeyBar, SetupTabs, ScatterPane, AimPane, ObjectsPane]
+        if scene in ("one", "five", "odd"):
+            kinds.append(FiguresPane)
+        if size[0] >= 100:
+            kinds += [PeaksPane, SetsPane]
+        if size[0] >= 150:
+            kinds.append(OverSkyPane)
+        parts = {kind.__name__: app.page.query_one(kind) if kind in OWN else app.query_one(kind) for kind in kinds}
+        for name, part in parts.items():
+            assert part.region.area > 0, name
+            assert app.screen.region.contains_region(part.region), f"{name} {part.region}"
+            assert part.content_size.area > 0, name
+        found = list(parts.items())
+        for index, (name, part) in enumerate(found):
+            for other, second in found[index + 1 :]:
+                assert not part.region.overlaps(second.region), f"{name} lies over {other}"
+        aim = parts["AimPane"]
+        for spot, command in aim.hot:
+            inside = aim.content_region
+            assert spot.right <= inside.width, command
+            assert spot.bottom <= inside.height, command
+
+    run(look, scene, size)
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_the_first_question_and_its_controls_at_every_size(size):
+    first = run(read, "first", size)
+    for words in ("How does the dish really stand?", "Next best: 82°W Nimiq 4", "n go there", "▼ Calibrate", "8 Setup"):
+        assert words in first
+    on_it = run(read, "five", size)
+    for words in ("82°W Nimiq 4", "159.00° 43.00°", "0.42° right, 0.10° down", "Enter peaked here", "n go to the next"):
+        assert words in on_it
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_the_figures_are_told_and_the_warning_too(size):
+    view = calibrate_stand_in.SCENES["odd"].guide
+    text = run(read, "odd", size)
+    for value in (view.fit.rms_before_deg, view.fit.rms_deg, view.fit.leave_one_out_rms_deg, view.sky_error_deg):
+        assert f"{value:.2f}°" in text
+    assert f"{view.fit.condition:.0f} " in text
+    assert "Peak 3" in text
+    assert "▲" in text
+
+
+def test_the_picture_holds_each_peak_by_its_number_and_its_ring():
+    async def look(app, _pilot, _source):
+        pane = app.screen.query_one(ScatterPane)
+        return "\n".join("".join(part.text for part in strip) for strip in pane._strips)
+
+    text = run(look, "five", (160, 48))
+    assert all(str(number) in text for number in range(1, 6))
+    assert text.count("○") >= 3, "rings may fall on each other, and on numbers"
+    assert f"{reach_of(calibrate_stand_in.SCENES['five'].guide.fit):g}° up" in text
+
+
+def test_a_peak_lies_where_its_residual_says():
+    """Right of the middle and above it, as far as the scale says."""
+    fit = calibrate_stand_in.SCENES["five"].guide.fit
+    reach = reach_of(fit)
+    one = max(fit.residuals, key=lambda each: each.off_deg)
+
+    async def look(app, _pilot, _source):
+        pane = app.screen.query_one(ScatterPane)
+        return ["".join(part.text for part in strip) for strip in pane._strips]
+
+    rows = run(look, "five", (160, 48))
+    radius = min(len(rows[0]) - 1, len(rows) * 2 - 2)
+    wanted_x = len(rows[0]) // 2 + one.right_deg / reach * radius / 2
+    wanted_y = len(rows) // 2 - one.up_deg / reach * radius / 4
+    spots = [
+        (x, y) for y, row in enumerate(rows) for x, char in enumerate(row)
+        if char == str(one.peak.number) and "°" not in row[x : x + 6]
+    ]  # fmt: skip
+    assert any(abs(x - wanted_x) <= 1.5 and abs(y - wanted_y) <= 1.5 for x, y in spots), (spots, wanted_x, wanted_y)
+
+
+def test_keys_ask_for_what_they_say():
+    async def play(app, pilot, source):
+        for keys in (("right",), ("up",), ("minus",), ("h",), ("n",), ("enter",), ("m",), ("u",), ("r",)):
+            await press(app, pilot, *keys)
+        asked = [tuple(each for each in one if not isinstance(each, Future)) for one in source.asked]
+        assert asked == [
+            ("nudge", 1.0, 0.0), ("nudge", 0.0, 1.0), ("nudge", -0.5, 0.0),
+            ("go", calibrate_stand_in.SCENES["five"].guide.proposals[0].candidate), ("take",), ("go", None),
+            ("undo",), ("refresh",),
+        ]  # fmt: skip
+        ways = [each for one in source.asked for each in one if isinstance(each, Future)]
+        assert app.under_way == set(ways), "Esc stops until they are at their end"
+        assert app.view().may_move
+        for way in ways:
+            way.set_result(None)
+        assert not app.under_way
+
+    run(play)
+
+
+def test_another_object_is_chosen_in_the_list_and_gone_to():
+    async def play(app, pilot, source):
+        await press(app, pilot, "o")
+        assert app.focused is app.screen.query_one(ObjectsPane)
+        await press(app, pilot, "down")
+        await press(app, pilot, "down")
+        await press(app, pilot, "enter")
+        assert source.asked[0][:2] == ("go", calibrate_stand_in.SCENES["five"].guide.proposals[2].candidate)
+        assert app.focused is app.screen.query_one(AimPane), "the arrows nudge again"
+
+    run(play)
+
+
+def test_a_click_chooses_an_object_and_a_button_goes_there():
+    async def play(app, pilot, source):
+        pane = app.screen.query_one(ObjectsPane)
+        await pilot.click(pane, offset=(10, 2))
+        await settle(app, pilot)
+        assert pane.at == 1
+        aim = app.screen.query_one(AimPane)
+        spot = next(region for region, command in aim.hot if command == "calibrate-next")
+        await pilot.click(aim, offset=(spot.x + 3, spot.y + 1))
+        await settle(app, pilot)
+        assert source.asked[0][:2] == ("go", calibrate_stand_in.SCENES["five"].guide.proposals[1].candidate)
+
+    run(play)
+
+
+def test_a_peak_is_forgotten_and_all_of_them_only_after_a_yes():
+    async def play(app, pilot, source):
+        await press(app, pilot, "p")
+        await press(app, pilot, "down")
+        await press(app, pilot, "d")
+        assert source.asked == [("remove", 2)]
+        await press(app, pilot, "X")
+        await press(app, pilot, "enter")
+        assert source.asked == [("remove", 2)]
+        await press(app, pilot, "X")
+        await press(app, pilot, "y")
+        assert source.asked == [("remove", 2), ("remove",)]
+
+    run(play)
+
+
+def test_a_fit_is_kept_under_a_name_and_a_kept_set_is_used():
+    async def play(app, pilot, source):
+        await press(app, pilot, "a")
+        assert "Kept already: Roof, Van" in " ".join(stand_in.text_of(app).replace("│", " ").split())
+        await press(app, pilot, *["backspace"] * 4)
+        await press(app, pilot, "enter")
+        assert "A name, please" in stand_in.text_of(app)
+        await press(app, pilot, *"Shed")
+        await press(app, pilot, "enter")
+        await press(app, pilot, "s")
+        await press(app, pilot, "down")
+        await press(app, pilot, "enter")
+        assert source.asked == [("apply", "Shed"), ("use", "Van")]
+
+    run(play)
+
+
+def test_nothing_is_asked_for_that_cannot_be_done():
+    async def play(app, pilot, source):
+        for key in ("enter", "u", "a", "X", "p", "d"):
+            await press(app, pilot, key)
+        assert source.asked == []
+        assert "No object is chosen" not in stand_in.text_of(app).splitlines()[-1]
+
+    run(play, "first")
+
+
+def test_enter_releases_first_while_stop_is_latched():
+    async def play(app, pilot, source):
+        assert can_move(app.view()) is not None
+        await press(app, pilot, "right")
+        await press(app, pilot, "n")
+        assert source.asked == []
+        await press(app, pilot, "enter")
+        assert source.asked == []
+        assert type(app.station.asked[-1]).__name__ == "Release"
+
+    run(play, state="held")
+
+
+def test_v_turns_the_picture_over_where_there_is_room_for_one():
+    async def play(app, pilot, _source):
+        assert "What is left" in stand_in.text_of(app)
+        await press(app, pilot, "v")
+        await settle(app, pilot)
+        text = stand_in.text_of(app)
+        assert "On the sky" in text
+        assert "What is left" not in text
+
+    run(play)
+
+
+def test_the_tabs_lead_there_and_back_by_the_mouse():
+    async def play(app, pilot, _source):
+        tabs = app.page.query_one(SetupTabs)
+        await pilot.click(tabs, offset=(3, 0))
+        await settle(app, pilot)
+        assert app.page.scope == "setup"
+        spot = next(region for region, command in app.page.query_one(SetupTabs).hot if command == "tab-calibrate")
+        await pilot.click(app.page.query_one(SetupTabs), offset=(spot.x + 2, 0))
+        await settle(app, pilot)
+        assert app.page.scope == "calibrate"
+
+    run(play)
+
+
+def test_without_a_guide_the_tab_says_so():
+    async def play(app, pilot, _source):
+        await press(app, pilot, "f8")
+        await press(app, pilot, "C")
+        await press(app, pilot, "n")
+        return stand_in.text_of(app)
+
+    async def body():
+        app = stand_in.app_in("idle")
+        async with app.run_test(size=(80, 24)) as pilot:
+            await settle(app, pilot)
+            return await play(app, pilot, None)
+
+    assert "not open yet" in asyncio.run(body())
+
+
+def test_no_place_is_told_and_what_to_do():
+    text = " ".join(run(read, "no-place").replace("│", " ").split())
+    assert "▲ No place is set" in text

@@ -1,0 +1,118 @@
+"""What is pointed at: the object, where it should be, where the dish is, and the keys that bring both together."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from birdcage_tui.calibrate.words import aside, direction, put_wrapped
+from birdcage_tui.canvas import Cells
+from birdcage_tui.pane import Pane
+from birdcage_tui.view import View
+
+if TYPE_CHECKING:
+    from birdcage.calibration.guide import GuideView
+
+    from birdcage_tui.calibrate.feed import CalibrateNow
+
+LABEL = 12
+HEARD_S = 30.0
+"""The highest signal is that of so long."""
+ARROWS = (("calibrate-left", "←"), ("calibrate-right", "→"), ("calibrate-up", "↑"), ("calibrate-down", "↓"))
+WAIT = "The guide is opening: it looks what is up."
+
+
+class AimPane(Pane, can_focus=True):
+    """Expected and read directions, how far it was nudged, what is heard; buttons below."""
+
+    HELP = (
+        "Go to an object, nudge with the arrows until its signal is highest, then Enter. The steps are degrees on the "
+        "sky. The dish aims by the peaks so far: after the first one the next object is near."
+    )
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.border_title = "Peak on"
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Write the rows; the buttons stand in the last ones."""
+        now = view.calibrate
+        guide = None if now is None else now.guide
+        if now is None or guide is None:
+            words = now.wrong if now is not None and now.wrong else WAIT
+            put_wrapped(cells, 0, words, "warn" if now is not None and now.wrong else "dim")
+            return
+        buttons = cells.height - 2
+        y = self._target(cells, view, guide, now) if guide.target else self._none(cells, now, guide)
+        self._words(cells, y, buttons, now, guide, view)
+        if guide.target:
+            x = 1
+            for command, sign in ARROWS:
+                x = self._arrow(cells, x, buttons, command, sign)
+            x = cells.put(x + 1, buttons, f"{view.step_deg:g}°", "strong") + 1
+            for command, sign in (("step-down", "-"), ("step-up", "+")):
+                x = self._arrow(cells, x, buttons, command, sign)
+            if cells.width >= x + 26:
+                self.button(cells, x + 2, buttons, "calibrate-again", view)
+        x = 1
+        if guide.target:
+            x = self.button(cells, x, buttons + 1, "calibrate-take", view, "peaked here")
+        self.button(cells, x, buttons + 1, "calibrate-next", view, "go to the next" if guide.target else "go there")
+
+    def _arrow(self, cells: Cells, x: int, y: int, command: str, sign: str) -> int:
+        cells.put(x, y, f" {sign} ", "key")
+        self.heat(x, y, 3, command)
+        return x + 4
+
+    @staticmethod
+    def _none(cells: Cells, now: CalibrateNow, guide: GuideView) -> int:
+        if not guide.proposals:
+            words = "Looking what is up …" if now.searching else "Nothing that this dish hears is in reach now."
+            cells.put(1, 0, words, "dim")
+            return 1
+        best = guide.proposals[0]
+        cells.put(1, 0, f"Next best: {best.candidate.name}", "target-strong")
+        return put_wrapped(cells, 1, best.words() + ".", "text", rows=3)
+
+    @staticmethod
+    def _target(cells: Cells, view: View, guide: GuideView, now: CalibrateNow) -> int:
+        cells.put(1, 0, guide.target, "target-strong")
+        state = guide.busy or ("" if now.guide is None or guide.may_not_take else "at rest")
+        if len(guide.target) + len(state) + 3 <= cells.width:
+            cells.right(cells.width - 1, 0, state, "accent" if guide.busy else "dim")
+        stands = "--" if guide.expected is None else direction(*guide.expected)
+        position = guide.position
+        reads = "--" if position is None else direction(position.dish_az_deg, position.dish_el_deg)
+        rows = [("stands at", "target", stands + "  true"), ("dish reads", "text", reads + "  its own")]
+        nudged = "--" if guide.nudged is None else aside(*guide.nudged)
+        rows.append(("nudged", "accent", nudged))
+        rows.append(("signal", "text", _signal(view)))
+        for y, (label, ink, words) in enumerate(rows, 1):
+            cells.put(1, y, label, "dim")
+            cells.put(1 + LABEL, y, words[: cells.width - LABEL - 1], "dim" if words == "--" else ink)
+        return 1 + len(rows)
+
+    @staticmethod
+    def _words(cells: Cells, y: int, end: int, now: CalibrateNow, guide: GuideView, view: View) -> None:
+        """Say what is wrong, else what was done, else what to do."""
+        if now.wrong:
+            ink, words = "warn", f"▲ {now.wrong}"
+        elif now.told:
+            ink, words = "good", now.told
+        elif guide.target and not guide.busy and not view.moving:
+            ink, words = "dim", guide.may_not_take or "Nudge to the highest signal, then Enter."
+        else:
+            return
+        if y + 1 < end and cells.height >= 10:
+            y += 1
+        put_wrapped(cells, y, words, ink, rows=end - y)
+
+
+def _signal(view: View) -> str:
+    """Return what the dish's own tuner hears, and the highest of the last seconds; without one, the person's meter."""
+    dish = view.state.dish
+    if dish is not None and not dish.has_rssi:
+        return "your own meter tells"
+    recent = [sample.value for sample in view.signal if view.now - sample.at <= HEARD_S]
+    if not recent:
+        return "--"
+    return f"{recent[-1]:.0f} counts, highest {max(recent):.0f}"

@@ -1,0 +1,72 @@
+"""How good the fit is, and what came out of it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from birdcage_tui.calibrate.words import ENOUGH, TERMS, figure_rows, fitted_words, put_wrapped
+from birdcage_tui.canvas import Cells
+from birdcage_tui.pane import Pane
+from birdcage_tui.view import View
+
+if TYPE_CHECKING:
+    from birdcage.calibration.fit import Fit
+
+LABEL = 11
+TERMS_WIDTH = 36
+SHORT = 7
+"""With fewer rows the figures stand in three, so that there is room for the warning."""
+BESIDE = 84
+"""From this width on the terms stand beside the figures."""
+
+
+class FiguresPane(Pane):
+    """Errors before, after and left out, the condition in words, the warning; where there is room, the terms."""
+
+    HELP = (
+        "rms: how far these peaks lie from where the dish points, before by the alignment in force, after by the fit. "
+        "Left out: how far each lies by a fit to the others alone. To expect: over all of the sky that this dish "
+        "reaches. Condition: whether the peaks are spread well enough to tell the terms apart."
+    )
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.border_title = "The fit"
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Write the rows, the warning below; dashes where nothing is known."""
+        now = view.calibrate
+        guide = None if now is None else now.guide
+        if now is None or guide is None or guide.fit is None:
+            return  # it is not seen then
+        fit = guide.fit
+        beside = cells.width >= BESIDE
+        width = cells.width - TERMS_WIDTH - 3 if beside else cells.width - 2
+        y = 0
+        short = cells.height < SHORT or cells.width < LABEL + 34
+        told = fitted_words(fit) if short else ""
+        if told != (self.border_subtitle or ""):  # setting it repaints the pane, equal or not
+            self.border_subtitle = told
+        for label, ink, words in figure_rows(guide, short=short):
+            cells.put(1, y, label, "dim")
+            cells.put(1 + LABEL, y, words[: width - LABEL], ink)
+            y += 1
+        if beside:
+            self._terms(cells, fit, cells.width - TERMS_WIDTH, 0)
+        elif cells.height >= y + len(TERMS) + 4:
+            self._terms(cells, fit, 1, y + 1)
+            y += len(TERMS) + 1
+        if cells.height > y + 3:
+            y += 1
+        if fit.warning:
+            put_wrapped(cells, y, f"▲ {fit.warning}", "warn", width=width)
+        elif now.enough:
+            put_wrapped(cells, y, ENOUGH, "good", width=width)
+
+    @staticmethod
+    def _terms(cells: Cells, fit: Fit, x: int, y: int) -> None:
+        for row, ((term, meaning), error) in enumerate(zip(TERMS, fit.errors_deg, strict=True)):
+            cells.put(x, y + row, meaning, "dim")
+            held = error is None
+            cells.put(x + 18, y + row, f"{getattr(fit.alignment, term):+7.2f}°", "dim" if held else "text")
+            cells.put(x + 28, y + row, "held" if error is None else f"±{error:.2f}°", "dim")

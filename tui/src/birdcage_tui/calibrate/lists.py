@@ -1,0 +1,194 @@
+"""The three lists: objects to peak on, peaks that were taken, sets that were kept."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, cast
+
+from textual import events
+
+from birdcage_tui.calibrate.words import maybe, put_wrapped
+from birdcage_tui.canvas import Cells
+from birdcage_tui.host import Host
+from birdcage_tui.pane import Pane
+from birdcage_tui.view import View
+
+if TYPE_CHECKING:
+    from birdcage.calibration.guide import GuideView
+
+    from birdcage_tui.calibrate.feed import CalibrateNow, KeptSet
+
+
+class ListPane(Pane):
+    """Rows with a cursor; a click chooses. What a row means is the subclass's."""
+
+    TITLE = EMPTY = ""
+    scope = ""
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.border_title = self.TITLE
+        self.at = 0
+        """The row of the cursor."""
+        self._top = 0
+
+    def rows(self, now: CalibrateNow) -> list[tuple[str, str]]:
+        """Return ink and words of each row."""
+        raise NotImplementedError
+
+    def foot(self, now: CalibrateNow) -> str:  # noqa: ARG002 - not every list has one
+        """Return a sentence about the chosen row, where there is room."""
+        return ""
+
+    def width(self) -> int:
+        """Return the columns of a row."""
+        return max(self.size.width - 4, 10)
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Write the rows around the cursor."""
+        now = view.calibrate
+        rows = [] if now is None or now.guide is None else self.rows(now)
+        told = f"{len(rows)}" if rows else ""
+        if told != (self.border_subtitle or ""):
+            self.border_subtitle = told
+        if now is None or not rows:
+            put_wrapped(cells, 0, "" if now is None or now.searching else self.EMPTY, "dim")
+            return
+        self.at = min(max(self.at, 0), len(rows) - 1)
+        foot = self.foot(now) if cells.height >= 6 else ""
+        room = cells.height - (2 if foot else 0)
+        self._top = max(min(self._top, self.at, len(rows) - room), self.at - room + 1, 0)
+        for y, (ink, words) in enumerate(rows[self._top : self._top + room]):
+            here = self._top + y == self.at
+            row = f" {'▶' if here and self.has_focus else '›' if here else ' '} {words}"
+            cells.put(0, y, f"{row:<{cells.width}}", ("key" if self.has_focus else "strong") if here else ink)
+        put_wrapped(cells, cells.height - 2, foot, "dim")
+
+    def move(self, by: int) -> None:
+        """Move the cursor."""
+        self.at = max(self.at + by, 0)
+        cast(Host, self.app).paint()
+
+    def on_focus(self) -> None:
+        """Show the cursor."""
+        cast(Host, self.app).paint()
+
+    def on_click(self, event: events.Click) -> None:
+        """Choose the row under the mouse."""
+        offset = event.get_content_offset(self)
+        if offset is not None:
+            event.stop()
+            self.at = self._top + offset.y
+            cast(Host, self.app).paint()
+
+    def do(self, command: str) -> bool:
+        """Move the cursor; the rest is the page's."""
+        if command.endswith(("-up", "-down")):
+            self.move(1 if command.endswith("-down") else -1)
+            return True
+        return False
+
+
+class ObjectsPane(ListPane, can_focus=True):
+    """What is up and in reach, best first, and what the error over the sky would be after a peak on it."""
+
+    TITLE = "Objects: sky error then"
+    EMPTY = "Nothing that this dish hears is in reach now. r looks again."
+    HELP = (
+        "What can be peaked on now, the best first: that after which the error to expect over the sky is least. The "
+        "last column is that error. What lies beside a peak already taken is left out."
+    )
+    scope = "calibrate-objects"
+
+    def rows(self, now: CalibrateNow) -> list[tuple[str, str]]:
+        """Name, direction, and the error then."""
+        assert now.guide is not None
+        name = max(self.width() - 20, 8)
+        found = [(each.candidate, error_text(each.error_then_deg)) for each in now.guide.proposals]
+        return [
+            ("text", f"{one.name[:name]:<{name}} {one.az_deg:4.0f}° {one.el_deg:2.0f}° {then:>6}")
+            for one, then in found
+        ]
+
+    def foot(self, now: CalibrateNow) -> str:
+        """Say what the chosen one is worth, and how well it can be found."""
+        assert now.guide is not None
+        chosen = now.guide.proposals[self.at : self.at + 1]
+        if not chosen:
+            return ""
+        one = chosen[0]
+        falls = f"{error_text(one.error_now_deg)} to {error_text(one.error_then_deg)}"
+        rise = "" if one.candidate.rise_db is None else f", {one.candidate.rise_db:.1f} dB over the sky"
+        found = f"Its middle can be found to {one.candidate.sigma_deg:.2f}°{rise}."
+        return f"The error over the sky falls from {falls}. {found}"
+
+
+class PeaksPane(ListPane, can_focus=True):
+    """Peaks with what is left of each, and what the others alone say of it."""
+
+    TITLE = "Peaks"
+    EMPTY = "None yet. Each one is on the disk as it is taken."
+    HELP = (
+        "What was taken: where the object stood, how far it lies from the fit, and how far by the others alone. d "
+        "forgets one, u brings it back. Who moves the base begins anew: X."
+    )
+    scope = "calibrate-peaks"
+
+    def rows(self, now: CalibrateNow) -> list[tuple[str, str]]:
+        """Number, name, direction, what is left, what is left by the others."""
+        guide = now.guide
+        assert guide is not None
+        name = max(self.width() - 30, 6)
+        return [self._row(guide, index, name) for index in range(len(guide.peaks))]
+
+    @staticmethod
+    def _row(guide: GuideView, index: int, name: int) -> tuple[str, str]:
+        peak, fit = guide.peaks[index], guide.fit
+        left = alone = None
+        if fit is not None and index < len(fit.residuals):
+            each = fit.residuals[index]
+            left = each.off_deg
+            if each.alone_right_deg is not None and each.alone_up_deg is not None:
+                alone = (each.alone_right_deg**2 + each.alone_up_deg**2) ** 0.5
+        odd = fit is not None and fit.warning.startswith(f"Peak {peak.number} ")
+        return "warn" if odd else "text", (
+            f"{peak.number:>2} {peak.target[:name]:<{name}} {peak.true_az_deg:4.0f}° {peak.true_el_deg:2.0f}°"
+            f" {maybe(left):>6} {maybe(alone):>6}"
+        )
+
+    def foot(self, now: CalibrateNow) -> str:
+        """Say when and how the chosen one was found."""
+        assert now.guide is not None
+        chosen = now.guide.peaks[self.at : self.at + 1]
+        if not chosen:
+            return ""
+        peak = chosen[0]
+        dish = f"dish {peak.dish_az_deg:.2f}° {peak.dish_el_deg:.2f}°"
+        return f"{peak.utc:%d %b %H:%MZ}, {dish}, good to {peak.sigma_deg:.2f}°. Left, then by the others."
+
+
+class SetsPane(ListPane, can_focus=True):
+    """Alignments with names, the one in force marked."""
+
+    TITLE = "Sets"
+    EMPTY = "None kept yet. a keeps the fit under a name: one for each way to put the dish up."
+    HELP = "Alignments that were kept. Enter points by the one under the cursor; nothing moves by it."
+    scope = "calibrate-sets"
+
+    def rows(self, now: CalibrateNow) -> list[tuple[str, str]]:
+        """Name, whether in force, its offsets, and how good it was."""
+        name = max(self.width() - 27, 6)
+        return [self._row(each, name) for each in now.sets]
+
+    @staticmethod
+    def _row(kept: KeptSet, name: int) -> tuple[str, str]:
+        entry = kept.entry
+        sign = "●" if kept.in_force else " "
+        return "good" if kept.in_force else "text", (
+            f"{sign} {entry.name[:name]:<{name}} {entry.az_offset_deg:+7.2f}° {entry.el_offset_deg:+6.2f}°"
+            f" {maybe(entry.rms_deg):>6}"
+        )
+
+
+def error_text(value: float) -> str:
+    """Return an error in a column of six."""
+    return f"{value:.2f}°" if value < 10.0 else f"{value:.0f}°"

@@ -1,0 +1,99 @@
+"""What is left: how far each object lay from where the fitted model has the beam, as one would see it in the sky."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from birdcage_tui.calibrate.words import BEGIN, put_wrapped
+from birdcage_tui.canvas import Braille, Cells
+from birdcage_tui.pane import Pane
+from birdcage_tui.view import View
+
+if TYPE_CHECKING:
+    from birdcage.calibration.fit import Fit
+
+NICE_DEG = (0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 45.0, 90.0, 180.0)
+"""Half widths of the picture."""
+LONGEST = 4.0
+"""By how much the peaks left out may stretch the scale before they stand at its edge instead."""
+
+
+def reach_of(fit: Fit) -> float:
+    """Return the half width in degrees: all that is left fits, and what was left out where that is not far more."""
+    most = max(max(abs(each.right_deg), abs(each.up_deg)) for each in fit.residuals)
+    alone = [
+        max(abs(each.alone_right_deg), abs(each.alone_up_deg))
+        for each in fit.residuals
+        if each.alone_right_deg is not None and each.alone_up_deg is not None
+    ]
+    wanted = max(most * 1.1, min(max(alone, default=0.0) * 1.1, most * LONGEST))
+    return next((nice for nice in NICE_DEG if nice >= wanted), NICE_DEG[-1])
+
+
+class ScatterPane(Pane):
+    """Right of and above the middle, each peak by its number; a ring where it lies by the others alone."""
+
+    HELP = (
+        "Each number is a peak: how far its object lay right of and above where the fitted model has the beam. A ring "
+        "is the same by a fit without that peak: what to expect of a direction that was not measured. A ring far from "
+        "its number: only that peak says so."
+    )
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.border_title = "What is left"
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Draw it; without a peak, say what to do and why."""
+        now = view.calibrate
+        guide = None if now is None else now.guide
+        fit = None if guide is None else guide.fit
+        self._told("" if fit is None else f"half width {reach_of(fit):g}°")
+        if fit is None:
+            y = 0
+            for ink, words in BEGIN:
+                y = put_wrapped(cells, y, words, ink) + (1 if cells.height >= 15 else 0)
+            return
+        self._plot(cells, fit, view.state.beam_deg)
+
+    def _told(self, words: str) -> None:
+        if words != (self.border_subtitle or ""):  # setting it repaints the pane, equal or not
+            self.border_subtitle = words
+
+    @staticmethod
+    def _plot(cells: Cells, fit: Fit, beam_deg: float | None) -> None:
+        reach = reach_of(fit)
+        width, height = cells.width, cells.height
+        canvas = Braille(width, height)
+        half_x, half_y = width - 1.0, height * 2.0 - 2.0
+        radius = min(half_x, half_y)
+        middle_x, middle_y = float(width // 2 * 2), float(height // 2 * 4 + 1)
+
+        def dot(right: float, up: float) -> tuple[float, float]:
+            # What lies beyond the picture stands at its edge.
+            x = min(max(right / reach * radius, -half_x), half_x)
+            y = min(max(up / reach * radius, -half_y), half_y)
+            return middle_x + x, middle_y - y
+
+        canvas.line(middle_x - radius, middle_y, middle_x + radius, middle_y, "line")
+        canvas.line(middle_x, middle_y - radius, middle_x, middle_y + radius, "line")
+        canvas.circle(middle_x, middle_y, radius, "line")
+        canvas.circle(middle_x, middle_y, radius / 2, "line", 4.0)
+        if beam_deg is not None and reach / 4 < beam_deg / 2 < reach:
+            canvas.circle(middle_x, middle_y, radius * beam_deg / 2 / reach, "dim", 2.0)
+        for each in fit.residuals:
+            if each.alone_right_deg is not None and each.alone_up_deg is not None:
+                canvas.line(*dot(each.right_deg, each.up_deg), *dot(each.alone_right_deg, each.alone_up_deg), "dim", 3)
+        canvas.onto(cells, 0, 0)
+        for word, right, up in ((f"{reach:g}° up", 0.0, reach), (f"{reach:g}°", reach, 0.0)):
+            x, y = dot(right, up)
+            cells.put(min(int(x / 2) + 2, width - len(word)), max(int(y / 4) - (0 if up else 1), 0), word, "dim")
+        for each in fit.residuals:
+            if each.alone_right_deg is not None and each.alone_up_deg is not None:
+                x, y = dot(each.alone_right_deg, each.alone_up_deg)
+                cells.put(int(x / 2), int(y / 4), "○", "dim")
+        for each in sorted(fit.residuals, key=lambda one: math.hypot(one.right_deg, one.up_deg)):
+            x, y = dot(each.right_deg, each.up_deg)
+            number = str(each.peak.number)
+            cells.put(min(int(x / 2), width - len(number)), int(y / 4), number, "accent-strong")

@@ -1,0 +1,141 @@
+"""Commands of the Calibrate tab of F8: objects, nudges, peaks, sets."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from birdcage.base.geometry import shortest_turn
+
+from birdcage_tui.commands.table import Command, Reason, always, can_move, can_release
+from birdcage_tui.view import View
+
+if TYPE_CHECKING:
+    from birdcage.calibration.guide import GuideView
+
+PAGE = "calibrate"
+HERE, OBJECTS, PEAKS, SETS = (PAGE,), ("calibrate-objects",), ("calibrate-peaks",), ("calibrate-sets",)
+SAME_DEG = 0.02
+"""Less than the smallest step of these gears: it has not been moved since."""
+
+
+def can_calibrate(view: View) -> str | None:
+    """Return why nothing can be calibrated."""
+    now = view.calibrate
+    if now is None or now.guide is None:
+        return (now.wrong if now is not None else "") or "The calibration is not open yet."
+    return None
+
+
+def can_go(view: View) -> str | None:
+    """Return why the dish cannot be sent to an object."""
+    now = view.calibrate
+    if now is not None and now.guide is not None and not (now.guide.proposals or now.guide.target):
+        return now.wrong or "Nothing that this dish hears is in reach now."
+    return can_calibrate(view) or can_move(view)
+
+
+def can_nudge(view: View) -> str | None:
+    """Return why the dish cannot be nudged."""
+    return can_calibrate(view) or can_move(view)
+
+
+def can_take(view: View) -> str | None:
+    """Return why no peak can be taken; while something is held, Enter releases that first, as everywhere."""
+    if can_release(view) is None:
+        return None
+    now = view.calibrate
+    if now is None or now.guide is None:
+        return can_calibrate(view)
+    if not now.guide.target:
+        return "No object is chosen: n goes to the next best one."
+    return now.guide.may_not_take or _taken(now.guide)
+
+
+def _taken(guide: GuideView) -> str | None:
+    """Return the number of a peak on this object that was taken right here: the same again would count twice."""
+    position = guide.position
+    for peak in guide.peaks:
+        if position is not None and peak.target == guide.target:
+            turn = abs(shortest_turn(peak.dish_az_deg, position.dish_az_deg))
+            if max(turn, abs(peak.dish_el_deg - position.dish_el_deg)) < SAME_DEG:
+                return f"That is peak {peak.number} already: n goes on to the next object."
+    return None
+
+
+def can_apply(view: View) -> str | None:
+    """Return why there is nothing to keep."""
+    now = view.calibrate
+    if now is not None and now.guide is not None and now.guide.fit is None:
+        return "There is no peak yet, so there is nothing to apply."
+    return can_calibrate(view)
+
+
+def can_forget(view: View) -> str | None:
+    """Return why there is nothing to forget."""
+    now = view.calibrate
+    if now is not None and now.guide is not None and not now.guide.peaks:
+        return "There is no peak yet."
+    return can_calibrate(view)
+
+
+def can_undo(view: View) -> str | None:
+    """Return why nothing can be brought back."""
+    now = view.calibrate
+    return can_calibrate(view) or (None if now is not None and now.removed else "Nothing was forgotten.")
+
+
+def can_use(view: View) -> str | None:
+    """Return why no kept set can be put into force; while something is held, Enter releases that first."""
+    if can_release(view) is None:
+        return None
+    now = view.calibrate
+    return can_calibrate(view) or (None if now is not None and now.sets else "No set was kept yet: a keeps one.")
+
+
+def can_go_or_release(view: View) -> str | None:
+    """Return why Enter on an object does nothing; while something is held, it releases that first."""
+    return None if can_release(view) is None else can_go(view)
+
+
+def _at(name: str, keys: tuple[str, ...], shown: str, title: str, text: str, group: str = "Calibrate",
+        refused: Reason = always, footer: str = "", where: tuple[str, ...] = HERE) -> Command:  # fmt: skip
+    return Command(f"calibrate-{name}", keys, shown, title, text, group, refused, footer, where, page=PAGE)
+
+
+CALIBRATE = (
+    Command("tab-calibrate", ("C",), "C", "Calibrate", "Find how the dish really stands, from peaks on what is up.",
+            "Tabs", where=("setup",), page=PAGE),
+    _at("take", ("enter",), "Enter", "Peaked here", "The signal is highest here: keep where the dish is and where the "
+        "object stands.", refused=can_take, footer="peaked"),
+    _at("next", ("n",), "n", "Go to the object", "Turn to the object under the cursor: at first the next best one.",
+        refused=can_go, footer="go"),
+    _at("again", ("m",), "m", "Back to its middle", "Turn again to where the present object is expected, as it moves "
+        "on.", refused=can_go),
+    _at("left", ("left", "h"), "← h", "Nudge left", "One step on the sky, as seen from the dish.", "Nudge", can_nudge),
+    _at("right", ("right", "l"), "→ l", "Nudge right", "One step on the sky.", "Nudge", can_nudge, "nudge"),
+    _at("up", ("up", "k"), "↑ k", "Nudge up", "One step on the sky.", "Nudge", can_nudge),
+    _at("down", ("down", "j"), "↓ j", "Nudge down", "One step on the sky.", "Nudge", can_nudge),
+    _at("apply", ("a",), "a", "Point by this fit …", "Keep the fit under a name, and point by it from now on.",
+        "Results", can_apply, "apply"),
+    _at("view", ("v",), "v", "Next picture", "What is left beside each object, or where on the sky.", "Results",
+        footer="picture"),
+    _at("objects", ("o",), "o", "Objects", "Choose another object.", "Lists", footer="objects"),
+    _at("peaks", ("p",), "p", "Peaks", "Those that were taken.", "Lists", footer="peaks"),
+    _at("sets", ("s",), "s", "Sets", "Alignments that were kept, by their names.", "Lists", footer="sets"),
+    _at("undo", ("u",), "u", "Bring back", "The peaks that were forgotten last.", "Lists", can_undo),
+    _at("refresh", ("r",), "r", "Look again", "Find out anew what is up and best to peak on.", "Lists",
+        can_calibrate),
+    _at("begin", ("X",), "X", "Forget all peaks …", "The base was moved: begin anew. Asks first.", "Lists", can_forget),
+    _at("object-up", ("up", "k"), "↑ k", "Object above", "Choose the one above.", "Objects", where=OBJECTS),
+    _at("object-down", ("down", "j"), "↓ j", "Object below", "Choose the one below.", "Objects", where=OBJECTS),
+    _at("object-go", ("enter",), "Enter", "Go there", "Turn the dish to the one under the cursor.", "Objects",
+        can_go_or_release, "go there", OBJECTS),
+    _at("peak-up", ("up", "k"), "↑ k", "Peak above", "Choose the one above.", "Peaks", where=PEAKS),
+    _at("peak-down", ("down", "j"), "↓ j", "Peak below", "Choose the one below.", "Peaks", where=PEAKS),
+    _at("peak-forget", ("d", "delete"), "d", "Forget the peak", "u brings it back.", "Peaks", can_forget, "forget",
+        PEAKS),
+    _at("set-up", ("up", "k"), "↑ k", "Set above", "Choose the one above.", "Sets", where=SETS),
+    _at("set-down", ("down", "j"), "↓ j", "Set below", "Choose the one below.", "Sets", where=SETS),
+    _at("set-use", ("enter",), "Enter", "Point by it", "Put the set under the cursor into force. Nothing moves.",
+        "Sets", can_use, "point by it", SETS),
+)  # fmt: skip

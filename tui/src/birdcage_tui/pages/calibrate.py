@@ -1,0 +1,231 @@
+"""F8, second tab: how the dish really stands, from peaks on what is where it is known to be."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, cast
+
+from textual import events
+from textual.app import ComposeResult
+from textual.containers import Horizontal, Vertical
+
+from birdcage_tui.calibrate import ask
+from birdcage_tui.calibrate.aim import AimPane
+from birdcage_tui.calibrate.feed import CalibrateSource
+from birdcage_tui.calibrate.figures import FiguresPane
+from birdcage_tui.calibrate.layout import layout
+from birdcage_tui.calibrate.lists import ListPane, ObjectsPane, PeaksPane, SetsPane
+from birdcage_tui.calibrate.over_sky import OverSkyPane
+from birdcage_tui.calibrate.scatter import ScatterPane
+from birdcage_tui.calibrate.tabs import SetupTabs
+from birdcage_tui.commands.table import can_release
+from birdcage_tui.control.fields import Values
+from birdcage_tui.dialogs import QuestionScreen
+from birdcage_tui.host import Host
+from birdcage_tui.pages.page import Page
+from birdcage_tui.panes.signal import SignalPane
+from birdcage_tui.view import View
+
+if TYPE_CHECKING:
+    from birdcage.calibration.candidates import Candidate
+
+NUDGES = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "up": (0.0, 1.0), "down": (0.0, -1.0)}
+LISTS: dict[str, type[ListPane]] = {"objects": ObjectsPane, "peaks": PeaksPane, "sets": SetsPane}
+
+
+class CalibratePage(Page):
+    """Pictures and figures at the left; at the right what is pointed at, objects, peaks and sets."""
+
+    HELP = (
+        "Where known objects are found shows how the dish stands. n goes to the next best object, the arrows nudge "
+        "until its signal is highest, Enter says: peaked here. From three objects on the tilt is known. a points by "
+        "the fit. Every motion passes the limits, and STOP stops it, as everywhere."
+    )
+    DEFAULT_CSS = """
+    CalibratePage { layout: vertical; }
+    CalibratePage SetupTabs { height: 1; }
+    CalibratePage #calibrate-body { height: 1fr; }
+    CalibratePage #calibrate-right { width: 1fr; }
+    CalibratePage #calibrate-pictures > Pane { width: 1fr; height: 1fr; }
+    CalibratePage FiguresPane, CalibratePage ObjectsPane { height: 1fr; }
+    CalibratePage ScatterPane, CalibratePage OverSkyPane, CalibratePage FiguresPane, CalibratePage AimPane,
+    CalibratePage SignalPane, CalibratePage ListPane { border: round $line; border-title-color: $dim;
+        border-title-style: none; border-subtitle-color: $dim; }
+    CalibratePage AimPane:focus, CalibratePage ListPane:focus { border: round $focus;
+        border-title-color: $foreground; }
+    """
+    WATCHES = frozenset({"position", "rssi"})
+    RATE_HZ = 2.0
+    FIRST_FOCUS = "#calibrate-aim"
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self._over_sky = False
+        """Which picture is seen where there is room for one."""
+        self._fitted = False
+        """Whether there are figures to show: without a peak the words have their room."""
+        self._listed = "objects"
+        """The same of the lists."""
+
+    def compose(self) -> ComposeResult:
+        """The parts, from the top left."""
+        yield SetupTabs("calibrate")
+        with Horizontal(id="calibrate-body"):
+            with Vertical(id="calibrate-left"):
+                with Horizontal(id="calibrate-pictures"):
+                    yield ScatterPane(id="calibrate-scatter")
+                    yield OverSkyPane(id="calibrate-sky")
+                yield FiguresPane(id="calibrate-figures")
+            with Vertical(id="calibrate-right"):
+                yield AimPane(id="calibrate-aim")
+                yield SignalPane(id="calibrate-signal")
+                yield ObjectsPane(id="calibrate-objects")
+                yield PeaksPane(id="calibrate-peaks")
+                yield SetsPane(id="calibrate-sets")
+
+    @property
+    def host(self) -> Host:
+        """The app."""
+        return cast(Host, self.app)
+
+    @property
+    def source(self) -> CalibrateSource | None:
+        """The guide; None where there is none."""
+        return self.host.calibrate.source
+
+    def on_mount(self) -> None:
+        """Open the guide: this is the first visit."""
+        self.host.calibrate.open()
+
+    def show(self, view: View) -> None:
+        """Keep the guide fresh, and draw what it says."""
+        if self.source is not None:
+            self.source.look()
+        chosen = self._candidate(view)
+        self.query_one(OverSkyPane).chosen = "" if chosen is None else chosen.name
+        now = view.calibrate
+        fitted = now is not None and now.guide is not None and now.guide.fit is not None
+        if fitted != self._fitted:
+            self._fitted = fitted
+            self.on_resize()
+        super().show(view)
+
+    def on_resize(self) -> None:
+        """Choose the layout."""
+        found = layout(self.size.width, self.size.height - 1)  # the tabs take a row
+        self.query_one("#calibrate-left").styles.width = found.left
+        self.query_one("#calibrate-pictures").styles.height = found.pictures if self._fitted else "1fr"
+        self.query_one(FiguresPane).display = self._fitted
+        self.query_one(AimPane).styles.height = found.aim
+        signal = self.query_one(SignalPane)
+        signal.display = found.signal > 0
+        signal.styles.height = found.signal
+        self.query_one(ScatterPane).display = found.grand or not self._over_sky
+        self.query_one(OverSkyPane).display = found.grand or self._over_sky
+        rows = {"peaks": found.peaks, "sets": found.sets}
+        for name, kind in LISTS.items():
+            pane = self.query_one(kind)
+            pane.display = found.roomy or name == self._listed
+            pane.styles.height = rows.get(name, 0) or "1fr"
+
+    def on_descendant_focus(self, event: events.DescendantFocus) -> None:
+        """Where there is room for one list only, keep showing the one that had the focus last."""
+        name = (event.widget.id or "").removeprefix("calibrate-")
+        if name in LISTS and name != self._listed:
+            self._listed = name
+            self.on_resize()
+
+    def do(self, command: str) -> bool:
+        """Carry out a command of the tab."""
+        name = command.removeprefix("calibrate-")
+        source = self.source
+        if command == "tab-calibrate":
+            return True
+        if name in LISTS:
+            self._focus(name)
+            return True
+        if name.startswith(("object-", "peak-", "set-")) and name.endswith(("-up", "-down")):
+            return self.query_one(LISTS[f"{name.partition('-')[0]}s"]).do(command)
+        if name == "view":
+            self._over_sky = not self._over_sky
+            self.on_resize()
+            self.call_after_refresh(self.host.paint)
+            return True
+        if source is None:
+            self.host.say("There is no calibration here.")
+            return True
+        if name in ("take", "object-go", "set-use") and can_release(self.host.view()) is None:
+            self.host.action_command("release")
+            return True
+        match name:
+            case "left" | "right" | "up" | "down":
+                right, up = NUDGES[name]
+                step_deg = self.host.view().step_deg
+                source.nudge(right * step_deg, up * step_deg, self.host.begin_way())
+            case "take":
+                source.take()
+            case "next" | "object-go":
+                self._go(source)
+            case "again":
+                source.go(None, self.host.begin_way())
+            case "peak-forget":
+                self._forget(source)
+            case "undo":
+                source.undo()
+            case "refresh":
+                source.refresh()
+            case "begin":
+                self._ask_begin(source)
+            case "apply":
+                self._ask_name(source)
+            case "set-use":
+                self._use(source)
+            case _:
+                return False
+        return True
+
+    def _focus(self, name: str) -> None:
+        if name != self._listed:
+            self._listed = name
+            self.on_resize()
+        self.call_after_refresh(lambda: self.screen.set_focus(self.query_one(LISTS[name])))
+
+    def _candidate(self, view: View) -> Candidate | None:
+        now = view.calibrate
+        guide = None if now is None else now.guide
+        at = self.query_one(ObjectsPane).at
+        found = () if guide is None else guide.proposals
+        return found[min(at, len(found) - 1)].candidate if found else None
+
+    def _go(self, source: CalibrateSource) -> None:
+        candidate = self._candidate(self.host.view())
+        if candidate is None:
+            self.host.say("Nothing that this dish hears is in reach now.")
+            return
+        self.query_one(ObjectsPane).at = 0  # when this one is peaked, the best of the others comes first
+        source.go(candidate, self.host.begin_way())
+        self.screen.set_focus(self.query_one(AimPane))
+
+    def _forget(self, source: CalibrateSource) -> None:
+        now = self.host.view().calibrate
+        peaks = () if now is None or now.guide is None else now.guide.peaks
+        if peaks:
+            source.remove(peaks[min(self.query_one(PeaksPane).at, len(peaks) - 1)].number)
+
+    def _use(self, source: CalibrateSource) -> None:
+        now = self.host.view().calibrate
+        if now is not None and now.sets:
+            source.use(now.sets[min(self.query_one(SetsPane).at, len(now.sets) - 1)].entry.name)
+
+    def _ask_begin(self, source: CalibrateSource) -> None:
+        def answered(yes: bool | None) -> None:
+            if yes:
+                source.remove()
+
+        self.app.push_screen(QuestionScreen(*ask.begin()), answered)
+
+    def _ask_name(self, source: CalibrateSource) -> None:
+        def answered(values: Values | None) -> None:
+            if values is not None:
+                source.apply(values[0])
+
+        self.app.push_screen(ask.name(self.host.view().calibrate), answered)
