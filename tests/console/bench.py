@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from dataclasses import replace
 
 from birdcage.base.clock import Endpoint, Outcome, VirtualClock
 from birdcage.base.errors import BirdcageError, Cancelled
@@ -12,6 +13,7 @@ from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.session import Console
 from birdcage.link.port import Port
 from birdcage.protocol.hal import HAL205Protocol
+from birdcage.sim.wire import PASS, Byte
 from hypothesis import strategies as st
 
 D = 2.0
@@ -47,6 +49,30 @@ class NudgingClock(VirtualClock):
             if not self.countdown:
                 self.wake.set()
         return super().wait(endpoint, until, wake)
+
+
+class Faults:
+    """What happens to the bytes of one direction, one by one; `lag_s` holds for all of them."""
+
+    def __init__(self, faults) -> None:
+        self.lag_s = 0.0
+        self._actions = self._plan(faults)
+
+    @staticmethod
+    def _plan(faults):
+        for skip, kind, late_s, noise in faults:
+            for _ in range(skip):
+                yield PASS
+            yield Byte(drop=kind == "drop", double=kind == "double", delay_s=late_s, noise=noise)
+
+    def __call__(self, value: int) -> Byte:
+        action = next(self._actions, PASS)
+        return replace(action, delay_s=max(action.delay_s, self.lag_s))
+
+    def scripted(self, value: int) -> list[tuple[float, bytes]]:
+        action = self(value)
+        data = b"" if action.drop else bytes([value]) * (2 if action.double else 1)
+        return [(action.delay_s, bytes([one])) for one in action.noise + data]
 
 
 # One fault: how many bytes pass first, whether its byte is lost or doubled, how late it is, noise before it.

@@ -3,39 +3,13 @@
 from __future__ import annotations
 
 import sys
-from dataclasses import replace
 from functools import partial
 
 import pytest
 from birdcage.sim.port import open_port
-from birdcage.sim.wire import PASS, Byte
 from hypothesis import HealthCheck, Phase, given, seed, settings
 
 bench, scripted = sys.modules["console_bench"], sys.modules["console_scripted"]
-
-
-class Faults:
-    """What happens to the bytes of one direction, one by one; `lag_s` holds for all of them."""
-
-    def __init__(self, faults) -> None:
-        self.lag_s = 0.0
-        self._actions = self._plan(faults)
-
-    @staticmethod
-    def _plan(faults):
-        for skip, kind, late_s, noise in faults:
-            for _ in range(skip):
-                yield PASS
-            yield Byte(drop=kind == "drop", double=kind == "double", delay_s=late_s, noise=noise)
-
-    def __call__(self, value: int) -> Byte:
-        action = next(self._actions, PASS)
-        return replace(action, delay_s=max(action.delay_s, self.lag_s))
-
-    def scripted(self, value: int) -> list[tuple[float, bytes]]:
-        action = self(value)
-        data = b"" if action.drop else bytes([value]) * (2 if action.double else 1)
-        return [(action.delay_s, bytes([one])) for one in action.noise + data]
 
 
 def count_lines(port) -> list[int]:
@@ -66,7 +40,7 @@ def drive(port, clock, steps, lanes, alive, dialect=bench.DIALECT, names=None) -
 
 
 def drive_simulator(steps, to_dish, to_host, address="g2?root_q=kill", **dialect) -> int:
-    clock, lanes = bench.NudgingClock(), (Faults(to_dish), Faults(to_host))
+    clock, lanes = bench.NudgingClock(), (bench.Faults(to_dish), bench.Faults(to_host))
     port = open_port(address, clock=clock)
     port.wire.to_dish.set_plan(lanes[0])
     port.wire.to_host.set_plan(lanes[1])
@@ -74,7 +48,7 @@ def drive_simulator(steps, to_dish, to_host, address="g2?root_q=kill", **dialect
 
 
 def drive_scripted(steps, to_dish, to_host, dialect=bench.DIALECT, **script) -> int:
-    clock, lanes = bench.NudgingClock(), (Faults(to_dish), Faults(to_host))
+    clock, lanes = bench.NudgingClock(), (bench.Faults(to_dish), bench.Faults(to_host))
     dish = scripted.Dish(clock, **script)
     dish.in_fault, dish.out_fault = lanes[0].scripted, lanes[1].scripted
 

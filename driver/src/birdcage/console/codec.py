@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections import deque
 from dataclasses import dataclass, field
 
+from birdcage.console.damage import may_become
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.events import Event, Line, Reply, Stray, StrayPrompt
 
@@ -27,6 +28,8 @@ class _Owed:
     echoed: bool
     prompted: bool = False
     """Whether any prompt came since it was sent."""
+    excused: bool = False
+    """Whether nobody waits for its reply any more."""
     lines: list[str] = field(default_factory=list)
 
 
@@ -95,6 +98,11 @@ class Codec:
     def owes(self, ticket: int) -> bool:
         """Return whether the command with this ticket still lacks its prompt."""
         return any(owed.ticket == ticket for owed in self._owed)
+
+    def excuse(self, ticket: int) -> None:
+        """Wait no longer for the reply to this command, which may come yet."""
+        for owed in self._owed:
+            owed.excused = owed.excused or owed.ticket == ticket
 
     def forget(self, ticket: int) -> None:
         """Expect no reply to this command any more: when it comes after all, it is stray."""
@@ -169,11 +177,21 @@ class Codec:
         if not self._echo:
             return False
         heard = text.replace(_UNREADABLE, "").strip()  # noise on a line at rest comes just before the echo
-        waiting = next((owed for owed in self._owed if not owed.echoed and owed.command == heard), None)
+        waiting = next((owed for owed in self._owed if not owed.echoed and self._echoes(heard, owed.command)), None)
         if waiting is None:
             return False
         waiting.echoed = True
-        # The wire keeps the order: commands sent before this one that were never echoed were lost on the way.
-        while not self._owed[0].echoed:
+        # The wire keeps the order: commands sent before this one that were never echoed were lost on the way. One
+        # that was echoed, and that nobody waits for, has lost its prompt: the dish echoes when it has answered
+        # (reference section 2).
+        while not self._owed[0].echoed or (self._owed[0].excused and self._owed[0] is not waiting):
             self._owed.popleft()
         return True
+
+    def _echoes(self, heard: str, command: str) -> bool:
+        """Return whether this is the echo of a command: whole, or behind the rest of a prompt that nobody waits for."""
+        if heard == command:
+            return True
+        if not command or not self._owed[0].echoed or not self._owed[0].excused or not heard.endswith(command):
+            return False
+        return any(may_become(token, heard.removesuffix(command)) for token in self._menus)

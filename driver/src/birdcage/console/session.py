@@ -11,6 +11,7 @@ from contextlib import suppress
 from birdcage.base.errors import CommandRefused, LinkError, NoReply
 from birdcage.console.diagnosis import no_reply
 from birdcage.console.events import LineSink, Reply
+from birdcage.console.late import LATE, MOST_LATE
 from birdcage.console.learner import SETTLE_S
 from birdcage.console.raw import Typed
 from birdcage.console.talker import Talker
@@ -52,6 +53,7 @@ class Console(Talker):
         NoReply reasons: `silent`, `garbage`, `echo` (only our own bytes came back), `blocked` (text, but no prompt).
         """
         self._wire.take_in()
+        self._late.end(self._limit)
         if self._wire.lost:
             return self._resynchronize()
         return self._probe()
@@ -121,12 +123,43 @@ class Console(Talker):
         """Send `command` in `menu`, going there first if need be; see `exchange`."""
         self.enter(menu)
         reply = self.exchange(command, takes_s=takes_s, on_line=on_line, permit=permit)
-        if reply.menu != menu and not self.dialect.may_leave(command):
+        if not self.dialect.may_leave(command):
+            self._came_from(menu, reply)
+        return reply
+
+    def hurry(self, menu: str, command: str, *, asks: bool = False, permit: Callable[[], None] | None = None) -> Reply:
+        """Send one line of a stream, each of which makes the ones before it void; else as `run`.
+
+        Its answer is waited for only a little longer than such answers take now. NoReply (`late`) when it did not come:
+        the dish may have taken the line or not, and the next one may go out. A line that `asks` is not sent, and
+        NoReply (`late`) raised at once, while an earlier answer that is still due could be taken for its own.
+        Where the console does not echo, or its prompts are learnt, it is `run`. ValueError for what could leave a menu.
+        """
+        self._check(command)
+        if self.dialect.may_leave(command):
+            raise ValueError(f"`{command}` could leave the menu and can't be hurried")
+        if not self.dialect.echo or self.dialect.learnt:
+            return self.run(menu, command, permit=permit)
+        self._wire.take_in()
+        self._late.collect()
+        if self._wire.lost or self.menu != menu or len(self._late) >= MOST_LATE:
+            self.enter(menu)
+        if asks and self._late:
+            raise NoReply(f"`{command}` was not sent: an earlier answer is still due.", reason=LATE)
+        reply = self._transact_soon(command.strip(), permit)
+        refusal = self.refusal(reply)
+        if refusal is not None:
+            raise refusal
+        self._came_from(menu, reply)
+        return reply
+
+    @staticmethod
+    def _came_from(menu: str, reply: Reply) -> None:
+        if reply.menu != menu:
             raise CommandRefused(
-                f"`{command}` was meant for menu `{menu}`, but the dish answered from `{reply.menu}`.",
+                f"`{reply.command}` was meant for menu `{menu}`, but the dish answered from `{reply.menu}`.",
                 reason="wrong_menu",
             )
-        return reply
 
     def enter(self, menu: str) -> None:
         """Go to `menu`, by way of the root when the dish is in another; nothing is sent when it is there already."""

@@ -10,6 +10,7 @@ from birdcage.base.wake import Wake
 from birdcage.console.diagnosis import no_reply, stranger
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.events import LineSink, Reply
+from birdcage.console.late import LATE, LateLines
 from birdcage.console.learner import Learner
 from birdcage.console.places import SUBMENU, Places
 from birdcage.console.wire import Wire
@@ -42,6 +43,7 @@ class Talker:
         self.delay_s = delay_s
         self._on_line = on_line
         self._wire = Wire(link, clock, dialect, delay_s, wake, on_wake, on_line)
+        self._late = LateLines(self._wire)
         self._learner = Learner(self._wire, delay_s, on_line)
         self._places = Places(dialect)
         self._new = True
@@ -88,6 +90,7 @@ class Talker:
     def _resume(self) -> None:
         """Make sure that nothing is missing, so that a reply can be told from an older one."""
         self._wire.take_in()
+        self._late.end(self._limit)
         if self._wire.lost or self.menu is None:
             self._resynchronize()
 
@@ -230,6 +233,27 @@ class Talker:
         reply = self._await(line, ticket, takes_s + self.delay_s, on_line)
         if not takes_s:
             self._round_trip_s = self.clock.monotonic() - sent
+        return reply
+
+    def _transact_soon(self, line: str, permit: Callable[[], None] | None) -> Reply:
+        """Send one line of a stream; NoReply (`late`) when its reply does not come as soon as the others did."""
+        wire, clock, late = self._wire, self.clock, self._late
+        late.before(line)
+        patience_s = late.pace.patience_s(self._round_trip_s or self.delay_s, self.delay_s)
+        sent = clock.monotonic()
+        ticket = wire.send(line, 0.0, permit)
+        try:
+            while (reply := wire.taken(ticket)) is None and wire.pump(sent + patience_s, ticket):
+                pass
+        except BaseException:
+            wire.forget(ticket)
+            late.drop()
+            raise
+        if reply is None:
+            late.add(ticket, line, sent)
+            raise NoReply(f"No answer to `{line}` on {wire.link.name} within {patience_s:.2f} s.", reason=LATE)
+        self._round_trip_s = clock.monotonic() - sent
+        late.pace.take(self._round_trip_s)
         return reply
 
     def _await(self, line: str, ticket: int, timeout_s: float, on_line: LineSink | None) -> Reply:

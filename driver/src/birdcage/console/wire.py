@@ -155,6 +155,12 @@ class Wire:
                 self.forget(ticket)
             return len(tickets)
 
+    def excuse(self, ticket: int) -> None:
+        """Wait no longer for a reply that may come yet, or be taken for lost once a later line is echoed."""
+        with self._lock:
+            self._codec.excuse(ticket)
+            self.doubt(self.last_sent + 2 * self.delay_s)
+
     def forget(self, ticket: int) -> None:
         """Give up on a reply: the stream is in doubt for as long as it, or its cause, may be under way."""
         with self._lock:
