@@ -142,7 +142,14 @@ class BirdcageAntenna:
     def get_position(self) -> Position:
         """Read where the dish points, in true degrees. PositionUnknown when it is not homed."""
         self._check_thread()
-        dish = self._protocol.get_position()
+        return self._seen(self._protocol.get_position())
+
+    def glance(self) -> Position:
+        """Read where the dish points within a stream of targets: NoReply (`late`) where waiting would hold that up."""
+        self._check_thread()
+        return self._seen(self._protocol.glance())
+
+    def _seen(self, dish: Position) -> Position:
         with self._modelling:
             if self.motion is not None:
                 self.motion = self.motion.with_reading(dish, self._clock.monotonic(), self._clock.rate)
@@ -247,7 +254,8 @@ class BirdcageAntenna:
 
         `dish_deg` may lie beyond 0..360 in azimuth. Nothing is read before it: the gate judges the way from the last
         position that was read to where both axes are then sent. Where moves queue, whoever calls has to wait until the
-        one under way ends. Raises as `move_to`; PositionUnknown where nothing was read yet.
+        one under way ends. Raises as `move_to`; PositionUnknown where nothing was read yet; NoReply (`late`) where the
+        answer did not come in time: the dish may have taken it or not, and the next one may follow.
         """
         self._check_thread()
         gate, clock = self._protocol.gate, self._clock
@@ -262,8 +270,11 @@ class BirdcageAntenna:
         turn = self.turn_known(dish_deg) if turns_az else None
         now = clock.monotonic()
         with self.begun(steered(self.model, self.motion, here, motor, dish_deg, turn, now, clock.rate)):
-            self._protocol.move_motor(motor, dish_deg)
-            self.taken, self._begun_by[motor] = self.taken + 1, clock.monotonic()
+            try:
+                self._protocol.steer_motor(motor, dish_deg)
+            finally:
+                self._begun_by[motor] = clock.monotonic()
+            self.taken += 1
 
     def stop_lines(self) -> tuple[str, ...]:
         """Return the lines that stop the motion under way, computed for this moment; empty at rest. Any thread.

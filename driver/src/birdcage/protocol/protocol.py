@@ -139,13 +139,28 @@ class FirmwareProtocol(ABC):
 
         MotionRefused (nothing sent) outside the limits or with an unknown position; KeyError for an unknown motor.
         """
+        self._check_move(motor_id, degrees)
+        self._send_move(motor_id, degrees)
+
+    def _check_move(self, motor_id: int, degrees: float) -> None:
         axis = self.model.axis(motor_id)
         if self.gate.position is None:
             self.get_position()
         self.gate.check(
             degrees if axis is self.model.azimuth else None, degrees if axis is self.model.elevation else None
         )
-        self._send_move(motor_id, degrees)
+
+    def steer_motor(self, motor_id: int, degrees: float) -> None:
+        """Send one axis to an absolute angle as `move_motor`, as one of a stream of commands that replace each other.
+
+        NoReply (`late`) when the answer is not there as soon as others were: the dish may have taken the command or
+        not, and the next one may go out. Where moves queue, the answer is waited for in full.
+        """
+        self.move_motor(motor_id, degrees)
+
+    def glance(self) -> Position:
+        """Read where the dish is as `get_position`, within such a stream: NoReply (`late`) as `steer_motor`."""
+        return self.get_position()
 
     @abstractmethod
     def _send_move(self, motor_id: int, degrees: float) -> None:

@@ -62,10 +62,13 @@ class Look:
         self._antenna.protocol.enter_motor_menu()
         self.position()
 
-    def position(self) -> Pointing | None:
-        """Read where the dish is; None when it does not know: not homed, or released since."""
+    def position(self, *, glance: bool = False) -> Pointing | None:
+        """Read where the dish is; None when it does not know: not homed, or released since.
+
+        A `glance` is for a stream of targets: NoReply (`late`) where waiting would hold that up.
+        """
         try:
-            true = self._antenna.get_position()
+            true = self._antenna.glance() if glance else self._antenna.get_position()
         except PositionUnknown as unknown:
             self.elsewhere = False
             self.unknown(unknown)

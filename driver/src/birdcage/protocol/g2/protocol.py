@@ -8,6 +8,7 @@ from typing import ClassVar
 
 from birdcage.base.errors import CommandRefused, NoReply, PositionUnknown
 from birdcage.console.dialect import ConsoleDialect
+from birdcage.console.events import Reply
 from birdcage.protocol.command_list import CommandDoc
 from birdcage.protocol.g2.commands import COMMANDS
 from birdcage.protocol.g2.hazards import HAZARDS
@@ -105,9 +106,17 @@ class CarryoutG2Protocol(Rooms):
         self.gate.see(position)
         return position
 
+    def glance(self) -> Position:
+        """Read both axes with one `a` within a stream of moves; a late answer is never taken for a later one's."""
+        position = self._believed(lambda: self._position_in(self.console.hurry("mot", "a", asks=True)))
+        self.gate.see(position)
+        return position
+
     def _read_position(self) -> Position:
         self.enter_motor_menu()
-        reply = self.console.run("mot", "a")
+        return self._position_in(self.console.run("mot", "a"))
+
+    def _position_in(self, reply: Reply) -> Position:
         angles = {int(m[1]): float(m[2]) for m in _ANGLE.finditer(" ".join(reply.lines))}
         if set(angles) != {0, 1}:
             self.gate.forget("unread")
@@ -126,7 +135,17 @@ class CarryoutG2Protocol(Rooms):
 
     def _send_move(self, motor_id: int, degrees: float) -> None:
         line = self._move_line(motor_id, degrees)
-        reply = self.console.run("mot", line, permit=self.permit)
+        self._take_move(degrees, self.console.run("mot", line, permit=self.permit))
+
+    def steer_motor(self, motor_id: int, degrees: float) -> None:
+        """Send one axis to an absolute angle, as one of a stream: each replaces the one before (section 7.4)."""
+        self._check_move(motor_id, degrees)
+        line = self._move_line(motor_id, degrees)
+        self._take_move(degrees, self.console.hurry("mot", line, permit=self.permit))
+
+    @staticmethod
+    def _take_move(degrees: float, reply: Reply) -> None:
+        line = reply.command
         taken = [float(m[1]) for m in map(_MOVE_TAKEN.search, reply.lines) if m]
         if taken and abs(taken[-1] - degrees) > 0.011:
             # It moves, and where to is not sure: no refusal.
