@@ -3,6 +3,7 @@
 import subprocess
 import sys
 from dataclasses import replace
+from types import SimpleNamespace
 
 import pytest
 import stand_in
@@ -45,8 +46,11 @@ def test_however_the_app_ends_the_session_is_closed(crash, monkeypatch, capsys):
     clock = stand_in.VirtualClock()
     session = stand_in.Session(stand_in.slewing(clock), clock)
 
+    ends = []
+
     class App:
         return_code, anew = 0, False
+        track = SimpleNamespace(wait=lambda timeout_s: ends.append((session.closed, timeout_s)))
 
         def __init__(self, *_):
             pass
@@ -65,6 +69,7 @@ def test_however_the_app_ends_the_session_is_closed(crash, monkeypatch, capsys):
         with pytest.raises(type(crash)):
             run.run(options)
     assert session.closed == 1
+    assert ends == [(1, run.LEAVE_S)], "what was followed is remembered once the dish was stopped, also by a crash"
 
 
 def test_an_unknown_firmware_and_a_missing_file_are_one_sentence(monkeypatch, capsys, tmp_path):
@@ -112,7 +117,7 @@ def test_the_setup_opens_by_itself_on_a_first_run_or_without_a_port(
     session, settings = run._build(options, paths)
     try:
         assert settings.first_page == page
-        assert session.station.state.port == port
+        assert session.station.state.port.partition("&id=")[0] == port
         assert (settings.place is not None) == settings.tour == options.demo
         assert settings.setup is not None
         setup = settings.setup()
@@ -172,6 +177,7 @@ def test_another_dish_chosen_in_the_setup_begins_the_app_anew_over_the_old_flags
 
     class App:
         return_code = 0
+        track = SimpleNamespace(wait=lambda _timeout_s: None)
 
         def __init__(self, _session, settings):
             self.anew = len(built) == 1

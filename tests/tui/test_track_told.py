@@ -235,3 +235,14 @@ def test_follow_gives_back_what_was_taken_by_hand():
     assert "f follows it again, x leaves it." in text
     assert released == [ReleaseLease("you")]
     assert asked == [("follow",)]
+
+
+def test_quitting_in_mid_pass_leaves_what_is_followed_before_stop_ends_it():
+    async def leave(app, pilot, desk):
+        seen, stop = [], app.station.stop
+        app.station.stop = lambda by: (seen.append(desk.closed), stop(by))
+        await pilot.press("ctrl+q")
+        await pilot.pause()
+        return seen, app.station.stops
+
+    assert run(leave) == ([True], ["you"])

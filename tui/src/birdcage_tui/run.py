@@ -41,6 +41,8 @@ DEMO_DELAY_S = 0.5
 """How late its answers may be. It is in this program: nothing is under way from another one, and no wire is slow."""
 DEMO_PARK = (180.0, 40.0)
 """True azimuth and elevation to which it goes after a pass."""
+LEAVE_S = 1.0
+"""How long the end may wait for what is followed to be remembered, a pass to be logged, a receiver to be told LOS."""
 EXIT_ERROR = 1
 
 
@@ -97,6 +99,7 @@ def _run_once(options: argparse.Namespace, paths: Paths, *, anew: bool) -> int |
         finally:
             # First of all the dish: STOP goes out here if it moves, whatever ended the app.
             farewell = session.close()
+            app.track.wait(LEAVE_S)
         if app.anew:
             return None
         print(farewell)

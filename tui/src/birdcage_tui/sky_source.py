@@ -39,8 +39,6 @@ MOON_S = 20.0
 """Seconds of the clock between two looks at the Moon: it goes a tenth of a degree in that."""
 MOON_FIRST_S = 3.0
 """Real seconds after the start before the library that knows it is loaded: the passes come first."""
-CLOSE_S = 0.03
-"""How long closing may wait for the watch."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,7 +125,7 @@ class WatchedSky:
         """End."""
         self._closed.set()
         self._jobs.put(None)
-        self._watch.close(CLOSE_S)
+        self._watch.close(0.0)
 
     def step(self) -> None:
         """Do all that is to do now, on the calling thread."""

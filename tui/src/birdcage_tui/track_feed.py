@@ -70,7 +70,10 @@ class TrackSource(Protocol):
         """Follow what the schedule says, one pass after another, or no longer."""
 
     def close(self) -> None:
-        """End soon; nothing is told any more."""
+        """End soon; nothing is told any more. A second time does nothing."""
+
+    def wait(self, timeout_s: float) -> None:
+        """Wait until it has left on disk what is to be remembered, where there is such a thing."""
 
 
 MakeTrack = Callable[[ShowTrack], TrackSource]
@@ -130,3 +133,8 @@ class TrackFeed:
         self._closed = True
         if self.source is not None:
             self.source.close()
+
+    def wait(self, timeout_s: float) -> None:
+        """Wait until what was followed is remembered, after `close`."""
+        if self.source is not None:
+            self.source.wait(timeout_s)

@@ -19,8 +19,6 @@ if TYPE_CHECKING:
 
     from birdcage_tui.track_feed import MakeTrack, ShowTrack
 
-CLOSE_S = 0.05
-"""How long closing may wait for the desk: nothing that it does then is needed to stop the dish."""
 Order = Callable[["PursuitDesk"], None]
 
 
@@ -82,7 +80,7 @@ class DeskSource:
         desk = self._open()
         with self._lock:
             if self._closed:
-                desk.close(CLOSE_S)
+                desk.close(0.0)
                 return
             self.desk = desk
             for order in self._waiting:
@@ -161,9 +159,14 @@ class DeskSource:
         self._ask(lambda desk: desk.set_autotrack(on))
 
     def close(self) -> None:
-        """End; an opening that is under way ends by itself."""
+        """End soon; an opening that is under way ends by itself."""
         with self._lock:
             self._closed = True
             desk = self.desk
         if desk is not None:
-            desk.close(CLOSE_S)
+            desk.close(0.0)
+
+    def wait(self, timeout_s: float) -> None:
+        """Wait until it has left on disk what is to be remembered, where there is such a thing."""
+        if self.desk is not None and self.desk.owes:
+            self.desk.wait(timeout_s)

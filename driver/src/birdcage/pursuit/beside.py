@@ -93,6 +93,11 @@ class Beside:
             due = min(due, self._tuner.step())
         return due
 
+    @property
+    def busy(self) -> bool:
+        """Whether closing has something to end or to write."""
+        return self._plan is not None or self._tuner is not None or self._hooks.running or not self._log.flush(0.0)
+
     def close(self) -> None:
         """End what runs, let go of the receiver, and write what is to be kept."""
         self._end_log()

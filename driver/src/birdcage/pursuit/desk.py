@@ -57,7 +57,10 @@ class PursuitDesk:
             self._thread.start()
 
     def close(self, timeout_s: float = 0.3) -> None:
-        """End the desk, before the station is closed. What is being followed is offered at the next start."""
+        """End the desk, before the station is closed. What is being followed is offered at the next start.
+
+        A second time does nothing more than wait again.
+        """
         self._closing = True
         self._unsubscribe()
         self._orders.wake.set()
@@ -67,6 +70,18 @@ class PursuitDesk:
             self._work.end()
         if self._thread is None or not self._thread.is_alive():
             self._orders.wake.close()
+
+    @property
+    def owes(self) -> bool:
+        """Whether its end has something to leave: what is followed, a pass in the log, a hook, a receiver."""
+        return self._work.owes
+
+    def wait(self, timeout_s: float) -> bool:
+        """Wait until it has ended, after `close`; False if that took too long."""
+        if self._thread is None:
+            return True
+        self._thread.join(timeout_s)
+        return not self._thread.is_alive()
 
     # --- what is chosen
 

@@ -213,6 +213,12 @@ class DeskWork:
             )  # fmt: skip
         return replace(shown, problem=self._why())
 
+    @property
+    def owes(self) -> bool:
+        """Whether `end` has something to leave or to end. Any thread."""
+        beside = self._beside
+        return self._keeper.keeps or (beside is not None and beside.busy)
+
     def end(self) -> None:
         """Leave what there is to be remembered, and end what runs beside."""
         self._keeper.end()

@@ -83,6 +83,11 @@ class Hooks:
         # At most a second, as the time of day may be set meanwhile.
         return self._clock.monotonic() + min((next_s - now_s) / self._clock.rate, 1.0)
 
+    @property
+    def running(self) -> bool:
+        """Whether a command still runs."""
+        return any(not each.over for each in self._runs)
+
     def close(self, timeout_s: float = 0.0) -> bool:
         """End what still runs: asked to, killed when the grace is over; wait for that no longer than `timeout_s`.
 

@@ -113,6 +113,11 @@ class Keeper:
         self._written_at = monotonic
         self._memory.write(self._kept)
 
+    @property
+    def keeps(self) -> bool:
+        """Whether something is followed of which `end` has to write."""
+        return self._kept is not None
+
     def end(self) -> None:
         """Write that the program ends in order: it then waits for a person, and does not go on by itself."""
         if self._memory is not None and self._kept is not None:
