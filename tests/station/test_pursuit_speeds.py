@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import pytest
+from birdcage.base.config import Settings
 from birdcage.base.errors import CommandRefused
+from birdcage.station.mounting import mount_of
 from birdcage.station.pursuit import Phase
 from birdcage.station.requests import AcquireLease, EndPursuit, Goto, Release
+from birdcage.station.session import Session
+from birdcage.station.settings import StationSettings
 from birdcage.station.state import Link
+from birdcage.station.station import Station
 from birdcage.tracking.steps import Limit, Look, Wait
 
-from .pursuit_bench import PARK, at, g2, plan_of
+from .pursuit_bench import PARK, PursuitBench, at, g2, plan_of
 
 
 def slowing(helm):
@@ -127,3 +132,58 @@ def test_stop_while_the_console_is_in_another_menu_to_set_a_speed():
     since = bench.clock.monotonic()
     bench.step(60)
     assert bench.moves_since(since) == []
+
+
+def test_a_plan_made_meanwhile_counts_on_the_dish_s_own_speeds(bench):
+    assert bench.state.readings["speed.0"].value == pytest.approx(7.0, abs=0.02)
+    assert mount_of(bench.state, Settings()).model.azimuth.speed_deg_s == pytest.approx(65.0, abs=0.02)
+    bench.do(EndPursuit("you"))
+    bench.step(3)
+    assert not bench.state.speeds_lent
+    assert mount_of(bench.state, Settings()).model.azimuth.speed_deg_s == pytest.approx(65.0, abs=0.02)
+
+
+class Again(PursuitBench):
+    """A program with a state folder, and the one after it, at the same dish."""
+
+    def begin_again(self, **changes):
+        for port in self.opened:
+            port.close()
+        settings = StationSettings(**{
+            "port": "sim:test", "firmware": "g2", "open_link": self._open, **self.options, **changes,
+        })  # fmt: skip
+        self.station = Station(self.clock, settings)
+        self.session = Session(self.clock, self.station)
+        self.connect(12.0)
+
+
+@pytest.fixture
+def killed(monkeypatch, tmp_path):
+    monkeypatch.setattr("birdcage.tracking.choose.controller_for", lambda *_args, **_more: ("slowing", slowing))
+    bench = Again("g2?seed=1", {"state_folder": tmp_path}).connect()
+    bench.pursue(plan_of(at(bench) + 40.0), **PARK)
+    bench.until(Phase.FOLLOWING).step(8.0)
+    assert speed(bench) == pytest.approx(7.0, abs=0.02)
+    return bench
+
+
+def test_by_the_next_program_where_this_one_was_killed(killed):
+    killed.begin_again()
+    assert settled(killed)
+    assert not killed.state.speeds_lent
+    assert not (killed.options["state_folder"] / "speeds.json").exists()
+
+
+def test_but_not_at_another_dish(killed):
+    killed.begin_again(port="/dev/another")
+    assert speed(killed) == pytest.approx(7.0, abs=0.02)
+
+
+def test_a_speed_that_could_not_be_remembered_is_not_changed(monkeypatch, tmp_path):
+    monkeypatch.setattr("birdcage.tracking.choose.controller_for", lambda *_args, **_more: ("slowing", slowing))
+    (tmp_path / "file").write_text("no folder")
+    bench = Again("g2?seed=1", {"state_folder": tmp_path / "file"}).connect()
+    bench.pursue(plan_of(at(bench) + 40.0), **PARK)
+    bench.until(Phase.OVER)
+    assert "speeds.json cannot be written" in bench.pursuit.why
+    assert speed(bench) == pytest.approx(65.0, abs=0.02)

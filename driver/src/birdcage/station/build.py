@@ -62,6 +62,7 @@ def open_session(
             survey=survey,
             reconnect=reconnect,
             backup_folder=paths.backups,
+            state_folder=paths.state,
             **{each.name: getattr(rules, each.name) for each in fields(rules)},
             remark=lambda text: transcript.remark(text, clock.utc()),
         ),

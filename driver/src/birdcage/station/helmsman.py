@@ -44,7 +44,7 @@ class Helmsman:
 
     def __init__(self, board: Board, antenna: BirdcageAntenna, look: Look, mover: Mover) -> None:
         self._board, self._antenna, self._look, self._mover = board, antenna, look, mover
-        self.speeds = Speeds(antenna, look)
+        self.speeds = Speeds(board, antenna, look)
         self.step: Step | None = None
         self.holder = ""
         self.hurry = False

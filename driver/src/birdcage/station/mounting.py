@@ -36,13 +36,16 @@ def mount_of(state: StationState, settings: Settings) -> Mount:
 
 
 def _in_force(model: DishModel, state: StationState) -> DishModel:
-    """Return the model with the speeds that were read or set."""
+    """Return the model with the speeds that were read or set; without those that a pursuit changes as it follows."""
     return replace(
         model, azimuth=_at_speed(model.azimuth, state), elevation=_at_speed(model.elevation, state)
     )  # fmt: skip
 
 
 def _at_speed(axis: Axis, state: StationState) -> Axis:
+    lent = state.speeds_lent.get(axis.index)
+    if lent is not None:
+        return replace(axis, speed_deg_s=lent)
     told = state.readings.get(f"speed.{axis.index}")
     return axis if told is None or isinstance(told.value, str) else replace(axis, speed_deg_s=float(told.value))
 

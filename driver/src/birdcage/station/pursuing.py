@@ -16,6 +16,7 @@ from birdcage.station.control import Control
 from birdcage.station.events import End
 from birdcage.station.helmsman import Helmsman
 from birdcage.station.interruption import Interruption
+from birdcage.station.lent import LentSpeeds
 from birdcage.station.look import Look
 from birdcage.station.mover import Mover
 from birdcage.station.pursuit import Phase, Pursuit
@@ -65,6 +66,10 @@ class Pursuing:
     @property
     def _live(self) -> Pursuit | None:
         return self._told.live
+
+    def remember_speeds(self, lent: LentSpeeds) -> None:
+        """Keep speeds that are changed on disk, and put back those that the program before this one has left."""
+        self._helm.speeds.remember(lent)
 
     # What faces ask for
 

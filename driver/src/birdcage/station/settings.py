@@ -77,5 +77,7 @@ class StationSettings(Rules):
     reconnect: bool = True
     backup_folder: Path | None = None
     """Where tables are kept before the dish's settings are written."""
+    state_folder: Path | None = None
+    """Where speeds that a pursuit changes are kept until they are put back."""
     remark: Callable[[str], None] = lambda _text: None
     """Puts a remark into the transcript."""

@@ -256,6 +256,8 @@ class StationState:
     """Whether the dish was asked for its identity, limits and settings since the link came up."""
     pursuit: Pursuit | None = None
     """The present one, or the last one until another begins."""
+    speeds_lent: Mapping[int, float] = field(default_factory=lambda: MappingProxyType({}))
+    """The speeds (deg/s, by motor) that are put back once a pursuit no longer changes them; empty while none does."""
     readings: Mapping[str, Reading] = field(default_factory=lambda: MappingProxyType({}))
     """By feature: `rssi`, `rssi_peak`, `nvs.20`, `antenna_id`, `speed.0` (deg/s, in force until it restarts), …"""
 

@@ -22,6 +22,7 @@ from birdcage.station.board import Board, Listener
 from birdcage.station.connection import Connection
 from birdcage.station.control import Control
 from birdcage.station.desk import Desk
+from birdcage.station.lent import LentSpeeds
 from birdcage.station.look import Look
 from birdcage.station.pursuing import Pursuing
 from birdcage.station.queued_mover import QueuedMover
@@ -76,6 +77,8 @@ class Station:
         )  # fmt: skip
         self._vigil.on_interrupted = self._pursuing.interrupted
         self._pursuing.on_slow = self._vigil.slow
+        if settings.state_folder is not None:
+            self._pursuing.remember_speeds(LentSpeeds(settings.state_folder, settings.port, settings.firmware))
         self._pursued = False
         """Whether the last piece of work was the pursuit's: then a request has its turn."""
         self._connection = Connection(board, antenna, settings, look, self._wake, self._on_wake, self._vigil.on_line)
