@@ -246,3 +246,21 @@ def test_quitting_in_mid_pass_leaves_what_is_followed_before_stop_ends_it():
         return seen, app.station.stops
 
     assert run(leave) == ([True], ["you"])
+
+
+@pytest.mark.parametrize(("what", "row", "word"), [
+    ("park", "MOVES to park at 180°/40° after METOP-C in 4 s", "ABOUT TO PARK AFTER METOP-C"),
+    ("follow", "MOVES to 19°/22° for METOP-C in 4 s", "ABOUT TO MOVE TO METOP-C"),
+])  # fmt: skip
+def test_a_countdown_tells_where_it_leads_and_not_where_the_pass_began(what, row, word):
+    async def tell(app, pilot, _desk):
+        state = app.station.state
+        options = replace(state.pursuit.options, park_az_deg=180.0, park_el_deg=40.0)
+        app.station.state = replace(state, pursuit=replace(state.pursuit, next_what=what, options=options))
+        app.paint()
+        await pilot.pause()
+        return stand_in.text_of(app)
+
+    text = run(tell, "craft-countdown")
+    assert row in text.splitlines()[1]
+    assert word in text

@@ -12,6 +12,7 @@ from birdcage_tui.track.pursuing import next_incident, pursuit_of, sample_of
 from birdcage_tui.view import View
 
 if TYPE_CHECKING:
+    from birdcage.station.pursuit import Pursuit
     from birdcage.tracking.plan import Plan
 
 PHASE = {
@@ -62,6 +63,8 @@ def headline(view: View, *, brief: bool = False) -> str | None:
     if pursuit is None:
         return None
     word = SHORT.get(pursuit.phase, PHASE[pursuit.phase]) if brief else PHASE[pursuit.phase]
+    if pursuit.phase is Phase.COUNTDOWN and pursuit.next_what == "park":
+        word = "PARKS AFTER" if brief else "ABOUT TO PARK AFTER"
     return f"{word} {pursuit.plan.aim.name}"
 
 
@@ -84,12 +87,22 @@ def countdown_words(view: View) -> str | None:
     pursuit = pursuit_of(view)
     if pursuit is None or pursuit.phase is not Phase.COUNTDOWN:
         return None
-    where, point = "", pursuit.plan.preposition
-    if point is not None:
-        where = f" to {point.true_az_deg:.0f}°/{point.true_el_deg:.0f}°"
     left_s = seconds_to(view, pursuit.next_at)
     when = "soon" if left_s is None else f"in {max(left_s, 0.0):.0f} s"
-    return f"▲ MOVES{where} for {pursuit.plan.aim.name} {when}   Space stops it"
+    return f"▲ MOVES{_where_to(pursuit)} {when}   Space stops it"
+
+
+def _where_to(pursuit: Pursuit) -> str:
+    """Return where it is about to move and for what: its park direction when the pass is over."""
+    name, options, point = pursuit.plan.aim.name, pursuit.options, pursuit.plan.preposition
+    if pursuit.next_what == "park":
+        if options.park_az_deg is None or options.park_el_deg is None:
+            return f" to park after {name}"
+        return f" to park at {options.park_az_deg:.0f}°/{options.park_el_deg:.0f}° after {name}"
+    if pursuit.next_what == "follow" and pursuit.next_at is not None:
+        az_deg, el_deg = pursuit.plan.sky.at(pursuit.next_at.timestamp())
+        return f" to {az_deg % 360.0:.0f}°/{el_deg:.0f}° for {name}"
+    return f" for {name}" if point is None else f" to {point.true_az_deg:.0f}°/{point.true_el_deg:.0f}° for {name}"
 
 
 def trouble(view: View) -> tuple[str, str] | None:
