@@ -6,8 +6,10 @@ import asyncio
 import sys
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
+from uuid import uuid4
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "tui"))
 
@@ -15,13 +17,14 @@ import picture
 import stand_in
 from birdcage.base.clock import VirtualClock
 from birdcage.base.config import LinkSettings, PlaceSettings, Settings, load
-from birdcage.base.config.tracking_sections import TrackingSettings
-from birdcage.base.paths import throw_away_paths
+from birdcage.base.config.tracking_sections import RadioSettings, TrackingSettings
+from birdcage.base.paths import Paths, throw_away_paths
 from birdcage.setup.engine import Setup
 from birdcage.station.build import open_session
 from birdcage.station.known import SystemFacts
 from birdcage_tui.app import BirdcageApp
 from birdcage_tui.control.horizon_file import ConfigHorizon
+from birdcage_tui.demo_radio import radio_flags, write_downlinks
 from birdcage_tui.run import DEMO_DELAY_S, DEMO_PARK, DEMO_PLACE, demo_port
 from birdcage_tui.settings import AppSettings
 from birdcage_tui.sky_feed import make_sky
@@ -88,6 +91,12 @@ class Stage:
         return stand_in.text_of(self.app)
 
 
+def radio_of(paths: Paths, dish: str) -> RadioSettings:
+    """Return the settings of the demo's receiver."""
+    flags = radio_flags(paths, dish)
+    return load(paths.config_file, environ={}, flags=flags).radio
+
+
 @asynccontextmanager
 async def demo(
     size: tuple[int, int], theme: str = "dusk", *, tour: bool = False, firmware: str = "g2"
@@ -95,8 +104,11 @@ async def demo(
     """Open the demo at a size; nothing of yours is touched."""
     with throw_away_paths() as paths:
         clock = VirtualClock(START)
+        dish = f"stage-{uuid4().hex[:8]}"
+        here = replace(HERE, radio=radio_of(paths, dish))
+        write_downlinks(paths)
         session = open_session(
-            port=demo_port(firmware), firmware=firmware, baud=None, settings=HERE, paths=paths, clock=clock
+            port=demo_port(firmware, dish), firmware=firmware, baud=None, settings=here, paths=paths, clock=clock
         )
         session.start = lambda: None  # stepped here instead of running on its thread
         settings = AppSettings(
@@ -104,10 +116,10 @@ async def demo(
             place=DEMO_PLACE,
             tour=tour,
             presets_file=paths.presets_file,
-            setup=lambda: Setup(session, HERE, paths, environ={}, ports=list, system=SystemFacts),
-            sky=make_sky(HERE, paths, clock, demo=True, threads=False),
-            track=make_track(session, HERE, lambda: HERE, paths, demo=True, threads=False),
-            horizon=ConfigHorizon(paths, HERE, lambda: load(paths.config_file, environ={})),
+            setup=lambda: Setup(session, here, paths, environ={}, ports=list, system=SystemFacts),
+            sky=make_sky(here, paths, clock, demo=True, threads=False),
+            track=make_track(session, here, lambda: here, paths, demo=True, threads=False),
+            horizon=ConfigHorizon(paths, here, lambda: load(paths.config_file, environ={})),
         )
         app = BirdcageApp(session, settings)
         async with app.run_test(size=size) as pilot:

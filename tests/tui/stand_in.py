@@ -310,7 +310,7 @@ def app_in(name, *, theme="dusk", tour=False, heard=True, **settings):
     settings = AppSettings(theme=theme, place=PLACE if state.demo else None, tour=tour, **settings)
     app = BirdcageApp(session, settings)
     if heard and state.position is not None:
-        app._signal.extend(samples(clock))
+        app.signals.tuner.extend(samples(clock))
     return app
 
 

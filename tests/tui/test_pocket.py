@@ -177,7 +177,7 @@ def test_an_old_position_says_its_age():
 
 def test_a_dish_without_signal_has_no_empty_frame():
     async def quiet(app, pilot):
-        app._signal.clear()
+        app.signals.tuner.clear()
         app.paint()
         await pilot.pause()
         await pilot.pause()

@@ -9,6 +9,7 @@ from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
+from uuid import uuid4
 
 from birdcage.base.clock import Clock, RealClock, ScaledClock
 from birdcage.base.config import Settings, load
@@ -46,11 +47,12 @@ LEAVE_S = 1.0
 EXIT_ERROR = 1
 
 
-def demo_port(firmware: str) -> str:
-    """Return the simulated dish of the demo."""
-    here = f"lat={DEMO_PLACE.latitude_deg}&lon={DEMO_PLACE.longitude_deg}"
+def demo_port(firmware: str, dish: str = "") -> str:
+    """Return the simulated dish of the demo; by its id `dish` the receiver beside it finds it."""
+    here = f"sim:{firmware}?lat={DEMO_PLACE.latitude_deg}&lon={DEMO_PLACE.longitude_deg}"
     # Other dishes count their azimuth from elsewhere, or have a cable that ends elsewhere: they stand as they come.
-    return f"sim:{firmware}?{here}" + (f"&az={DEMO_CABLE_DEG}&el={DEMO_EL_DEG}" if firmware == DEMO_FIRMWARE else "")
+    stands = f"&az={DEMO_CABLE_DEG}&el={DEMO_EL_DEG}" if firmware == DEMO_FIRMWARE else ""
+    return here + stands + (f"&id={dish}" if dish else "")
 
 
 def run(options: argparse.Namespace) -> int:
@@ -119,8 +121,10 @@ def _paths(options: argparse.Namespace, stack: ExitStack) -> Paths:
 def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSettings]:
     clock: Clock = RealClock() if options.speed is None else ScaledClock(options.speed)
     demo_firmware = _known(options.firmware or DEMO_FIRMWARE) if options.demo else ""
+    # Of its own, as there may be more than one demo in a process, each with a clock of its own.
+    dish = f"demo-{uuid4().hex[:8]}"
     flags = {
-        "dish.port": demo_port(demo_firmware) if options.demo else options.port,
+        "dish.port": demo_port(demo_firmware, dish) if options.demo else options.port,
         "dish.firmware": demo_firmware if options.demo else options.firmware,
         "dish.baud": None if options.demo else options.baud,
         "link.delay_s": DEMO_DELAY_S if options.demo else None,
@@ -132,6 +136,11 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSetti
         "app.theme": options.theme,
         "app.glyphs": options.glyphs,
     }
+    if options.demo:
+        from birdcage_tui.demo_radio import radio_flags, write_downlinks
+
+        flags |= radio_flags(paths, dish)
+        write_downlinks(paths)
     settings = load(paths.config_file, environ={} if options.demo else None, flags=flags)
     port = settings.dish.port or _only_port()
     firmware = settings.dish.firmware or _detect(port, settings.dish.baud)

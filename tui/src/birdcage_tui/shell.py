@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from birdcage.base.errors import BirdcageError
-from birdcage.station.events import End, Event, MoveEnded, ReadingRead
+from birdcage.station.events import End, Event, MoveEnded
 from birdcage.station.requests import Unwatch, Watch
 from textual import events, on
 from textual.app import ComposeResult
@@ -37,13 +37,14 @@ from birdcage_tui.paging import Paging
 from birdcage_tui.palette import CommandProvider
 from birdcage_tui.scope import Scope, scopes_of
 from birdcage_tui.settings import AppSettings
+from birdcage_tui.signal_book import SignalBook
 from birdcage_tui.sky_feed import SkyFeed
 from birdcage_tui.status import BadDayRow, TopRow
 from birdcage_tui.stopping import focused_widget, is_stop_key, stop_first
 from birdcage_tui.surface import Surface
 from birdcage_tui.tour import Tour
 from birdcage_tui.track_feed import TrackFeed
-from birdcage_tui.view import YOU, Sample, Told, View
+from birdcage_tui.view import YOU, Told, View
 from birdcage_tui.words import ended_text
 
 if TYPE_CHECKING:
@@ -55,8 +56,6 @@ FRESH_S = 0.6
 """A frame younger than this has the time and the ages on it: no other is drawn for them alone."""
 LISTEN_S = 0.4
 """Between two looks at how long the dish has been silent."""
-KEPT_SAMPLES = 2000
-KEPT_WORDS = 64
 POCKET_TALL = 20
 """From so many rows on the pocket view's buttons are three rows tall."""
 
@@ -101,9 +100,9 @@ class Shell(Surface):
         )
         self.aim: tuple[float, float] | None = None
         """Where the go-to line would lead, while one types into it."""
-        self._signal: deque[Sample] = deque(maxlen=KEPT_SAMPLES)
+        self.signals = SignalBook()
         self._note = ""
-        self._told: deque[Told] = deque(maxlen=KEPT_WORDS)
+        self._told: deque[Told] = deque(maxlen=64)
         """What the last commands did, the newest last."""
         self._tour = Tour(self.track.set_autotrack)
         if not self.settings.tour:
@@ -186,7 +185,7 @@ class Shell(Surface):
             clock.monotonic(),
             clock.utc(),
             self.settings,
-            tuple(self._signal),
+            self.signals.samples,
             self._tour.says,
             "" if crash is None else f"{type(crash).__name__}: {crash}",
             self._note,
@@ -203,6 +202,7 @@ class Shell(Surface):
             clock=self.clock_watch.now,
             track=self.track.now,
             followed=tuple(self.track.looks),
+            heard=self.signals.heard,
             calibrate=self.calibrate.now,
         )
 
@@ -256,6 +256,7 @@ class Shell(Surface):
 
     def _news(self) -> None:
         """Draw what was told; a tour that is still to begin waits for no frame."""
+        self.signals.tell(self.track.now, self.session.clock.monotonic(), self.station.state)
         if self._tour.running:
             self._tour.step(self.view())
         self._changed()
@@ -263,8 +264,7 @@ class Shell(Surface):
     @on(StationEvent)
     def _hear(self, message: StationEvent) -> None:
         event = message.event
-        if isinstance(event, ReadingRead) and event.feature == "rssi":
-            self._signal.append(Sample(event.at, float(event.value)))
+        self.signals.hear(event, self.station.state)
         if isinstance(event, MoveEnded) and event.end is not End.SUPERSEDED:  # the newer one ends, too
             self.note(ended_text(event))
         self.track.hear(event)

@@ -22,6 +22,7 @@ from birdcage.sky.watch import SkyWatch
 from birdcage.sky.watch_model import SkyNow
 from birdcage.station.reach_limits import reach_limits_of
 
+from birdcage_tui.demo_radio import lay_beacons
 from birdcage_tui.demo_sky import lay_demo_sky
 from birdcage_tui.passes.model import Frequency, Row
 from birdcage_tui.settings import Place
@@ -89,6 +90,9 @@ class WatchedSky:
             self._jobs.put(self._fill_catalogue)
         if self._threads:
             self._jobs.put(self._watch.start)
+        if self._setup.demo:
+            self._jobs.put(self._lay_beacons)  # they are the last thing that anybody waits for
+        if self._threads:
             threading.Thread(target=self._work, name="sky-desk", daemon=True).start()
             threading.Thread(target=self._follow_moon, name="moon", daemon=True).start()
 
@@ -182,6 +186,10 @@ class WatchedSky:
     def _fill_catalogue(self) -> None:
         """Lay the demo's orbits over its place."""
         lay_demo_sky(self._setup.catalogue, self._setup.clock.utc(), self._observer)
+
+    def _lay_beacons(self) -> None:
+        """Lay what the demo's receiver hears of them."""
+        lay_beacons(self._setup.catalogue, self._setup.clock.utc(), self._observer)
 
     def _read_groups(self) -> None:
         """Read which groups and tags satellites have, and what the feed hears, to filter by."""

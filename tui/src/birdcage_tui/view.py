@@ -38,6 +38,20 @@ class Sample:
 
     at: float
     value: float
+    az_deg: float | None = None
+    """Where the dish pointed, true; None where that was not known."""
+    el_deg: float | None = None
+
+
+TUNER, RECEIVER = "tuner", "receiver"
+
+
+@dataclass(frozen=True, slots=True)
+class Heard:
+    """By whom the signal is heard, in a word, and in what unit that tells it."""
+
+    by: str = TUNER
+    unit: str = "counts"
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,6 +72,7 @@ class View:
     utc: datetime
     settings: AppSettings
     signal: Sequence[Sample] = ()
+    """What was heard, by one source."""
     tour: str = ""
     """What the demo says of itself; empty when it does nothing by itself."""
     crash: str = ""
@@ -90,6 +105,8 @@ class View:
     """What the pursuit desk shows; None before it has told anything."""
     followed: Sequence[Look] = ()
     """How well the dish has pointed in the pursuit under way, a look a second."""
+    heard: Heard = field(default_factory=Heard)
+    """Whose `signal` is."""
     calibrate: CalibrateNow | None = None
     """What the calibration shows; None before its tab was visited."""
 

@@ -46,6 +46,7 @@ class Beside:
         self._tuner: Tuner | None = None
         self._number, self._site = 0, ""
         self._elements: ElementSet | None = None
+        self._strength_at: datetime | None = None
         self._log = PassLog(paths.journal, paths.passes, site=lambda: self._site, epoch_of=self._epoch_of)
         self._end_log = keep_passes(station, self._log)
 
@@ -110,8 +111,10 @@ class Beside:
         self._log.hook_said(line)
 
     def _heard(self, now: RadioNow) -> None:
-        if now.strength_db is not None:
-            self._log.signal(now.strength_db, "dB", self._clock.monotonic())
+        # It is told again and again with whatever else changes; only what was read now is of now.
+        if now.strength_db is not None and now.strength_at != self._strength_at:
+            self._strength_at = now.strength_at
+            self._log.signal(now.strength_db, "dB DEMO" if now.demo else "dB", self._clock.monotonic())
         self._changed()
 
     def _epoch_of(self, norad_id: int) -> datetime | None:

@@ -43,3 +43,8 @@ class RadioNow:
     recording: bool | None = None
     """Whether it was told AOS and not LOS yet, and took it; None where it does not know these words."""
     sentence: str = ""
+
+    @property
+    def demo(self) -> bool:
+        """Whether it is a simulated one: what it hears is marked beside a real dish, too."""
+        return self.address.startswith("sim:")

@@ -12,7 +12,7 @@ from birdcage_tui.panes.pointing import PointingPane
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.panes.sky import SkyPane
 from birdcage_tui.skew import SkewPane, has_skew
-from birdcage_tui.view import View
+from birdcage_tui.view import TUNER, View
 
 LEAST_FOR_HEALTH = 31
 """Rows from which there is one for everything."""
@@ -36,9 +36,9 @@ class DashboardPage(Page):
             yield NextPane(id="next")
 
     def show(self, view: View) -> None:
-        """Give the place of the signal to the skew on a dish that has no tuner, then draw."""
+        """Give the place of the signal to the skew where neither a tuner nor a receiver is heard, then draw."""
         dish = view.state.dish
-        instead = dish is not None and not dish.has_rssi and has_skew(view)
+        instead = dish is not None and not dish.has_rssi and view.heard.by == TUNER and has_skew(view)
         signal, skew = self.query_one(SignalPane), self.query_one(SkewPane)
         if skew.display != instead or signal.display == instead:
             signal.display, skew.display = not instead, instead

@@ -1,17 +1,19 @@
-"""The signal strip: what the dish's tuner heard, newest at the right."""
+"""The signal strip: what the receiver heard, or the dish's own tuner, newest at the right."""
 
 from __future__ import annotations
 
 import itertools
 import textwrap
 
+from birdcage.station.pursuit import Phase
+
 from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import STALE_S, Sample, View
 from birdcage_tui.words import age_text
 
-LEAST_SPAN = 100.0
-"""Counts between the bottom and the top of the strip at least: noise must look like noise."""
+LEAST_SPAN = {"counts": 100.0, "dB": 10.0}
+"""Between the bottom and the top of the strip at least: noise must look like noise."""
 SLOW_S = 6.0
 """The tuner is asked every 5 s while the dish may move: only what is older than this is amiss."""
 COLUMN_S = 1.0
@@ -30,32 +32,49 @@ class SignalPane(Pane):
         if not view.signal:
             self._empty(cells, view)
             return
-        last = view.signal[-1]
         axis = 6 if cells.width >= 34 and cells.height >= 4 else 0
         width, height = max(cells.width - 2 - axis, 1), max(cells.height - 1, 1)
         shown = [sample for sample in view.signal if view.now - sample.at <= width * COLUMN_S]
-        age_s = view.now - last.at
-        old = age_s > STALE_S
-        x = cells.put(1, 0, f"{last.value:5.0f}", "dim" if old else "strong")
-        x = cells.put(x, 0, " counts", "dim")
+        self._words(cells, view, shown)
         if shown:
-            best = max(shown, key=lambda sample: sample.value)
-            x = cells.put(x, 0, f"  peak {best.value:.0f}", "text")
-            if cells.width >= 46:
-                cells.put(x, 0, f", {age_text(view.now - best.at)} ago", "dim")
             span = f"last {width * COLUMN_S:.0f} s"
             if self.border_subtitle != span:  # setting it repaints the pane, equal or not
                 self.border_subtitle = span
-            self._curve(cells, shown, view.now, width, height, axis)
-        cells.right(
-            cells.width - 1, 0, f"{age_text(age_s)} old" if old else "tuner", "warn" if age_s > SLOW_S else "dim"
-        )
+            self._curve(cells, shown, view, width, height, axis)
 
     @staticmethod
-    def _curve(cells: Cells, shown: list[Sample], now: float, width: int, height: int, axis: int) -> None:
+    def _words(cells: Cells, view: View, shown: list[Sample]) -> None:
+        """Write reading, peak and where that was heard; at the right who hears, or how long ago that was."""
+        last, unit = view.signal[-1], view.heard.unit
+        age_s = view.now - last.at
+        old = age_s > STALE_S
+        by = f"{age_text(age_s)} old" if old else view.heard.by
+        x = cells.put(1, 0, f"{_text(last.value, unit):>5}", "dim" if old else "strong")
+        x = cells.put(x, 0, f" {unit}", "dim")
+        end = cells.width - 2 - len(by)
+        if shown:
+            best = max(shown, key=lambda sample: sample.value)
+            parts = [(f"  peak {_text(best.value, unit)}", "text")]
+            if best.az_deg is not None and best.el_deg is not None:
+                parts.append((f" at {best.az_deg:.1f} {best.el_deg:.1f}", "text"))
+            parts.append((f", {age_text(view.now - best.at)} ago", "dim"))
+            for part, ink in parts:
+                if x + len(part) > end:
+                    break
+                x = cells.put(x, 0, part, ink)
+        loss_db = _loss_db(view)
+        if loss_db is not None and x + len(words := f"  loss {loss_db:.1f} dB") <= end:
+            cells.put(x, 0, words, "dim")
+        cells.right(cells.width - 1, 0, by, "warn" if age_s > SLOW_S else "dim")
+
+    @staticmethod
+    def _curve(cells: Cells, shown: list[Sample], view: View, width: int, height: int, axis: int) -> None:
+        now, least = view.now, LEAST_SPAN[view.heard.unit]
         low, high = min(s.value for s in shown), max(s.value for s in shown)
-        spare = max(LEAST_SPAN - (high - low), (high - low) * 0.1)
-        low, high = max(0.0, low - spare / 2), high + spare / 2
+        spare = max(least - (high - low), (high - low) * 0.1)
+        low, high = low - spare / 2, high + spare / 2
+        if view.heard.unit == "counts":
+            low = max(0.0, low)
         canvas = Braille(width, height)
         dots = height * 4 - 1
 
@@ -87,3 +106,15 @@ class SignalPane(Pane):
             words = ("Nothing heard yet.", "The tuner is read while the dish rests.")
         for row, line in enumerate(textwrap.wrap(" ".join(words), max(cells.width - 2, 10))):
             cells.put(1, row, line, "dim")
+
+
+def _text(value: float, unit: str) -> str:
+    return f"{value:.0f}" if unit == "counts" else f"{value:.1f}"
+
+
+def _loss_db(view: View) -> float | None:
+    """Return what pointing costs now; None while nothing is followed."""
+    pursuit = view.state.pursuit
+    if pursuit is None or pursuit.phase is not Phase.FOLLOWING or pursuit.sample is None:
+        return None
+    return pursuit.sample.loss_db

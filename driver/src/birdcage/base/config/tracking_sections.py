@@ -92,7 +92,9 @@ class RadioSettings(Section):
 
     section: ClassVar[str] = "radio"
 
-    rigctld: str | None = setting(None, "Where it listens: localhost:4532, or sim:rig for a simulated one; not set: none is tuned.")
+    rigctld: str | None = setting(
+        None, "Where it listens: localhost:4532, or sim:rig for a simulated one; not set: none is tuned."
+    )
     record: bool = setting(True, "Tell it AOS and LOS: SDR++ and gqrx begin and end a recording then.")
     step_hz: float = setting(
         10.0, "It is tuned again when the frequency is off by more.", minimum=1.0, maximum=100_000.0
