@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 from birdcage_tui.calibrate.words import aside, direction, put_wrapped
@@ -83,8 +84,10 @@ class AimPane(Pane, can_focus=True):
         position = guide.position
         reads = "--" if position is None else direction(position.dish_az_deg, position.dish_el_deg)
         rows = [("stands at", "target", stands + "  true"), ("dish reads", "text", reads + "  its own")]
-        nudged = "--" if guide.nudged is None else aside(*guide.nudged)
-        rows.append(("nudged", "accent", nudged))
+        if guide.busy.startswith("going"):
+            rows.append(("to go", "accent", "--" if guide.nudged is None else f"{math.hypot(*guide.nudged):.1f}°"))
+        else:
+            rows.append(("nudged", "accent", "--" if guide.nudged is None else aside(*guide.nudged)))
         rows.append(("signal", "text", _signal(view)))
         for y, (label, ink, words) in enumerate(rows, 1):
             cells.put(1, y, label, "dim")

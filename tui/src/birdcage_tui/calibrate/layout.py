@@ -1,41 +1,90 @@
-"""How large each part of the Calibrate tab is, from the room under the tabs in cells."""
+"""Where each part of the Calibrate tab stands, from the room under the tabs in cells."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from textual.geometry import Region
 
 ROOMY = (100, 26)
 """From this size on all lists are seen at once."""
 GRAND = (150, 38)
-"""From this size on both pictures are."""
-FRAME = 2
-LEAST_SQUARE = 24
+"""From this size on both pictures are, and the signal."""
+NARROW, WIDE = 43, 62
+"""Columns of what is pointed at, in a small and in a grand page."""
+AIM = 10
 
 
-@dataclass(frozen=True, slots=True)
-class Layout:
-    """Sizes in cells, frames included; 0 hides."""
+def regions(width: int, height: int, *, fitted: bool, picture: str, listed: str) -> dict[str, Region]:
+    """Return where each part stands, frames included; what is not named is not seen.
 
-    roomy: bool
-    grand: bool
-    left: int
-    """Width of the pictures and what stands below them."""
-    pictures: int
-    """Height of the pictures; the figures have the rest of the column."""
-    aim: int
-    """Height of what is pointed at."""
-    signal: int = 0
-    peaks: int = 0
-    sets: int = 0
-    """Heights of these lists; that of the objects takes the rest. Without room the chosen list has all of it."""
-
-
-def layout(width: int, height: int) -> Layout:
-    """Return the layout for so much room; pictures are about as wide as their height makes them square."""
+    `fitted`: whether there are figures; else the words have their room. `picture` (scatter, sky) and `listed` (objects,
+    peaks, sets) are what is seen where there is room for one only.
+    """
     if width >= GRAND[0] and height >= GRAND[1]:
-        pictures = min(height - 14, (width - 64) // 4 + FRAME)
-        return Layout(True, True, width - 62, pictures, 11, 7, max(height // 5, 8), 6)
+        return _grand(width, height, fitted=fitted)
     if width >= ROOMY[0] and height >= ROOMY[1]:
-        pictures = height - 13
-        return Layout(True, False, min(max(pictures * 2 + 6, LEAST_SQUARE * 2), width - 50), pictures, 10, 0, 8, 5)
-    return Layout(False, False, width - 43, height - 7, 10)
+        return _roomy(width, height, picture, fitted=fitted)
+    left, fit = width - NARROW, 7 if fitted else 0
+    found = {
+        picture: Region(0, 0, left, height - fit),
+        "aim": Region(left, 0, NARROW, AIM),
+        listed: Region(left, AIM, NARROW, height - AIM),
+    }
+    return found | ({"fit": Region(0, height - fit, left, fit)} if fitted else {})
+
+
+def _roomy(width: int, height: int, picture: str, *, fitted: bool) -> dict[str, Region]:
+    """Picture beside object and objects; figures and the other lists below."""
+    if not fitted:
+        left = width // 2 - 6
+        return {picture: Region(0, 0, left, height), **_column(left, width - left, height)}
+    lower = min(max(height // 3, 9), 13)
+    upper = height - lower
+    left = min(max(upper * 2 + 4, 44), width - 56)
+    sets = 30 if width < 116 else 36
+    fit = 34 if width < 116 else 44
+    return {
+        picture: Region(0, 0, left, upper),
+        "aim": Region(left, 0, width - left, AIM),
+        "objects": Region(left, AIM, width - left, upper - AIM),
+        "fit": Region(0, upper, fit, lower),
+        "peaks": Region(fit, upper, width - fit - sets, lower),
+        "sets": Region(width - sets, upper, sets, lower),
+    }
+
+
+def _grand(width: int, height: int, *, fitted: bool) -> dict[str, Region]:
+    """Both pictures, as tall as they are wide on the screen; below them figures, peaks and sets."""
+    left = width - WIDE
+    half = left // 2
+    if not fitted:
+        return {
+            "scatter": Region(0, 0, half, height),
+            "sky": Region(half, 0, left - half, height),
+            **_column(left, WIDE, height, signal=8),
+        }
+    upper = min(height - 15, half // 2 + 2)
+    lower = height - upper
+    sets = max(lower // 3, 5)
+    return {
+        "scatter": Region(0, 0, half, upper),
+        "sky": Region(half, 0, left - half, upper),
+        "fit": Region(0, upper, half, lower),
+        "peaks": Region(half, upper, left - half, lower - sets),
+        "sets": Region(half, height - sets, left - half, sets),
+        "aim": Region(left, 0, WIDE, AIM + 1),
+        "signal": Region(left, AIM + 1, WIDE, 9),
+        "objects": Region(left, AIM + 10, WIDE, height - AIM - 10),
+    }
+
+
+def _column(x: int, width: int, height: int, signal: int = 0) -> dict[str, Region]:
+    """What is pointed at and the lists, one below the other."""
+    aim, peaks, sets = AIM + (1 if signal else 0), 4, 5
+    top = aim + signal
+    found = {
+        "aim": Region(x, 0, width, aim),
+        "objects": Region(x, top, width, height - top - peaks - sets),
+        "peaks": Region(x, height - peaks - sets, width, peaks),
+        "sets": Region(x, height - sets, width, sets),
+    }
+    return found | ({"signal": Region(x, aim, width, signal)} if signal else {})

@@ -18,6 +18,12 @@ if TYPE_CHECKING:
     from birdcage_tui.calibrate.feed import CalibrateNow, KeptSet
 
 
+DIRECTION_FROM = 48
+"""Columns of a row from which there is room for where the object of a peak stood."""
+OFFSETS_FROM = 36
+"""Columns of a row from which there is room for the offsets of a set."""
+
+
 class ListPane(Pane):
     """Rows with a cursor; a click chooses. What a row means is the subclass's."""
 
@@ -125,7 +131,7 @@ class ObjectsPane(ListPane, can_focus=True):
 class PeaksPane(ListPane, can_focus=True):
     """Peaks with what is left of each, and what the others alone say of it."""
 
-    TITLE = "Peaks"
+    TITLE = "Peaks: left, by the others"
     EMPTY = "None yet. Each one is on the disk as it is taken."
     HELP = (
         "What was taken: where the object stood, how far it lies from the fit, and how far by the others alone. d "
@@ -137,11 +143,10 @@ class PeaksPane(ListPane, can_focus=True):
         """Number, name, direction, what is left, what is left by the others."""
         guide = now.guide
         assert guide is not None
-        name = max(self.width() - 30, 6)
-        return [self._row(guide, index, name) for index in range(len(guide.peaks))]
+        return [self._row(guide, index, self.width()) for index in range(len(guide.peaks))]
 
     @staticmethod
-    def _row(guide: GuideView, index: int, name: int) -> tuple[str, str]:
+    def _row(guide: GuideView, index: int, width: int) -> tuple[str, str]:
         peak, fit = guide.peaks[index], guide.fit
         left = alone = None
         if fit is not None and index < len(fit.residuals):
@@ -149,11 +154,11 @@ class PeaksPane(ListPane, can_focus=True):
             left = each.off_deg
             if each.alone_right_deg is not None and each.alone_up_deg is not None:
                 alone = (each.alone_right_deg**2 + each.alone_up_deg**2) ** 0.5
+        where = f" {peak.true_az_deg:4.0f}° {peak.true_el_deg:2.0f}°" if width >= DIRECTION_FROM else ""
+        last = f"{where} {maybe(left):>6} {maybe(alone):>6}"
+        name = max(width - len(last) - 4, 6)
         odd = fit is not None and fit.warning.startswith(f"Peak {peak.number} ")
-        return "warn" if odd else "text", (
-            f"{peak.number:>2} {peak.target[:name]:<{name}} {peak.true_az_deg:4.0f}° {peak.true_el_deg:2.0f}°"
-            f" {maybe(left):>6} {maybe(alone):>6}"
-        )
+        return "warn" if odd else "text", f"{peak.number:>2} {peak.target[:name]:<{name}}{last}"
 
     def foot(self, now: CalibrateNow) -> str:
         """Say when and how the chosen one was found."""
@@ -163,7 +168,7 @@ class PeaksPane(ListPane, can_focus=True):
             return ""
         peak = chosen[0]
         dish = f"dish {peak.dish_az_deg:.2f}° {peak.dish_el_deg:.2f}°"
-        return f"{peak.utc:%d %b %H:%MZ}, {dish}, good to {peak.sigma_deg:.2f}°. Left, then by the others."
+        return f"{peak.utc:%d %b %H:%MZ}, {dish}, good to {peak.sigma_deg:.2f}°."
 
 
 class SetsPane(ListPane, can_focus=True):
@@ -176,17 +181,16 @@ class SetsPane(ListPane, can_focus=True):
 
     def rows(self, now: CalibrateNow) -> list[tuple[str, str]]:
         """Name, whether in force, its offsets, and how good it was."""
-        name = max(self.width() - 27, 6)
-        return [self._row(each, name) for each in now.sets]
+        return [self._row(each, self.width()) for each in now.sets]
 
     @staticmethod
-    def _row(kept: KeptSet, name: int) -> tuple[str, str]:
+    def _row(kept: KeptSet, width: int) -> tuple[str, str]:
         entry = kept.entry
+        offsets = f" {entry.az_offset_deg:+7.2f}° {entry.el_offset_deg:+6.2f}°" if width >= OFFSETS_FROM else ""
+        last = f"{offsets} {maybe(entry.rms_deg):>6}"
+        name = max(width - len(last) - 3, 6)
         sign = "●" if kept.in_force else " "
-        return "good" if kept.in_force else "text", (
-            f"{sign} {entry.name[:name]:<{name}} {entry.az_offset_deg:+7.2f}° {entry.el_offset_deg:+6.2f}°"
-            f" {maybe(entry.rms_deg):>6}"
-        )
+        return "good" if kept.in_force else "text", f"{sign} {entry.name[:name]:<{name}}{last}"
 
 
 def error_text(value: float) -> str:

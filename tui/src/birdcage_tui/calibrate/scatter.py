@@ -40,16 +40,12 @@ class ScatterPane(Pane):
         "its number: only that peak says so."
     )
 
-    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
-        super().__init__(id=id)
-        self.border_title = "What is left"
-
     def draw(self, cells: Cells, view: View) -> None:
         """Draw it; without a peak, say what to do and why."""
         now = view.calibrate
         guide = None if now is None else now.guide
         fit = None if guide is None else guide.fit
-        self._told("" if fit is None else f"half width {reach_of(fit):g}°")
+        self._told(*(("Calibrate", "") if fit is None else ("What is left", f"half width {reach_of(fit):g}°")))
         if fit is None:
             y = 0
             for ink, words in BEGIN:
@@ -57,9 +53,9 @@ class ScatterPane(Pane):
             return
         self._plot(cells, fit, view.state.beam_deg)
 
-    def _told(self, words: str) -> None:
-        if words != (self.border_subtitle or ""):  # setting it repaints the pane, equal or not
-            self.border_subtitle = words
+    def _told(self, title: str, words: str) -> None:
+        if (title, words) != (self.border_title, self.border_subtitle or ""):  # setting it repaints, equal or not
+            self.border_title, self.border_subtitle = title, words
 
     @staticmethod
     def _plot(cells: Cells, fit: Fit, beam_deg: float | None) -> None:

@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING, cast
 
 from textual import events
 from textual.app import ComposeResult
-from textual.containers import Horizontal, Vertical
+from textual.containers import Container
 
 from birdcage_tui.calibrate import ask
 from birdcage_tui.calibrate.aim import AimPane
 from birdcage_tui.calibrate.feed import CalibrateSource
 from birdcage_tui.calibrate.figures import FiguresPane
-from birdcage_tui.calibrate.layout import layout
+from birdcage_tui.calibrate.layout import regions
 from birdcage_tui.calibrate.lists import ListPane, ObjectsPane, PeaksPane, SetsPane
 from birdcage_tui.calibrate.over_sky import OverSkyPane
 from birdcage_tui.calibrate.scatter import ScatterPane
@@ -22,6 +22,7 @@ from birdcage_tui.control.fields import Values
 from birdcage_tui.dialogs import QuestionScreen
 from birdcage_tui.host import Host
 from birdcage_tui.pages.page import Page
+from birdcage_tui.pane import Pane
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.view import View
 
@@ -29,6 +30,10 @@ if TYPE_CHECKING:
     from birdcage.calibration.candidates import Candidate
 
 NUDGES = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "up": (0.0, 1.0), "down": (0.0, -1.0)}
+PARTS: dict[str, type[Pane]] = {
+    "scatter": ScatterPane, "sky": OverSkyPane, "fit": FiguresPane, "aim": AimPane, "signal": SignalPane,
+    "objects": ObjectsPane, "peaks": PeaksPane, "sets": SetsPane,
+}  # fmt: skip
 LISTS: dict[str, type[ListPane]] = {"objects": ObjectsPane, "peaks": PeaksPane, "sets": SetsPane}
 
 
@@ -44,9 +49,7 @@ class CalibratePage(Page):
     CalibratePage { layout: vertical; }
     CalibratePage SetupTabs { height: 1; }
     CalibratePage #calibrate-body { height: 1fr; }
-    CalibratePage #calibrate-right { width: 1fr; }
-    CalibratePage #calibrate-pictures > Pane { width: 1fr; height: 1fr; }
-    CalibratePage FiguresPane, CalibratePage ObjectsPane { height: 1fr; }
+    CalibratePage #calibrate-body > Pane { position: absolute; }
     CalibratePage ScatterPane, CalibratePage OverSkyPane, CalibratePage FiguresPane, CalibratePage AimPane,
     CalibratePage SignalPane, CalibratePage ListPane { border: round $line; border-title-color: $dim;
         border-title-style: none; border-subtitle-color: $dim; }
@@ -69,18 +72,9 @@ class CalibratePage(Page):
     def compose(self) -> ComposeResult:
         """The parts, from the top left."""
         yield SetupTabs("calibrate")
-        with Horizontal(id="calibrate-body"):
-            with Vertical(id="calibrate-left"):
-                with Horizontal(id="calibrate-pictures"):
-                    yield ScatterPane(id="calibrate-scatter")
-                    yield OverSkyPane(id="calibrate-sky")
-                yield FiguresPane(id="calibrate-figures")
-            with Vertical(id="calibrate-right"):
-                yield AimPane(id="calibrate-aim")
-                yield SignalPane(id="calibrate-signal")
-                yield ObjectsPane(id="calibrate-objects")
-                yield PeaksPane(id="calibrate-peaks")
-                yield SetsPane(id="calibrate-sets")
+        with Container(id="calibrate-body"):
+            for name, kind in PARTS.items():
+                yield kind(id=f"calibrate-{name}")
 
     @property
     def host(self) -> Host:
@@ -110,22 +104,16 @@ class CalibratePage(Page):
         super().show(view)
 
     def on_resize(self) -> None:
-        """Choose the layout."""
-        found = layout(self.size.width, self.size.height - 1)  # the tabs take a row
-        self.query_one("#calibrate-left").styles.width = found.left
-        self.query_one("#calibrate-pictures").styles.height = found.pictures if self._fitted else "1fr"
-        self.query_one(FiguresPane).display = self._fitted
-        self.query_one(AimPane).styles.height = found.aim
-        signal = self.query_one(SignalPane)
-        signal.display = found.signal > 0
-        signal.styles.height = found.signal
-        self.query_one(ScatterPane).display = found.grand or not self._over_sky
-        self.query_one(OverSkyPane).display = found.grand or self._over_sky
-        rows = {"peaks": found.peaks, "sets": found.sets}
-        for name, kind in LISTS.items():
-            pane = self.query_one(kind)
-            pane.display = found.roomy or name == self._listed
-            pane.styles.height = rows.get(name, 0) or "1fr"
+        """Give every part its place."""
+        width, height = self.size.width, self.size.height - 1  # the tabs take a row
+        picture = "sky" if self._over_sky else "scatter"
+        found = regions(width, height, fitted=self._fitted, picture=picture, listed=self._listed)
+        for name, kind in PARTS.items():
+            pane, place = self.query_one(kind), found.get(name)
+            pane.display = place is not None
+            if place is not None:
+                pane.styles.offset = place.offset
+                pane.styles.width, pane.styles.height = place.width, place.height
 
     def on_descendant_focus(self, event: events.DescendantFocus) -> None:
         """Where there is room for one list only, keep showing the one that had the focus last."""
