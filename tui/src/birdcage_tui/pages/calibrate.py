@@ -73,8 +73,14 @@ class CalibratePage(Page):
         """The parts, from the top left."""
         yield SetupTabs("calibrate")
         with Container(id="calibrate-body"):
-            for name, kind in PARTS.items():
-                yield kind(id=f"calibrate-{name}")
+            yield ScatterPane(id="calibrate-scatter")
+            yield OverSkyPane(id="calibrate-sky")
+            yield FiguresPane(id="calibrate-fit")
+            yield AimPane(id="calibrate-aim")
+            yield SignalPane(id="calibrate-signal")
+            yield ObjectsPane(id="calibrate-objects")
+            yield PeaksPane(id="calibrate-peaks")
+            yield SetsPane(id="calibrate-sets")
 
     @property
     def host(self) -> Host:
