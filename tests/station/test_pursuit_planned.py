@@ -60,3 +60,12 @@ def test_a_dish_whose_moves_queue_follows_its_plan():
     assert bench.state.fault is None
     assert bench.pursuit.rms_error_deg < 1.0
     assert Part.FOLLOW in {leg.part for leg in plan.legs}
+
+
+def test_the_forecast_holds_for_a_dish_that_overshoots_as_the_g2_does():
+    bench = g2(beam_deg=2.5)
+    plan = planned(bench, -12.0)
+    bench.pursue(plan, at_end="stay")
+    bench.until(Phase.FOLLOWING, 3000).step(100.0)
+    assert bench.pursuit.rms_error_deg == pytest.approx(plan.forecast.rms_deg, rel=0.4)
+    assert 0.4 * plan.forecast.max_deg < bench.pursuit.max_error_deg < 1.1 * plan.forecast.max_deg

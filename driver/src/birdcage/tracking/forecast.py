@@ -64,8 +64,8 @@ def following_times(stretches: tuple[Stretch, ...], step_s: float = _STEP_S) -> 
 def saw_tooth_deg(model: DishModel, course: Curve, t: Floats, stretches: tuple[Stretch, ...]) -> Floats:
     """Return the root mean square of what is left between two commands, on the sky.
 
-    Commands that name where the target will be half an interval later leave a saw-tooth of rate x interval, and the
-    quantisation of the steps.
+    Commands that name where the target will be half an interval later leave a saw-tooth of rate x interval, the
+    quantisation of the steps, and what an axis comes to rest off its command (anywhere up to `overshoot_deg`).
     """
     before, after = t - _ABOUT_S, t + _ABOUT_S
     for one in stretches:
@@ -100,5 +100,5 @@ def _interval_s(model: DishModel, across: Floats, up: Floats) -> Floats:
 
 
 def _square(axis: Axis, rate: Floats, interval: Floats) -> Floats:
-    found: Floats = ((rate * interval) ** 2 + axis.step_deg**2) / 12.0
+    found: Floats = ((rate * interval) ** 2 + axis.step_deg**2) / 12.0 + axis.overshoot_deg**2 / 3.0
     return found
