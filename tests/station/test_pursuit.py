@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from birdcage.base.geometry import separation
 from birdcage.station.pursuit import Phase
+from birdcage.station.requests import EndPursuit, Pursue
 from birdcage.station.state import Activity
 
 from .pursuit_bench import PARK, at, g2, plan_of
@@ -35,3 +36,17 @@ def test_a_whole_pass_from_waiting_to_parked():
     assert bench.pursuit.max_error_deg < 0.3
     assert 100 < len(bench.samples) < 130
     assert bench.state.fault is None
+
+
+def test_a_better_plan_for_a_pursuit_that_is_over_begins_nothing():
+    bench = g2()
+    plan = plan_of(at(bench) + 30.0)
+    number = bench.pursue(plan, **PARK)
+    bench.until(Phase.FOLLOWING).step(2)
+    bench.do(EndPursuit("you"))
+    bench.step(3)
+    since = bench.clock.monotonic()
+    assert bench.do(Pursue(plan, "you", renews=number)) == number
+    bench.step(20)
+    assert bench.pursuit.phase is Phase.OVER
+    assert bench.moves_since(since) == []

@@ -77,8 +77,7 @@ class Follower:
 
         live = self.live
         if live is not None and plan is not self._sent and same_pass(plan, live.plan):
-            # Its options stay; a person has asked for it before, and nothing begins that had not begun.
-            self._send(Pursue(plan, self.holder, replace(live.options), asked=True))
+            self._send(Pursue(plan, self.holder, replace(live.options), asked=False, renews=live.number))
 
     def leave(self, by: str) -> None:
         """End it."""

@@ -81,6 +81,8 @@ class Pursuing:
         from birdcage.tracking.same_pass import same_pass
 
         live = self._live
+        if request.renews is not None and (live is None or live.number != request.renews):
+            return request.renews
         refuse(request.plan, self._now_s)
         if live is not None and live.holder == request.holder and same_pass(live.plan, request.plan):
             self._renew(request.plan)

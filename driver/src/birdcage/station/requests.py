@@ -48,6 +48,8 @@ class Pursue:
     options: PursuitOptions = field(default_factory=PursuitOptions)
     asked: bool = True
     """Whether a person has asked for it just now; if not, even its first motion counts down."""
+    renews: int | None = None
+    """The number of the pursuit for which this is only a better plan: where that one is over, nothing begins anew."""
 
 
 @dataclass(frozen=True, slots=True)
