@@ -277,9 +277,7 @@ def next_steps(view: View) -> list[tuple[str, str]]:
         ]
     steps = [_doing(view)]
     pursuit = pursuit_of(view)
-    if pursuit is not None and pursuit.why:
-        steps.append(("text", pursuit.why))
-    if view.moving:
+    if view.moving and pursuit is None:  # what STOP does stands under the digits, which say whom it pursues
         steps.append(("text", f"Space: {stop_text(view)}."))
     if state.held is not None:
         steps.append(("text", "Nobody moves it before you release it: Enter."))
@@ -314,7 +312,7 @@ def _doing(view: View) -> tuple[str, str]:
     pursuit = pursuit_of(view)
     if pursuit is not None:
         word, name = PHASE[pursuit.phase].removesuffix(":"), pursuit.plan.aim.name
-        return "accent-strong", f"{word.capitalize()} {name}."
+        return "accent-strong", pursuit.why or f"{word.capitalize()} {name}."
     if state.activity is Activity.SLEWING and state.motion is not None:
         skew = state.motion.to_skew_deg
         aim = f"{state.motion.to_az_deg:.2f}° / {state.motion.to_el_deg:.2f}°" if skew is None else f"skew {skew:.2f}°"

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 QUIET = ("faint", "line", "dim")
 """Dots that a name may cover."""
+LABELS_DEG = (0.0, 20.0, -20.0, 270.0, 290.0, 250.0)
+"""Where along a circle its elevation is written, off the usual place: the first that lies on nothing."""
 MASK_STEP_DEG = 2
 ARC_INK = "target"
 
@@ -100,8 +102,10 @@ def rim(cells: Cells, polar: Polar, view: View) -> None:
     away_deg = 45.0 if place is None or place.latitude_deg >= 0 else 135.0  # where the arc is not
     for limit in (state.el_min_deg, state.el_max_deg):
         if limit is not None:
-            x, y = polar.cell(away_deg, limit)
-            cells.put(x, y, f"{limit:.0f}°", "dim")
+            words = f"{limit:.0f}°"
+            places = [polar.cell(away_deg + aside, limit) for aside in LABELS_DEG]
+            free = (place for place in places if cells.free(*place, len(words), *QUIET))
+            cells.put(*next(free, places[0]), words, "dim")
     position, dish = state.position, state.dish
     if position is not None and position.cable_deg is not None and dish is not None and dish.cable is not None:
         for end in (dish.cable.min_deg, dish.cable.max_deg):

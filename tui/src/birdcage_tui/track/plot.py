@@ -38,6 +38,8 @@ def draw_times(cells: Cells, polar: Polar, view: View, points: Points) -> None:
     for at_s, az_deg, el_deg in ticks(points.of(plan, view), view.utc.timestamp()):
         x, y = polar.cell(az_deg, el_deg)
         words = clock_text(at_s, seconds=at_s % 60 != 0)
+        if not cells.free(x, y, 1, *QUIET, "target", "accent"):
+            continue  # a label stands there, or the dish
         right, left = x + 2, x - 1 - len(words)
         for start in (right, left) if x >= middle else (left, right):
             if start >= 0 and start + len(words) <= polar.width and cells.free(start, y, len(words), *QUIET):

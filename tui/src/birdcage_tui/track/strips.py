@@ -117,7 +117,7 @@ def _write(cells: Cells, y: int, what: Incident, x_of: Callable[[float], float],
             if x >= 1 and x + len(words) < cells.width and cells.free(x - 1, y, len(words) + 2):
                 cells.put(x, y, words, ink)
                 return
-    if cells.free(LEFT + column, y, 1):
+    if cells.free(LEFT + column - 1, y, 3):  # within words it would look like a letter of theirs
         cells.put(LEFT + column, y, "╵", ink)
 
 
