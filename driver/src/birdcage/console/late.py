@@ -17,56 +17,72 @@ LATE = "late"
 """The reason of the NoReply that says that an answer is not waited for."""
 
 
-@dataclass(slots=True)
-class _Late:
+@dataclass(frozen=True, slots=True)
+class _Sent:
     ticket: int
     line: str
     sent: float
-    doubtful: bool = False
-    """Whether its echo, damaged, may have passed for that of a later line."""
+    proves: bool
+    """Whether its echo can be no damaged one of the lines before it: then those are over once it is answered."""
 
 
 class LateLines:
-    """What a stream still has under way."""
+    """What a stream may still have under way, oldest first."""
 
     def __init__(self, wire: Wire) -> None:
         self.pace = Pace()
         self._wire = wire
-        self._lines: list[_Late] = []
+        self._lines: list[_Sent] = []
 
-    def __len__(self) -> int:
-        """Return how many lines are not accounted for."""
-        return len(self._lines)
+    def __bool__(self) -> bool:
+        """Return whether any line is not accounted for."""
+        return bool(self._lines)
 
-    def add(self, ticket: int, line: str, sent: float) -> None:
+    @property
+    def owed(self) -> int:
+        """How many lines may be answered yet."""
+        return sum(self._wire.codec.owes(late.ticket) for late in self._lines)
+
+    def proves(self, line: str) -> bool:
+        """Return whether the echo of a line can be told from what damage makes of those that are under way."""
+        return not any(may_become(late.line, line) for late in self._lines)
+
+    def answered(self, ticket: int, line: str, sent: float, *, proves: bool) -> None:
+        """Take in that a line was answered in time.
+
+        The wire keeps the order: once it was echoed, nothing that belongs to an earlier one can follow.
+        """
+        self.pace.take(self._wire.clock.monotonic() - sent)
+        if proves:
+            self._lines.clear()
+        else:
+            self._lines.append(_Sent(ticket, line, sent, proves))
+
+    def add(self, ticket: int, line: str, sent: float, *, proves: bool) -> None:
         """Wait no longer for the answer to a line."""
         self.pace.miss()
-        self._lines.append(_Late(ticket, line, sent))
+        self._lines.append(_Sent(ticket, line, sent, proves))
         self._wire.excuse(ticket)
 
     def collect(self) -> None:
-        """Strike out what is accounted for.
-
-        The wire keeps the order: once a later line was echoed, nothing that belongs to an earlier one can follow.
-        """
+        """Strike out what is accounted for: answered late, before something so answered, or lost for good by now."""
         wire = self._wire
-        for late in self._lines:
-            if wire.taken(late.ticket) is not None and wire.last_reply is not None:
-                self.pace.take(wire.last_reply - late.sent)
         gone = wire.clock.monotonic() - 2 * wire.delay_s
-        self._lines = [
-            late for late in self._lines if wire.codec.owes(late.ticket) or (late.doubtful and late.sent > gone)
-        ]
-
-    def before(self, line: str) -> None:
-        """Take in that a line goes out: it proves nothing about those that its echo may be a damaged one of."""
+        kept: list[_Sent] = []
         for late in self._lines:
-            late.doubtful = late.doubtful or may_become(late.line, line)
+            came = wire.taken(late.ticket) is not None
+            if came and wire.last_reply is not None:
+                self.pace.take(wire.last_reply - late.sent)
+            if came and late.proves:
+                kept.clear()
+            elif late.sent > gone or wire.codec.owes(late.ticket):
+                kept.append(late)
+        self._lines = kept
 
     def end(self, limit: float | None) -> None:
         """End the stream, giving every answer its time, but none beyond `limit`; what has not come then is missing."""
         self.collect()
-        while self._lines:
+        while self.owed:
             due = self._lines[-1].sent + self._wire.delay_s
             if not self._wire.pump(due if limit is None else min(due, limit)):
                 break

@@ -11,7 +11,7 @@ _MEAN, _SPREAD, _WIDE = 1 / 8, 1 / 4, 4.0
 
 
 class Pace:
-    """Smooths round trips. Every answer that did not come in time doubles the patience until one comes."""
+    """Smooths round trips. From the second on, an answer in a row that did not come in time doubles the patience."""
 
     def __init__(self) -> None:
         self._mean_s: float | None = None
@@ -35,4 +35,4 @@ class Pace:
     def patience_s(self, guess_s: float, most_s: float) -> float:
         """Return how long to wait for the next one; `guess_s` is the last round trip of any other line."""
         due_s = GUESS * guess_s if self._mean_s is None else self._mean_s + _WIDE * self._spread_s
-        return min(max(LEAST_S, due_s) * 2.0**self._missed, most_s)
+        return min(max(LEAST_S, due_s) * 2.0 ** max(self._missed - 1, 0), most_s)

@@ -142,7 +142,7 @@ class Console(Talker):
             return self.run(menu, command, permit=permit)
         self._wire.take_in()
         self._late.collect()
-        if self._wire.lost or self.menu != menu or len(self._late) >= MOST_LATE:
+        if self._wire.lost or self.menu != menu or self._late.owed >= MOST_LATE:
             self.enter(menu)
         if asks and self._late:
             raise NoReply(f"`{command}` was not sent: an earlier answer is still due.", reason=LATE)

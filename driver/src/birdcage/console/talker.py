@@ -238,7 +238,7 @@ class Talker:
     def _transact_soon(self, line: str, permit: Callable[[], None] | None) -> Reply:
         """Send one line of a stream; NoReply (`late`) when its reply does not come as soon as the others did."""
         wire, clock, late = self._wire, self.clock, self._late
-        late.before(line)
+        proves = late.proves(line)
         patience_s = late.pace.patience_s(self._round_trip_s or self.delay_s, self.delay_s)
         sent = clock.monotonic()
         ticket = wire.send(line, 0.0, permit)
@@ -250,10 +250,10 @@ class Talker:
             late.drop()
             raise
         if reply is None:
-            late.add(ticket, line, sent)
+            late.add(ticket, line, sent, proves=proves)
             raise NoReply(f"No answer to `{line}` on {wire.link.name} within {patience_s:.2f} s.", reason=LATE)
         self._round_trip_s = clock.monotonic() - sent
-        late.pace.take(self._round_trip_s)
+        late.answered(ticket, line, sent, proves=proves)
         return reply
 
     def _await(self, line: str, ticket: int, timeout_s: float, on_line: LineSink | None) -> Reply:

@@ -17,6 +17,8 @@ from birdcage.tracking.steps import Activity, Look, Send, Wait
 
 REST_S = 0.02
 """How long it waits where nothing has to move."""
+AGAIN_S = 0.2
+"""How soon it looks again where no reading came."""
 LONGEST_INTERVAL_S = 1.0
 """An axis that stood still for longer was not waiting for its turn: that is no interval."""
 ROUNDS = 3
@@ -85,7 +87,8 @@ def steer(helm: Helm, *, looks: bool) -> Activity:
     while now_s < helm.until_s:
         if looks and now_s >= look_s:
             seen = yield Look()
-            now_s, look_s = seen.now_s, max(look_s + helm.look_every_s, seen.now_s)
+            now_s = seen.now_s
+            look_s = now_s + AGAIN_S if seen.az_deg is None else max(look_s + helm.look_every_s, now_s)
             for rudder, read_deg in zip(rudders, (seen.az_deg, seen.el_deg), strict=True):
                 rudder.belief.check(read_deg, latency.seen_s(seen))
             continue
@@ -99,8 +102,10 @@ def steer(helm: Helm, *, looks: bool) -> Activity:
             now_s = (yield Wait(min(now_s + REST_S, helm.until_s))).now_s
             continue
         _, rudder, aim = best
-        move_s = rudder.belief.planned(aim.goal_deg, now_s + latency.of(rudder.index)).duration_s
+        acts_s = now_s + latency.of(rudder.index)
+        move_s = rudder.belief.planned(aim.goal_deg, acts_s).duration_s
         answer = yield Send(rudder.index, aim.goal_deg)
-        acted_s = latency.measure(rudder.index, answer, move_s)
-        rudder.sent(aim.goal_deg, acted_s)
+        if answer.sent_s is not None:
+            acts_s = latency.measure(rudder.index, answer, move_s)
+        rudder.sent(aim.goal_deg, acts_s)  # where its answer is lost, the dish has most likely taken it all the same
         now_s, helm.latency_s = answer.now_s, latency.mean_s
