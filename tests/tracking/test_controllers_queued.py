@@ -112,6 +112,14 @@ def test_moves_of_many_last_as_the_planner_of_one_has_it():
                 assert gone * way == pytest.approx(slew.at(share * time)[0], abs=1e-9)
 
 
+def test_a_long_move_is_scored_until_its_end():
+    """A Trav'ler takes 0.3 s for a step and 2.6 s for three degrees, and these begin so slowly that they look good."""
+    rig = Rig(straight(-0.54, 0.02, seconds=40, el_deg=43.0), model=TRAVLER, mode="queue").run(queued)
+    assert rig.errors().max() < 0.2
+    ways = np.abs(np.diff([step.deg for _, step in rig.steps if isinstance(step, Send) and step.axis == 0]))
+    assert ways.max() < 1.0
+
+
 def test_far_axis_goes_first():
     ahead = Lookahead((SLOW.azimuth, SLOW.elevation), (0.005, 0.005))
     course = straight(0.0, 0.0)

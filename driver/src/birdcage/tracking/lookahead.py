@@ -1,7 +1,8 @@
 """Which move an axis-by-axis dish should make next: two moves ahead (reference tracking 3.5, item 4).
 
 Every pair of moves (axis, aim) x (axis, aim) is scored by the mean-square pointing error over one common horizon; a
-horizon of each pair's own was measured to fail. The first move of the best pair counts, the second one is a promise.
+horizon of each pair's own was measured to fail. Only a first move that lasts longer is scored until its end: by its
+slow beginning alone it would look harmless. The first move of the best pair counts, the second one is a promise.
 """
 
 from __future__ import annotations
@@ -27,9 +28,10 @@ ROUNDS = 3
 """Of the fixed point between where a move ends and how long it takes."""
 MOMENTS = 17
 """At which the error is taken over the horizon."""
-SHORTEST_S, LONGEST_S, BEYOND = 0.3, 8.0, 1.1
-"""The horizon: a little more than what the median pair takes, within these. A longer one was measured to lead a slow
-target by half of it, as nothing is planned beyond the second move."""
+SHORTEST_S, LONGEST_S = 0.3, 8.0
+SHARE, BEYOND = 0.3, 1.1
+"""The horizon: a little more than what the quicker third of all pairs takes, within these bounds. A longer one was
+measured to lead a slow target by half of it, as nothing is planned beyond the second move."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,22 +75,23 @@ class Lookahead:
         if not due.any():
             return None
         first = self._aims(course, np.full(2, start_s), np.array(at_deg), FIRST_S)
-        worth = np.flatnonzero(due[first.column] & (first.way != 0.0))
-        if not len(worth):
-            return None
-        first = first.taken(worth)
-        count = len(worth)
+        count = len(first.goal)
         # For each first move, where both axes stand after it, and when the second can begin.
         after = np.tile(np.array(at_deg), (count, 1))
         after[np.arange(count), first.column] = first.goal
         begin = start_s + first.lasts
         second = self._aims(course, np.repeat(begin, 2), after.ravel(), SECOND_S)
-        pairs = np.repeat(np.arange(count), 2 * len(SECOND_S))
-        begins, firsts = begin[pairs], first.taken(pairs)
-        horizon_s = min(max(BEYOND * float(np.median(begins + second.lasts - start_s)), SHORTEST_S), LONGEST_S)
-        t_s = start_s + np.linspace(0.0, horizon_s, MOMENTS)
-        cost = _mean_square(course, t_s, at_deg, ((firsts, np.full(len(pairs), start_s)), (second, begins)))
-        best = int(pairs[np.argmin(cost)])
+        firsts = np.repeat(np.arange(count), 2 * len(SECOND_S))
+        horizon_s = float(np.quantile(begin[firsts] + second.lasts - start_s, SHARE)) * BEYOND
+        worth = np.flatnonzero((due[first.column] & (first.way != 0.0))[firsts])
+        if not len(worth):
+            return None
+        firsts, second = firsts[worth], second.taken(worth)
+        moves, begins = first.taken(firsts), begin[firsts]
+        spans_s = np.maximum(min(max(horizon_s, SHORTEST_S), LONGEST_S), moves.lasts)
+        t_s = start_s + np.linspace(0.0, 1.0, MOMENTS) * spans_s[:, None]
+        cost = _mean_square(course, t_s, at_deg, ((moves, np.full(len(firsts), start_s)), (second, begins)))
+        best = int(firsts[np.argmin(cost)])
         return Move(int(first.column[best]), float(first.goal[best]), float(first.lasts[best]))
 
     def _off(self, course: Curve, column: int, at_deg: float, start_s: float) -> float:
@@ -121,9 +124,8 @@ class Lookahead:
 def _mean_square(
     course: Curve, t_s: Floats, at_deg: tuple[float, float], moves: tuple[tuple[_Moves, Floats], ...]
 ) -> Floats:
-    """Return the mean-square angle on the sky between the course and each row of moves."""
-    count = len(moves[0][1])
-    where = np.empty((2, count, len(t_s)))
+    """Return the mean-square angle on the sky between the course and each row of moves, at a row of times each."""
+    where = np.empty((2, *t_s.shape))
     where[0], where[1] = at_deg
     for each, begin in moves:
         gone = each.way[:, None] * progress((t_s - begin[:, None]) / each.lasts[:, None], each.ramp[:, None])
