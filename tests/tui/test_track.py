@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 import stand_in
 import track_stand_in
@@ -168,3 +170,18 @@ def test_enter_releases_what_is_held_before_it_chooses():
     released, asked = run(press, "craft-held")
     assert released
     assert asked == []
+
+
+@pytest.mark.parametrize("size", SIZES[:2], ids=str)
+def test_without_a_place_it_says_what_to_do_first(size):
+    async def lost(app, pilot, _desk):
+        app.settings = replace(app.settings, place=None)
+        app.paint()
+        await pilot.pause()
+        return stand_in.text_of(app)
+
+    text = run(lost, "craft-idle", size=size)
+    assert "Where the dish stands is not known yet" in text
+    assert "step 9" in text
+    assert "birdcage place add home" in text
+    assert "worked out" not in text

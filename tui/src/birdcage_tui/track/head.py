@@ -14,7 +14,11 @@ from birdcage_tui.view import View
 
 SELECTOR = (("track-watch", Mode.WATCH, "Watch"), ("track-aim", Mode.AIM, "Aim once"),
             ("track-follow", Mode.FOLLOW, "Follow"))  # fmt: skip
+NO_PLACE = "Where the dish stands is not known yet, so nothing in the sky can be followed."
+SET_PLACE = "Setup (8), step 9 sets it; or, in a shell: birdcage place add home JO21jv --use"
 NOBODY = "No target is chosen. Enter takes the row under the cursor; / searches."
+
+HOW = "Then f follows it. After / any name finds it, or number; and 19.2E the slot there."
 
 
 class TrackHead(Pane):
@@ -24,9 +28,7 @@ class TrackHead(Pane):
         """Write them."""
         plan = plan_of(view)
         if plan is None:
-            desk = view.track
-            chosen = None if desk is None else desk.choice
-            cells.put(1, 0, NOBODY if chosen is None else f"{chosen}: its pass is worked out …", "text")
+            self._without_plan(cells, view)
         else:
             words = pass_words(plan)
             number = f"  {plan.aim.norad_id}" if plan.aim.norad_id else ""
@@ -43,6 +45,19 @@ class TrackHead(Pane):
             elif cells.height >= 4:
                 cells.put(1, 2, age[: cells.width - 2] or "it needs no elements", ink)
         self._selector(cells, cells.height - 1, view)
+
+    @staticmethod
+    def _without_plan(cells: Cells, view: View) -> None:
+        """Say what to do first."""
+        chosen = None if view.track is None else view.track.choice
+        if view.settings.place is None:
+            cells.put(1, 0, NO_PLACE, "warn")
+            cells.put(1, 1, SET_PLACE, "text")
+        elif chosen is not None:
+            cells.put(1, 0, f"{chosen}: its pass is worked out …", "text")
+        else:
+            cells.put(1, 0, NOBODY, "text")
+            cells.put(1, 1, HOW, "dim")
 
     def _selector(self, cells: Cells, y: int, view: View) -> None:
         desk, pursuit = view.track, pursuit_of(view)

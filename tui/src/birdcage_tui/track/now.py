@@ -111,7 +111,8 @@ def _watched(view: View) -> list[tuple[str, str]]:
     if desk is None or desk.choice is None or plan is None:
         if desk is None:
             return [("dim", "The pursuit desk opens …")]
-        return [] if desk.choice is None else [("dim", "Its pass is worked out …")]
+        waits = desk.choice is not None and view.settings.place is not None
+        return [("dim", "Its pass is worked out …")] if waits else []
     last = view.state.pursuit
     done = []
     if last is not None and last.phase is Phase.OVER and same_target(plan, last.plan):
