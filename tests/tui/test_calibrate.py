@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import asyncio
 from concurrent.futures import Future
+from dataclasses import replace
 
 import calibrate_stand_in
 import pytest
 import stand_in
+from birdcage.station.events import ReadingRead
 from birdcage_tui.calibrate.aim import AimPane
 from birdcage_tui.calibrate.figures import FiguresPane
 from birdcage_tui.calibrate.lists import ObjectsPane, PeaksPane, SetsPane
@@ -16,6 +18,7 @@ from birdcage_tui.calibrate.scatter import ScatterPane, reach_of
 from birdcage_tui.calibrate.tabs import SetupTabs
 from birdcage_tui.commands.table import can_move
 from birdcage_tui.footer import KeyBar
+from birdcage_tui.signal_book import SignalBook
 from birdcage_tui.status import BadDayRow, StatusLine, StopButton
 
 SIZES = [(80, 24), (120, 36), (160, 48), (200, 60)]
@@ -276,6 +279,28 @@ def test_without_a_guide_the_tab_says_so():
             return await play(app, pilot, None)
 
     assert "not open yet" in asyncio.run(body())
+
+
+def test_the_highest_signal_is_told_with_its_place():
+    """A person who went over the middle reads how far back it is."""
+
+    async def play(app, pilot, _source):
+        clock, here = app.session.clock, app.station.state.position
+        app.signals = SignalBook()
+        heard = ReadingRead(clock.monotonic() - 1.0, clock.utc(), "rssi", 900.0, "counts")
+        app.signals.hear(heard, app.station.state)  # before this object: it counts for nothing
+        clock.advance(5.0)
+        for at, az, value in ((3.0, here.az_deg + 1.0, 640.0), (1.0, here.az_deg, 590.0)):
+            where = replace(here, az_deg=az)
+            app.station.state = replace(app.station.state, position=where)
+            app.signals.hear(
+                ReadingRead(clock.monotonic() - at, clock.utc(), "rssi", value, "counts"), app.station.state
+            )
+        await settle(app, pilot)
+        return stand_in.text_of(app)
+
+    text = run(play, size=(120, 36))
+    assert "590 counts, highest 640, 0.73° right of here" in text, "a degree of azimuth at 43° up"
 
 
 def test_no_place_is_told_and_what_to_do():

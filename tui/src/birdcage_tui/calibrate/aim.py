@@ -5,10 +5,12 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from birdcage.base.geometry import shortest_turn
+
 from birdcage_tui.calibrate.words import aside, direction, put_wrapped
 from birdcage_tui.canvas import Cells
 from birdcage_tui.pane import Pane
-from birdcage_tui.view import View
+from birdcage_tui.view import Heard, View
 
 if TYPE_CHECKING:
     from birdcage.calibration.guide import GuideView
@@ -18,6 +20,9 @@ if TYPE_CHECKING:
 LABEL = 12
 HEARD_S = 30.0
 """The highest signal is that of so long."""
+HERE_DEG = 0.03
+"""Nearer than this is here: the gears step in as much."""
+COUNTS = Heard().unit
 ARROWS = (("calibrate-left", "←"), ("calibrate-right", "→"), ("calibrate-up", "↑"), ("calibrate-down", "↓"))
 WAIT = "The guide is opening: it looks what is up."
 
@@ -33,6 +38,9 @@ class AimPane(Pane, can_focus=True):
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
         self.border_title = "Peak on"
+        self._on: object = None
+        self._since = float("-inf")
+        """When the object was another one last, or the alignment in force."""
 
     def draw(self, cells: Cells, view: View) -> None:
         """Write the rows; the buttons stand in the last ones."""
@@ -42,6 +50,9 @@ class AimPane(Pane, can_focus=True):
             words = now.wrong if now is not None and now.wrong else WAIT
             put_wrapped(cells, 0, words, "warn" if now is not None and now.wrong else "dim")
             return
+        on = guide.target, view.state.alignment
+        if on != self._on:
+            self._on, self._since = on, view.now
         buttons = cells.height - 2
         y = self._target(cells, view, guide, now) if guide.target else self._none(cells, now, guide)
         self._words(cells, y, buttons, now, guide, view)
@@ -74,8 +85,7 @@ class AimPane(Pane, can_focus=True):
         cells.put(1, 0, f"Next best: {best.candidate.name}", "target-strong")
         return put_wrapped(cells, 1, best.words() + ".", "text", rows=3)
 
-    @staticmethod
-    def _target(cells: Cells, view: View, guide: GuideView, now: CalibrateNow) -> int:
+    def _target(self, cells: Cells, view: View, guide: GuideView, now: CalibrateNow) -> int:
         cells.put(1, 0, guide.target, "target-strong")
         state = guide.busy or ("" if now.guide is None or guide.may_not_take else "at rest")
         if len(guide.target) + len(state) + 3 <= cells.width:
@@ -88,7 +98,7 @@ class AimPane(Pane, can_focus=True):
             rows.append(("to go", "accent", "--" if guide.nudged is None else f"{math.hypot(*guide.nudged):.1f}°"))
         else:
             rows.append(("nudged", "accent", "--" if guide.nudged is None else aside(*guide.nudged)))
-        rows.append(("signal", "text", _signal(view)))
+        rows.append(("signal", "text", _signal(view, self._since, cells.width - LABEL - 2)))
         for y, (label, ink, words) in enumerate(rows, 1):
             cells.put(1, y, label, "dim")
             cells.put(1 + LABEL, y, words[: cells.width - LABEL - 1], "dim" if words == "--" else ink)
@@ -110,12 +120,26 @@ class AimPane(Pane, can_focus=True):
         put_wrapped(cells, y, words, ink, rows=end - y)
 
 
-def _signal(view: View) -> str:
-    """Return what the dish's own tuner hears, and the highest of the last seconds; without one, the person's meter."""
-    dish = view.state.dish
-    if dish is not None and not dish.has_rssi:
-        return "your own meter tells"
-    recent = [sample.value for sample in view.signal if view.now - sample.at <= HEARD_S]
+def _signal(view: View, since: float, width: int) -> str:
+    """Return what is heard, and where it was highest lately; without a tuner, the person's meter tells.
+
+    What was heard before `since` counts for nothing: on another object, or with directions that were others.
+    """
+    recent = [sample for sample in view.signal if sample.at >= max(since, view.now - HEARD_S)]
     if not recent:
-        return "--"
-    return f"{recent[-1]:.0f} counts, highest {max(recent):.0f}"
+        dish = view.state.dish
+        return "your own meter tells" if dish is not None and not dish.has_rssi else "--"
+    unit = view.heard.unit
+    digits = 0 if unit == COUNTS else 1
+    best = max(recent, key=lambda sample: sample.value)
+    last, most = f"{recent[-1].value:.{digits}f}", f"{best.value:.{digits}f}"
+    words = f"{last} {unit}, highest {most}"
+    here = view.state.position
+    if here is None or best.az_deg is None or best.el_deg is None:
+        return words
+    right = shortest_turn(here.az_deg, best.az_deg) * math.cos(math.radians(here.el_deg))
+    up = best.el_deg - here.el_deg
+    if math.hypot(right, up) < HERE_DEG:
+        return f"{words} here"
+    told = (f"{words}, {aside(right, up)} of here", f"{last}, {most} {aside(right, up)}")
+    return next((each for each in told if len(each) <= width), words)
