@@ -94,6 +94,16 @@ def test_a_move_that_became_a_question_on_its_way_answers_none(dish, steering, c
     assert steering.hurry("mot", "a", asks=True).lines == ("R0001=9998",)
 
 
+def test_a_line_that_another_may_have_become_proves_nothing(dish, steering, clock):
+    dish.out_fault = lambda _byte: []
+    took(clock, lambda: steering.hurry("mot", "a 0 12.34"))
+    dish.out_fault = scripted.clean
+    steering.hurry("mot", "a 0 12.33")
+    assert took(clock, lambda: steering.hurry("mot", "a", asks=True)) == (0.0, "late")
+    steering.hurry("mot", "a 1 30.00")
+    assert steering.hurry("mot", "a", asks=True).lines == ("R0000=9999",)
+
+
 def test_a_late_reading_is_not_taken_for_the_next(dish, steering, clock):
     dish.out_fault = lambda byte: [(1.0, bytes([byte]))]
     assert took(clock, lambda: steering.hurry("mot", "a", asks=True))[1] == "late"
