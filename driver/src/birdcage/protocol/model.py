@@ -147,6 +147,11 @@ class DishModel:
         """Every axis that it has."""
         return tuple(axis for axis in (self.azimuth, self.elevation, self.skew) if axis is not None)
 
+    @property
+    def moves_in_turn(self) -> bool:
+        """Whether it moves one axis at a time, or keeps commands until it comes to them."""
+        return self.second_move is SecondMove.QUEUE or not self.axes_together
+
     def axis(self, index: int) -> Axis:
         """Return the axis that the firmware counts as `index`; KeyError for any other."""
         return {axis.index: axis for axis in self.axes}[index]

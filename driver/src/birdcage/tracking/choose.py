@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 from birdcage.base.errors import MotionRefused
-from birdcage.protocol.model import DishModel, SecondMove
+from birdcage.protocol.model import DishModel
 from birdcage.tracking.controller import Controller
 from birdcage.tracking.fast import fast
 from birdcage.tracking.leapfrogging import leapfrog
@@ -20,16 +20,11 @@ CONTROLLERS: Mapping[str, Controller] = MappingProxyType(
 """By the names of `PursuitOptions.controller`."""
 
 
-def moves_in_turn(model: DishModel) -> bool:
-    """Whether a dish moves one axis at a time, or keeps commands until it comes to them."""
-    return model.second_move is SecondMove.QUEUE or not model.axes_together
-
-
 def suited(model: DishModel) -> str:
     """Return the name of the controller that suits a dish. Never `leapfrog`, never `velocity`."""
     if not model.position_reported:
         return "modelled"
-    return "queued" if moves_in_turn(model) else "fast"
+    return "queued" if model.moves_in_turn else "fast"
 
 
 def controller_for(model: DishModel, wanted: str = "auto", *, velocity_allowed: bool = False) -> tuple[str, Controller]:
@@ -47,7 +42,7 @@ def controller_for(model: DishModel, wanted: str = "auto", *, velocity_allowed: 
 
 def _against(model: DishModel, name: str, *, velocity_allowed: bool) -> str:
     dish = f"The {model.name}"
-    if name in ("fast", "velocity") and moves_in_turn(model):
+    if name in ("fast", "velocity") and model.moves_in_turn:
         return f"{dish} moves one axis at a time and would fall behind with the controller `{name}`; use `queued`."
     if name in ("fast", "velocity", "queued", "leapfrog") and not model.position_reported:
         return f"{dish} does not tell its position; only the controller `modelled` steers it."

@@ -6,7 +6,7 @@ import numpy as np
 
 from birdcage.tracking.course import limit_deg
 from birdcage.tracking.curve import Curve
-from birdcage.tracking.forecast import PEAK, saw_tooth_deg, separations_deg
+from birdcage.tracking.forecast import saw_tooth_deg, separations_deg
 from birdcage.tracking.itinerary import Stretch
 from birdcage.tracking.plan import Forecast, Keyhole
 from birdcage.tracking.sight import Sight
@@ -29,7 +29,7 @@ def keyholes(sight: Sight, stretches: tuple[Stretch, ...], course: Curve) -> tup
     if not len(where):
         return ()
     found = []
-    peaks = np.hypot(off, PEAK * saw_tooth_deg(sight.mount.model, course, t, stretches))
+    peaks = np.hypot(off, saw_tooth_deg(sight.mount.model, course, t, stretches)[1])
     for part in np.split(where, np.flatnonzero(np.diff(t[where]) > _NEAR_S) + 1):
         start, end = float(t[part[0]]), float(t[part[-1]])
         found.append(Keyhole(start, end, float(peaks[part].max()), limit_deg(sight, stretches, start, end)))

@@ -5,7 +5,6 @@ Where it stands is what it was sent to: nothing is read, and nothing shows a mov
 
 from __future__ import annotations
 
-from birdcage.protocol.model import SecondMove
 from birdcage.tracking import fast, queued
 from birdcage.tracking.controller import Helm
 from birdcage.tracking.steps import Activity
@@ -16,5 +15,4 @@ SENTENCE = "The dish does not tell its position: it is taken to be where it was 
 
 def modelled(helm: Helm) -> Activity:
     """Follow by the model of both axes alone."""
-    in_turn = helm.model.second_move is SecondMove.QUEUE or not helm.model.axes_together
-    yield from (queued.steer if in_turn else fast.steer)(helm, looks=False)
+    yield from (queued.steer if helm.model.moves_in_turn else fast.steer)(helm, looks=False)

@@ -9,7 +9,7 @@ from birdcage.tracking.curve import Floats
 
 FIRST_SHARE = 0.9
 """What part of its time the azimuth gets at first, where the axes move in turn (reference section 3.5)."""
-SHARES = (0.75, 0.9, 1.0)
+SHARES = (0.85, 0.9, 0.95, 1.0)
 _TURN_DEG = 90.0
 """Where only times of moves are known, the rate is the mean over a move of this length: half a keyhole's turn."""
 _MARGIN = 0.98

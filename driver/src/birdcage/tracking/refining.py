@@ -13,7 +13,7 @@ from birdcage.tracking.controller import Controller
 from birdcage.tracking.forecast import made
 from birdcage.tracking.itinerary import Stretch
 from birdcage.tracking.mount import Mount
-from birdcage.tracking.plan import Forecast, Leg, Part, Plan
+from birdcage.tracking.plan import Forecast, Keyhole, Leg, Part, Plan
 from birdcage.tracking.rates import SHARES
 from birdcage.tracking.rehearsal import rehearse
 from birdcage.tracking.routes import Route
@@ -46,18 +46,23 @@ def refine(
     sight = Sight.of(plan.sky, mount)
     basis = Basis(plan.aim, plan.made_at, plan.passing, plan.reach, sight, _stretches(plan, sight), preposition_s)
     about = _about(plan)
-    tried: list[Plan] = []
+    tried: list[tuple[Plan, Forecast]] = []
     for share in shares:
         drawn = complete(basis, share)
         seen = _spliced(drawn, rehearse(drawn, mount, steers, within=about), about, mount)
-        tried.append(complete(basis, share, seen))
-    return min(tried, key=_badness)
+        tried.append((complete(basis, share, seen), seen))
+    # Not the keyholes of each: of a course that asks for more than the dish can do there may be none.
+    return min(tried, key=lambda one: _badness(plan.keyholes, one[1]))[0]
 
 
-def _badness(plan: Plan) -> tuple[float, float]:
+def _badness(holes: Sequence[Keyhole], seen: Forecast) -> tuple[float, float]:
     """Return how much worse than it should be a keyhole is, and then the error on average."""
-    excess = max((hole.max_error_deg / max(hole.limit_deg, _WORTH_DEG) for hole in plan.keyholes), default=0.0)
-    return max(excess - _GOOD_RATIO, 0.0), 0.0 if plan.forecast is None else plan.forecast.rms_deg
+    excess = 0.0
+    for hole in holes:
+        near = (seen.t_s >= hole.start_s - _AROUND_S) & (seen.t_s <= hole.end_s + _AROUND_S)
+        if near.any():
+            excess = max(excess, float(seen.error_deg[near].max()) / max(hole.limit_deg, _WORTH_DEG))
+    return max(excess - _GOOD_RATIO, 0.0), seen.rms_deg
 
 
 def _about(plan: Plan) -> list[tuple[float, float]]:

@@ -10,7 +10,7 @@ import numpy as np
 
 from birdcage.antenna.motion import plan_axis
 from birdcage.kinematics import Slew
-from birdcage.protocol.model import DishModel, SecondMove
+from birdcage.protocol.model import DishModel
 from birdcage.protocol.types import MOTOR_AZIMUTH, MOTOR_ELEVATION
 from birdcage.tracking.controller import Controller, Helm
 from birdcage.tracking.curve import Curve, Floats
@@ -112,7 +112,7 @@ class _Stage:
     def __init__(self, model: DishModel, az_deg: float, el_deg: float, now_s: float, chance: random.Random) -> None:
         self._model, self._chance, self.now_s = model, chance, now_s
         self.axes = {MOTOR_AZIMUTH: _Motion(az_deg, now_s), MOTOR_ELEVATION: _Motion(el_deg, now_s)}
-        self._queues = model.second_move is SecondMove.QUEUE or not model.axes_together
+        self._queues = model.moves_in_turn
         self._busy_s = now_s
 
     def carry_out(self, step: Step) -> Answer:
