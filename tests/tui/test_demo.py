@@ -11,6 +11,7 @@ import pytest
 from birdcage.base.clock import VirtualClock
 from birdcage.base.paths import Paths
 from birdcage.station.build import open_session
+from birdcage.station.events import PursuitChanged
 from birdcage.station.pursuit import Phase
 from birdcage_tui.track_source import make_track
 
@@ -57,9 +58,13 @@ def test_the_demo_follows_within_seconds_parks_and_waits_for_the_next_pass():
             on.app.paint()
             await on.pilot.pause()
             row = on.text().splitlines()[0]
-            _, met = await until(on, lambda one: one.phase is Phase.WAITING, 900.0, 3.0)
+            met = []
+            on.app.station.subscribe(
+                lambda event: met.append(event.pursuit.phase) if isinstance(event, PursuitChanged) else None
+            )
+            await until(on, lambda one: one.phase is Phase.WAITING, 900.0, 3.0)
             position = on.app.station.state.position
-            return began_s, row, [phase for _, phase in met], (position.az_deg, position.el_deg)
+            return began_s, row, list(dict.fromkeys(reversed(met)))[::-1], (position.az_deg, position.el_deg)
 
     began_s, row, phases, parked = asyncio.run(play())
     assert began_s <= 4.0

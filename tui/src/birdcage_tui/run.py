@@ -35,9 +35,9 @@ if TYPE_CHECKING:
 DEMO_FIRMWARE = "g2"
 """What the demo drives unless told otherwise, and what is spoken at first where nothing has told what the dish is."""
 DEMO_PLACE = Place(39.1, -95.7, "EM29, demo")
-DEMO_CABLE_DEG, DEMO_EL_DEG = -236.0, 43.0
-"""Where the demo's dish stands at first: a few seconds of turning away from the pass that is under way then, which
-is the same at any time of day (`birdcage.sky.demo_plan`)."""
+DEMO_CABLE_DEG, DEMO_EL_DEG = -211.0, 38.0
+"""Where the demo's dish stands at first: a second of turning away from the pass that is under way then, which
+is the same at any time of day (`birdcage.sky.demo_plan`), and far enough for its signal to rise."""
 DEMO_DELAY_S = 0.5
 """How late its answers may be. It is in this program: nothing is under way from another one, and no wire is slow."""
 DEMO_PARK = (180.0, 40.0)

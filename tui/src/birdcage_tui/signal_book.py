@@ -38,7 +38,7 @@ class SignalBook:
         radio = None if desk is None else desk.radio
         strength_db = None if radio is None else radio.strength_db
         self._tells = strength_db is not None
-        if radio is None or strength_db is None or radio.strength_at == self._read:
+        if radio is None or strength_db is None or radio.strength_at in (None, self._read):
             return
         self._read, self._marked = radio.strength_at, radio.demo and not state.demo
         self.receiver.append(_sample(at, strength_db, state))
