@@ -264,3 +264,25 @@ def test_a_countdown_tells_where_it_leads_and_not_where_the_pass_began(what, row
     text = run(tell, "craft-countdown")
     assert row in text.splitlines()[1]
     assert word in text
+
+
+def test_what_is_shown_beside_what_is_followed_is_only_watched():
+    async def other(app, pilot, _desk):
+        pursuit = app.station.state.pursuit
+        aim = replace(pursuit.plan.aim, name="NOAA 20", norad_id=43013)
+        coming = replace(
+            pursuit.plan.incidents[0], what="floor", at_s=app.session.clock.utc().timestamp() + 61, text="20° floor"
+        )
+        app.station.state = replace(
+            app.station.state, pursuit=replace(pursuit, plan=replace(pursuit.plan, aim=aim, incidents=(coming,)))
+        )
+        app.paint()
+        await pilot.pause()
+        return stand_in.text_of(app)
+
+    text = run(other)
+    assert "FOLLOWING NOAA 20" in text
+    assert "20° floor in 01:01" in text
+    assert "f follows METEOR-M2 4 instead." in text
+    assert "● w Watch" in text
+    assert "○ f Follow" in text

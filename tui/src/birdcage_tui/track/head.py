@@ -8,7 +8,7 @@ from birdcage_tui.canvas import Cells
 from birdcage_tui.commands import BY_NAME
 from birdcage_tui.pane import Pane
 from birdcage_tui.passes.words import fit
-from birdcage_tui.track.pursuing import plan_of, pursuit_of
+from birdcage_tui.track.pursuing import plan_of, pursuit_of, shown_is_followed
 from birdcage_tui.track.words import age_words, brief_age, offset_words, pass_words, reach_words
 from birdcage_tui.view import View
 
@@ -61,7 +61,9 @@ class TrackHead(Pane):
 
     def _selector(self, cells: Cells, y: int, view: View) -> None:
         desk, pursuit = view.track, pursuit_of(view)
-        mode = Mode.FOLLOW if pursuit is not None else Mode.WATCH if desk is None else desk.mode
+        mode = Mode.WATCH if desk is None else desk.mode
+        if pursuit is not None:
+            mode = Mode.FOLLOW if plan_of(view) is None or shown_is_followed(view) else Mode.WATCH
         x = 1
         for name, which, words in SELECTOR:
             known = BY_NAME[name]

@@ -11,7 +11,7 @@ from birdcage_tui.digits import put_big, width_of
 from birdcage_tui.pane import Pane
 from birdcage_tui.passes.words import count_text, fit
 from birdcage_tui.track.bullseye import draw_bullseye
-from birdcage_tui.track.pursuing import plan_of, pursuit_of, same_target, sample_of, target_place
+from birdcage_tui.track.pursuing import plan_of, pursuit_of, same_target, sample_of, shown_is_followed, target_place
 from birdcage_tui.track.words import (
     countdown_s,
     decibels,
@@ -94,6 +94,9 @@ class TrackNow(Pane):
             if sample is not None and not big:
                 words = f"{decibels(sample.loss_db)}  {words}"
             found.append(("text", words))
+        shown = plan_of(view)
+        if shown is not None and not shown_is_followed(view):
+            found.append(("text", f"f follows {shown.aim.name} instead."))
         if pursuit.why:
             found.append(("dim" if sample is not None else "text", pursuit.why))
         if pursuit.phase in (Phase.YIELDED, Phase.INTERRUPTED):

@@ -66,12 +66,12 @@ def target_place(view: View) -> tuple[float, float] | None:
 
 
 def next_incident(view: View) -> Incident | None:
-    """Return what happens next on the plan that is shown."""
-    plan = plan_of(view)
-    if plan is None:
+    """Return what happens next in the pursuit, whatever else is shown beside it."""
+    pursuit = pursuit_of(view)
+    if pursuit is None:
         return None
     t_s = view.utc.timestamp()
-    return next((each for each in plan.incidents if each.at_s > t_s and each.what != "tca"), None)
+    return next((each for each in pursuit.plan.incidents if each.at_s > t_s and each.what != "tca"), None)
 
 
 def to_true(view: View, az_deg: float, el_deg: float) -> tuple[float, float]:
