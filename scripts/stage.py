@@ -23,6 +23,7 @@ from birdcage.setup.engine import Setup
 from birdcage.station.build import open_session
 from birdcage.station.known import SystemFacts
 from birdcage_tui.app import BirdcageApp
+from birdcage_tui.calibrate.source import make_calibrate
 from birdcage_tui.control.horizon_file import ConfigHorizon
 from birdcage_tui.demo_radio import radio_flags, write_downlinks
 from birdcage_tui.run import DEMO_DELAY_S, DEMO_PARK, DEMO_PLACE, demo_port
@@ -66,6 +67,8 @@ class Stage:
                 self.app.sky.source.step()
             if self.app.track.source is not None:
                 self.app.track.source.step()
+            if self.app.calibrate.source is not None:
+                self.app.calibrate.source.step()
             await self.pilot.pause()
             self.app._tick()  # noqa: SLF001 - its timer runs in real time
         self.app.paint()
@@ -119,6 +122,7 @@ async def demo(
             setup=lambda: Setup(session, here, paths, environ={}, ports=list, system=SystemFacts),
             sky=make_sky(here, paths, clock, demo=True, threads=False),
             track=make_track(session, here, lambda: here, paths, demo=True, threads=False),
+            calibrate=make_calibrate(session, lambda: here, paths, environ={}, threads=False),
             horizon=ConfigHorizon(paths, here, lambda: load(paths.config_file, environ={})),
         )
         app = BirdcageApp(session, settings)

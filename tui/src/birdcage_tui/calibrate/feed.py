@@ -40,6 +40,9 @@ class CalibrateNow:
     """Whether nothing that is up would tell much more."""
 
 
+ABSENT = (
+    "This app was started without a place to keep a calibration in. `birdcage calibrate` does the same in a terminal."
+)
 Show = Callable[[CalibrateNow], object]
 """Takes what is to be shown, on whichever thread made it."""
 
@@ -96,7 +99,9 @@ class CalibrateFeed:
 
     def open(self) -> None:
         """Open the guide, once."""
-        if self.source is None and self._make is not None and not self._closed:
+        if self._make is None:
+            self.now = CalibrateNow(wrong=ABSENT)
+        elif self.source is None and not self._closed:
             self.now = CalibrateNow(searching=True)
             self.source = self._make(lambda now: self._soon(lambda: self._take(now)))
             self.source.start()
