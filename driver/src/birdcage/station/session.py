@@ -19,6 +19,8 @@ QUIT_S = 0.15
 
 LOOK_S = 0.1
 """How long closing may wait until STOP has seen where to aim: two readings, a twentieth of a second apart."""
+SPEEDS_S = 2.0
+"""How long closing may wait until speeds that a pursuit has changed are put back: STOP's readings, and some ten exchanges."""
 SLICE_S = 0.005
 
 
@@ -88,20 +90,23 @@ class Session:
         if self._thread is None:
             self.station.shut()
         else:
-            self._thread.join(QUIT_S)
+            self._thread.join(SPEEDS_S if self.station.state.speeds_lent else QUIT_S)
         self._on_close()
         state = self.station.state
         return farewell(state.position, state.position_lost, self.station.stop_reach if moving else None)
 
     def _await_stop(self) -> None:
-        """Give STOP the time to look where a motion leads that could not be foreseen."""
-        for _ in range(round(LOOK_S / SLICE_S)):
-            if self.station.stop_reach is not Reach.LOOKING:
+        """Give STOP the time to look where a motion leads that could not be foreseen, and speeds theirs to be put back."""
+        for waited in range(round(SPEEDS_S / SLICE_S)):
+            looks = self.station.stop_reach is Reach.LOOKING and waited < LOOK_S / SLICE_S
+            if not looks and not self.station.state.speeds_lent:
                 return
             if self._thread is None:
                 self.step(SLICE_S)
-            else:
+            elif self._thread.is_alive():
                 self._thread.join(SLICE_S)
+            else:
+                return
 
 
 def farewell(position: Pointing | None, lost: str | None, reach: Reach | None) -> str:

@@ -63,6 +63,8 @@ class Station:
         self._wake = Wake()
         self._inbox: deque[tuple[Request, Future[object], int]] = deque()
         self._closing = threading.Event()
+        self._shutting = False
+        """Whether what is said to the dish now is what has to be said before the end."""
         self._control = Control(board)
         self._look = look = Look(board, antenna, settings)
         queues = protocol.model.second_move is SecondMove.QUEUE
@@ -192,6 +194,7 @@ class Station:
         """Stop what moves, answer everybody, give the port back. On the station's thread, after the loop."""
         self._closing.set()
         self._drop_inbox()
+        self._shutting = True
         try:
             self._pursuing.shut()
             self._mover.fail(*self._desk.ending())
@@ -301,7 +304,7 @@ class Station:
     def _on_wake(self) -> None:
         """Notice what happened in the middle of an exchange; end it when the station ends."""
         self._notice()
-        if self._closing.is_set():
+        if self._closing.is_set() and not self._shutting:
             raise Stopped("The station ends.", reason="closing")
 
     def _permit(self) -> None:
