@@ -170,6 +170,7 @@ def test_enter_releases_what_is_held_before_it_chooses():
     released, asked = run(press, "craft-held")
     assert released
     assert asked == []
+    assert "Enter releases the dish, then f follows it." in run(read, "craft-held", size=(120, 36))
 
 
 @pytest.mark.parametrize("size", SIZES[:2], ids=str)

@@ -129,13 +129,15 @@ def _watched(view: View) -> list[tuple[str, str]]:
     inside = [one for one in plan.reach.intervals if one.start.timestamp() <= t_s < one.end.timestamp()]
     after = [one for one in plan.reach.intervals if one.start.timestamp() > t_s]
     if inside:
-        found.append(("text", f"In reach for {count_text(inside[0].end.timestamp() - t_s)}: f follows it now."))
+        does = "Enter releases the dish, then f follows it." if view.state.held is not None else "f follows it now."
+        found.append(("text", f"In reach for {count_text(inside[0].end.timestamp() - t_s)}: {does}"))
     elif after:
-        wait = count_text(after[0].start.timestamp() - t_s)
-        found.append(("text", f"In reach in {wait}: f waits for it and follows."))
+        does = "Enter releases the dish, then f waits for it." if view.state.held is not None else (
+            "f waits for it and follows.")  # fmt: skip
+        found.append(("text", f"In reach in {count_text(after[0].start.timestamp() - t_s)}: {does}"))
     else:
         found.append(("text", "This pass is not in reach any more." if plan.reach.intervals else "Never in reach."))
-    if plan.preposition is not None and after:
+    if plan.preposition is not None and after and not inside:
         point = plan.preposition
         where = f"{point.true_az_deg:.0f}°/{point.true_el_deg:.0f}°"
         found.append(("dim", f"It would wait at {where}, {point.slew_s:.0f} s from here."))

@@ -14,6 +14,8 @@ from birdcage_tui.track.pursuing import plan_of, pursuit_of, sample_of, shown_is
 from birdcage_tui.view import View
 
 TITLES = ("Sky  N up, E right  ▨ cannot reach", "Sky  ▨ cannot reach")
+PATHS = ("target", "accent", "text", "strong", "warn", "target-strong", "accent-strong")
+"""Inks of dots that a tick may cover."""
 TRAIL = 120
 """Looks that the trail is made of."""
 
@@ -38,7 +40,7 @@ def draw_times(cells: Cells, polar: Polar, view: View, points: Points) -> None:
     for at_s, az_deg, el_deg in ticks(points.of(plan, view), view.utc.timestamp()):
         x, y = polar.cell(az_deg, el_deg)
         words = clock_text(at_s, seconds=at_s % 60 != 0)
-        if not cells.free(x, y, 1, *QUIET, "target", "accent"):
+        if not cells.free(x, y, 1, *QUIET, *PATHS):
             continue  # a label stands there, or the dish
         right, left = x + 2, x - 1 - len(words)
         for start in (right, left) if x >= middle else (left, right):

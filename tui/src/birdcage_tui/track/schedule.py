@@ -69,4 +69,4 @@ class SchedulePane(Pane):
         room = 24 if cells.width >= 76 else min(max(cells.width - x - 10, 10), 16)
         x = cells.put(x, y, f"{fit(row.name, room):<{room}} {row.max_reach_elevation_deg:3.0f}°  ",
                       "target" if row.kept else "dim")  # fmt: skip
-        cells.put(x, y, row.why[: max(cells.width - x, 0)], "dim")
+        cells.put(x, y, fit(row.why, max(cells.width - x, 1)), "dim")
