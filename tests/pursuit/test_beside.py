@@ -15,6 +15,7 @@ from birdcage.base.config.tracking_sections import HookSettings, RadioSettings
 from birdcage.pursuit.beside import facts_of, tuning_of
 from birdcage.pursuit.desk import PursuitDesk
 from birdcage.pursuit.desk_setup import DeskSetup
+from birdcage.pursuit.pass_log import PassLog
 from birdcage.station.pursuit import Phase
 
 STATION = "DEMO LEO 2 station"
@@ -119,3 +120,16 @@ def test_a_desk_with_a_thread_plans_tells_and_ends(bench):
     assert desk.now.aim.name == "Sun"
     assert desk.now.plan.made_at <= datetime.now(UTC)
     assert told[-1] is desk.now
+
+
+def test_a_strength_is_logged_once_and_a_simulated_one_is_marked(make, monkeypatch):
+    radio = RadioSettings(rigctld="sim:rig", strength=True)
+    told = []
+    monkeypatch.setattr(PassLog, "signal", lambda _log, value, unit, at: told.append((at, value, unit)))
+    bench = follow(make(settings=Settings(motion=SHORT, radio=radio)), 11.7e9)
+    bench.until(lambda: bench.phase() is Phase.FOLLOWING)
+    before = len(told)
+    bench.step(10.0)
+    assert 8 <= len(told) - before <= 11  # one a second, though it is tuned, and shown, ten times as often
+    assert {unit for _, _, unit in told} == {"dB DEMO"}
+    assert all(value == pytest.approx(-60.0, abs=2.0) for _, value, _ in told)
