@@ -20,7 +20,7 @@ QUIT_S = 0.15
 LOOK_S = 0.1
 """How long closing may wait until STOP has seen where to aim: two readings, a twentieth of a second apart."""
 SPEEDS_S = 2.0
-"""How long closing may wait until speeds that a pursuit has changed are put back: STOP's readings, and some ten exchanges."""
+"""How long closing may wait until speeds that a pursuit has changed are put back: STOP's readings, and ten exchanges."""
 SLICE_S = 0.005
 
 
@@ -96,7 +96,7 @@ class Session:
         return farewell(state.position, state.position_lost, self.station.stop_reach if moving else None)
 
     def _await_stop(self) -> None:
-        """Give STOP the time to look where a motion leads that could not be foreseen, and speeds theirs to be put back."""
+        """Give STOP the time to look where an unforeseen motion leads, and speeds theirs to be put back."""
         for waited in range(round(SPEEDS_S / SLICE_S)):
             looks = self.station.stop_reach is Reach.LOOKING and waited < LOOK_S / SLICE_S
             if not looks and not self.station.state.speeds_lent:
