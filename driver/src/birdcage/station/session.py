@@ -20,7 +20,7 @@ QUIT_S = 0.15
 LOOK_S = 0.1
 """How long closing may wait until STOP has seen where to aim: two readings, a twentieth of a second apart."""
 SPEEDS_S = 2.0
-"""How long closing may wait until speeds that a pursuit has changed are put back: STOP's readings, and ten exchanges."""
+"""How long closing may wait until changed speeds are put back: STOP's readings, and some ten exchanges."""
 SLICE_S = 0.005
 
 
