@@ -12,13 +12,13 @@ from birdcage.protocol.model import SecondMove
 from birdcage.sky.targets.model import Satellite
 from birdcage.tracking.controller import Controller
 from birdcage.tracking.curve import Curve
-from birdcage.tracking.fast import fast
 from birdcage.tracking.plan import Leg, Part, Plan
-from birdcage.tracking.planner import plan_pass
+from birdcage.tracking.planning.planner import plan_pass
+from birdcage.tracking.planning.refining import refine
 from birdcage.tracking.pursue import LEAD_S
-from birdcage.tracking.queued import queued
-from birdcage.tracking.refining import refine
-from birdcage.tracking.velocity import velocity
+from birdcage.tracking.steering.fast import fast
+from birdcage.tracking.steering.queued import queued
+from birdcage.tracking.steering.velocity import velocity
 from tracking_dishes import G2, IDEAL, SHAKEN, TRAVLER_5, WORN, Dish
 from tracking_passes import Case
 from tracking_peers import PEERS

@@ -13,7 +13,7 @@ from birdcage.station.mounting import mount_of
 from birdcage.station.pursuit import Phase
 from birdcage.station.requests import Goto, Home
 from birdcage.tracking.plan import Part
-from birdcage.tracking.planner import plan_pass
+from birdcage.tracking.planning.planner import plan_pass
 
 from tests.tracking.orbits import NOW, PLACE, overhead
 

@@ -104,7 +104,7 @@ def test_however_eager_a_controller_is_nothing_piles_up_on_a_dish_whose_moves_qu
             now = (yield Send(0, az_deg)).now_s
             now = (yield Send(1, el_deg)).now_s
 
-    monkeypatch.setattr("birdcage.tracking.choose.controller_for", lambda *_args, **_more: ("eager", eager))
+    monkeypatch.setattr("birdcage.tracking.steering.choice.controller_for", lambda *_args, **_more: ("eager", eager))
     bench = travler()
     start = at(bench) + 40.0
     bench.pursue(plan_of(start, lasts_s=30.0, az_rate=0.5, leave_s=start - 30.0))

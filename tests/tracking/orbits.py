@@ -17,8 +17,8 @@ from birdcage.sky.propagate import Fleet
 from birdcage.sky.reach_limits import ReachLimits
 from birdcage.sky.targets.model import Satellite
 from birdcage.tracking.mount import Mount, Standing
-from birdcage.tracking.planner import plan_pass
-from birdcage.tracking.rates import mean_rate_deg_s
+from birdcage.tracking.planning.planner import plan_pass
+from birdcage.tracking.planning.rates import mean_rate_deg_s
 
 PLACE = Observer(40.0, -105.0, 1650.0)
 NOW = datetime(2026, 11, 21, 12, tzinfo=UTC)

@@ -9,9 +9,9 @@ import pytest
 from birdcage.base.errors import MotionRefused
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.hal.model import TRAVLER
-from birdcage.tracking.choose import controller_for
-from birdcage.tracking.fast import fast
-from birdcage.tracking.leapfrogging import leapfrog
+from birdcage.tracking.steering.choice import controller_for
+from birdcage.tracking.steering.fast import fast
+from birdcage.tracking.steering.leapfrogging import leapfrog
 from birdcage.tracking.steps import Look
 
 from .rig import Rig, straight

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from birdcage.protocol.g2.model import CARRYOUT_G2
-from birdcage.tracking.fast import fast
+from birdcage.tracking.steering.fast import fast
 from birdcage.tracking.steps import Look, Send, Wait
 
 from .rig import Rig, straight

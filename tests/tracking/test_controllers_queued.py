@@ -9,10 +9,10 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from birdcage.protocol.hal.model import TRAVLER
-from birdcage.tracking.lookahead import Lookahead
-from birdcage.tracking.modelled import modelled
 from birdcage.tracking.move_times import durations, progress, ramps
-from birdcage.tracking.queued import queued
+from birdcage.tracking.steering.lookahead import Lookahead
+from birdcage.tracking.steering.modelled import modelled
+from birdcage.tracking.steering.queued import queued
 from birdcage.tracking.steps import Look, Send
 
 from .rig import Rig, straight

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.tracking.fast import fast
+from birdcage.tracking.steering.fast import fast
+from birdcage.tracking.steering.velocity import velocity
 from birdcage.tracking.steps import Limit, Send
-from birdcage.tracking.velocity import velocity
 
 from .rig import Rig, straight
 

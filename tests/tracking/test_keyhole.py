@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from birdcage.tracking.forecast import separations_deg
-from birdcage.tracking.keyhole import Corridor, best_elevation, least_error_deg, limited, through
+from birdcage.tracking.planning.forecast import separations_deg
+from birdcage.tracking.planning.keyhole_path import Corridor, best_elevation, least_error_deg, limited, through
 from hypothesis import given, settings
 from hypothesis import strategies as st
 

@@ -11,12 +11,12 @@ from birdcage.antenna.alignment import Alignment
 from birdcage.sky.horizon import HorizonMask
 from birdcage.sky.reach_limits import NoGo
 from birdcage.sky.targets.model import Fixed
-from birdcage.tracking.bounds import Bounds
-from birdcage.tracking.forecast import separations_deg
 from birdcage.tracking.plan import Part
-from birdcage.tracking.planner import plan_pass
-from birdcage.tracking.routes import route
-from birdcage.tracking.sight import Sight
+from birdcage.tracking.planning.bounds import Bounds
+from birdcage.tracking.planning.forecast import separations_deg
+from birdcage.tracking.planning.planner import plan_pass
+from birdcage.tracking.planning.routes import route
+from birdcage.tracking.planning.sight import Sight
 
 from .orbits import NOW, NOW_S, PLACE, g2, mount, overhead, plan_of, travler
 

@@ -13,8 +13,8 @@ from birdcage.protocol.types import Position
 from birdcage.sky.horizon import HorizonMask
 from birdcage.sky.reach_limits import NoGo
 from birdcage.tracking.plan import Part
-from birdcage.tracking.planner import plan_pass
-from birdcage.tracking.rates import mean_rate_deg_s
+from birdcage.tracking.planning.planner import plan_pass
+from birdcage.tracking.planning.rates import mean_rate_deg_s
 from hypothesis import given, settings
 from hypothesis import strategies as st
 

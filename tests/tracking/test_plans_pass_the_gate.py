@@ -10,9 +10,9 @@ from birdcage.protocol.gate import Bounds, MotionGate
 from birdcage.protocol.model import SecondMove
 from birdcage.protocol.types import Position
 from birdcage.sky.reach_limits import NoGo
-from birdcage.tracking.choose import controller_for
 from birdcage.tracking.plan import Part
-from birdcage.tracking.planner import plan_pass
+from birdcage.tracking.planning.planner import plan_pass
+from birdcage.tracking.steering.choice import controller_for
 from birdcage.tracking.steps import Look, Send
 from hypothesis import given, settings
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from birdcage.tracking.refraction import lift_deg
+from birdcage.tracking.planning.refraction import lift_deg
 
 
 @pytest.mark.parametrize(

@@ -97,7 +97,7 @@ def _rows(one: ElementSet, frequency_hz: float, begin_s: float, observer: Observ
     import numpy as np
     from birdcage.sky.doppler import doppler_hz
     from birdcage.sky.propagate import track
-    from birdcage.tracking.refraction import lift_deg
+    from birdcage.tracking.planning.refraction import lift_deg
 
     coarse = begin_s + np.arange(-COARSE_S, HOURS * 3600.0, COARSE_S)
     up = track(one, observer, coarse).el_deg > -1.0

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from birdcage.base.config import FeedProfile
     from birdcage.sky.observer import Observer
     from birdcage.sky.targets.model import Target
-    from birdcage.tracking.refraction import Refraction
+    from birdcage.tracking.planning.refraction import Refraction
 
 BANDS_HZ = {"Ku": (10.7e9, 12.75e9), "L": (1.52e9, 1.71e9)}
 """What slots send in, by the bands of `birdcage.sky.slots`."""

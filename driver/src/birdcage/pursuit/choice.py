@@ -159,7 +159,7 @@ class Choice:
         return row
 
     def _make(self, at: Circumstances, passing: Pass | None) -> bool:
-        from birdcage.tracking.planner import plan_pass
+        from birdcage.tracking.planning.planner import plan_pass
 
         tracking = at.settings.tracking
         before, self._standing = self.plan, at.mount.standing
@@ -177,7 +177,7 @@ class Choice:
 
     def _later(self, at: Circumstances, passing: Pass | None) -> tuple[Curve, ...]:
         """Return the way of the next pass that comes into reach: the cable had better suit that one too."""
-        from birdcage.tracking.sky_path import sky_path
+        from birdcage.tracking.planning.sky_path import sky_path
 
         if passing is None:
             return ()

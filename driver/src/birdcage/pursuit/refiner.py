@@ -53,8 +53,8 @@ class Refiner:
 
 def refined(plan: Plan, mount: Mount, options: PursuitOptions, preposition_s: float) -> Plan:
     """Return the plan with the share that suits the controller best; the same one where no controller may steer it."""
-    from birdcage.tracking.choose import controller_for
-    from birdcage.tracking.refining import refine
+    from birdcage.tracking.planning.refining import refine
+    from birdcage.tracking.steering.choice import controller_for
 
     try:
         _name, controller = controller_for(mount.model, options.controller, velocity_allowed=options.velocity_allowed)

@@ -13,8 +13,8 @@ from birdcage.station.board import Board
 
 if TYPE_CHECKING:
     from birdcage.station.requests import Pursue
-    from birdcage.tracking.bounds import Bounds
     from birdcage.tracking.plan import Plan
+    from birdcage.tracking.planning.bounds import Bounds
     from birdcage.tracking.voyage import Notice, Voyage
 
 
@@ -31,7 +31,7 @@ def voyage_for(
     request: Pursue, board: Board, antenna: BirdcageAntenna, hear: Callable[[Notice], None]
 ) -> tuple[Voyage, str]:
     """Return it, and the name of the controller that steers. MotionRefused (`controller`) where that one must not."""
-    from birdcage.tracking.choose import controller_for
+    from birdcage.tracking.steering.choice import controller_for
     from birdcage.tracking.voyage import Voyage
 
     options, gate = request.options, antenna.protocol.gate
@@ -52,6 +52,6 @@ def voyage_for(
 
 def _bounds(board: Board) -> Bounds:
     from birdcage.station.mounting import mount_of
-    from birdcage.tracking.bounds import Bounds
+    from birdcage.tracking.planning.bounds import Bounds
 
     return Bounds.of(mount_of(board.state, Settings()))  # whose horizon mask keeps the dish from nothing

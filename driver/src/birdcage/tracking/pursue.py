@@ -11,7 +11,7 @@ from birdcage.base.geometry import shortest_turn
 from birdcage.tracking import ways
 from birdcage.tracking.controller import Helm
 from birdcage.tracking.plan import Leg, Part
-from birdcage.tracking.routes import Point
+from birdcage.tracking.planning.routes import Point
 from birdcage.tracking.steps import Activity, Answer, Look, Send, Slew, Step, Wait
 from birdcage.tracking.voyage import Notice, Stage, Voyage, clock_text
 

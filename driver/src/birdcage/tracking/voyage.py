@@ -9,10 +9,10 @@ from enum import Enum
 
 from birdcage.base.geometry import shortest_turn
 from birdcage.protocol.model import DishModel
-from birdcage.tracking.bounds import Bounds
 from birdcage.tracking.controller import Controller, Helm
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.plan import Leg, Plan
+from birdcage.tracking.planning.bounds import Bounds
 
 
 class Stage(Enum):

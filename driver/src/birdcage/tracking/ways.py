@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 from birdcage.base.geometry import shortest_turn
 from birdcage.protocol.model import DishModel
-from birdcage.tracking.bounds import Bounds
-from birdcage.tracking.routes import Point, route
+from birdcage.tracking.planning.bounds import Bounds
+from birdcage.tracking.planning.routes import Point, route
 
 MARGIN_S = 0.5
 """What each stop takes beyond the motion itself: two lines, and the proof that the dish rests."""

@@ -11,9 +11,9 @@ from birdcage.base.geometry import shortest_turn
 from birdcage.sky.reach import reach
 from birdcage.sky.reach_limits import NoGo, ReachLimits
 from birdcage.sky.reach_model import Reach
-from birdcage.tracking.bounds import SECTOR_MARGIN_DEG, Bounds
 from birdcage.tracking.curve import Curve, Floats
 from birdcage.tracking.mount import Mount
+from birdcage.tracking.planning.bounds import SECTOR_MARGIN_DEG, Bounds
 
 _DENSE = 4000
 """Points for which the alignment is asked one by one; of a longer path every so many, and a line between them."""

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from datetime import UTC, datetime
 
 from birdcage.sky.reach_model import Lost, Reach, Stretch
-from birdcage.tracking.itinerary import Itinerary
-from birdcage.tracking.sight import Sight
+from birdcage.tracking.planning.itinerary import Itinerary
+from birdcage.tracking.planning.sight import Sight
 
 _SHORTEST_S = 1e-3
 

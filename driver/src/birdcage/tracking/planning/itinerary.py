@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from birdcage.tracking.curve import Curve
-from birdcage.tracking.routes import Route, route
-from birdcage.tracking.sight import Sight
-from birdcage.tracking.turns import Run, runs
+from birdcage.tracking.planning.cable_turns import Run, runs
+from birdcage.tracking.planning.routes import Route, route
+from birdcage.tracking.planning.sight import Sight
 
 _SHORTEST_S = 0.5
 """What is shorter is not worth a leg."""

@@ -8,11 +8,11 @@ from types import MappingProxyType
 from birdcage.base.errors import MotionRefused
 from birdcage.protocol.model import DishModel
 from birdcage.tracking.controller import Controller
-from birdcage.tracking.fast import fast
-from birdcage.tracking.leapfrogging import leapfrog
-from birdcage.tracking.modelled import modelled
-from birdcage.tracking.queued import queued
-from birdcage.tracking.velocity import velocity
+from birdcage.tracking.steering.fast import fast
+from birdcage.tracking.steering.leapfrogging import leapfrog
+from birdcage.tracking.steering.modelled import modelled
+from birdcage.tracking.steering.queued import queued
+from birdcage.tracking.steering.velocity import velocity
 
 CONTROLLERS: Mapping[str, Controller] = MappingProxyType(
     {"fast": fast, "velocity": velocity, "queued": queued, "modelled": modelled, "leapfrog": leapfrog}

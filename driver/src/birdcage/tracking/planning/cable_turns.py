@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from birdcage.tracking.curve import Curve, Floats
 from birdcage.tracking.mount import Standing
 from birdcage.tracking.move_times import durations
-from birdcage.tracking.rates import mean_rate_deg_s
-from birdcage.tracking.routes import HOP_DEG, route
-from birdcage.tracking.sight import Sight
+from birdcage.tracking.planning.rates import mean_rate_deg_s
+from birdcage.tracking.planning.routes import HOP_DEG, route
+from birdcage.tracking.planning.sight import Sight
 
 Spans = Sequence[tuple[float, float]]
 

@@ -14,10 +14,10 @@ from birdcage.protocol.model import DishModel
 from birdcage.protocol.types import MOTOR_AZIMUTH, MOTOR_ELEVATION
 from birdcage.tracking.controller import Controller, Helm
 from birdcage.tracking.curve import Curve, Floats
-from birdcage.tracking.forecast import made, separations_deg
 from birdcage.tracking.mount import Mount
 from birdcage.tracking.plan import Forecast, Part, Plan
-from birdcage.tracking.sight import Sight
+from birdcage.tracking.planning.forecast import made, separations_deg
+from birdcage.tracking.planning.sight import Sight
 from birdcage.tracking.steps import Answer, Limit, Look, Send, Step, Wait
 from birdcage.tracking.steps import Slew as SlewStep
 

@@ -6,11 +6,11 @@ queue that is fed faster than it drains only grows.
 
 from __future__ import annotations
 
-from birdcage.tracking.axis_belief import AxisBelief
 from birdcage.tracking.controller import Helm
-from birdcage.tracking.dead_band import dead_band_deg
-from birdcage.tracking.latency import Latency
-from birdcage.tracking.lookahead import Lookahead
+from birdcage.tracking.steering.axis_belief import AxisBelief
+from birdcage.tracking.steering.dead_band import dead_band_deg
+from birdcage.tracking.steering.latency import Latency
+from birdcage.tracking.steering.lookahead import Lookahead
 from birdcage.tracking.steps import Activity, Look, Send, Wait
 
 REST_S = 0.05

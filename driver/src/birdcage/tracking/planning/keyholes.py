@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from birdcage.tracking.course import limit_deg
 from birdcage.tracking.curve import Curve
-from birdcage.tracking.forecast import saw_tooth_deg, separations_deg
-from birdcage.tracking.itinerary import Stretch
 from birdcage.tracking.plan import Forecast, Keyhole
-from birdcage.tracking.sight import Sight
+from birdcage.tracking.planning.course import limit_deg
+from birdcage.tracking.planning.forecast import saw_tooth_deg, separations_deg
+from birdcage.tracking.planning.itinerary import Stretch
+from birdcage.tracking.planning.sight import Sight
 
 _SEEN_DEG = 0.03
 """A course that is off by less than this follows its target: three steps of a motor."""

@@ -6,13 +6,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from birdcage.tracking.corners import JOINT_S, cornered
 from birdcage.tracking.curve import Curve, Floats
-from birdcage.tracking.itinerary import Stretch
-from birdcage.tracking.keyhole import Corridor, best_elevation, least_error_deg, limited, through
-from birdcage.tracking.rates import azimuth_rates_deg_s, mean_rate_deg_s
-from birdcage.tracking.routes import sampled
-from birdcage.tracking.sight import Sight
+from birdcage.tracking.planning.corners import JOINT_S, cornered
+from birdcage.tracking.planning.itinerary import Stretch
+from birdcage.tracking.planning.keyhole_path import Corridor, best_elevation, least_error_deg, limited, through
+from birdcage.tracking.planning.rates import azimuth_rates_deg_s, mean_rate_deg_s
+from birdcage.tracking.planning.routes import sampled
+from birdcage.tracking.planning.sight import Sight
 
 _Piece = tuple[Floats, Floats, Floats]
 

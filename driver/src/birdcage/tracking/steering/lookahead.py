@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from birdcage.antenna.motion import plan_axis
 from birdcage.protocol.model import Axis
-from birdcage.tracking.axis_belief import spans
 from birdcage.tracking.curve import Curve, Floats
 from birdcage.tracking.move_times import durations, progress, ramps
+from birdcage.tracking.steering.axis_belief import spans
 
 Whole = NDArray[np.int_]
 

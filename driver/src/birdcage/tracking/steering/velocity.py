@@ -10,10 +10,10 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from birdcage.tracking.axis_belief import AxisBelief, spans
 from birdcage.tracking.controller import Helm
-from birdcage.tracking.dead_band import dead_band_deg
-from birdcage.tracking.latency import Latency, Smoothed
+from birdcage.tracking.steering.axis_belief import AxisBelief, spans
+from birdcage.tracking.steering.dead_band import dead_band_deg
+from birdcage.tracking.steering.latency import Latency, Smoothed
 from birdcage.tracking.steps import Activity, Limit, Look, Send, Wait
 
 REST_S = 0.02

@@ -10,16 +10,16 @@ import numpy as np
 
 from birdcage.sky.passes.model import Pass
 from birdcage.sky.reach_model import Reach
-from birdcage.tracking.course import course as course_of
 from birdcage.tracking.curve import Curve
-from birdcage.tracking.forecast import forecast
-from birdcage.tracking.holes import keyholes, simulated
-from birdcage.tracking.incidents import incidents, loss_notes
-from birdcage.tracking.itinerary import Stretch
 from birdcage.tracking.mount import Mount
 from birdcage.tracking.plan import Aim, Forecast, Keyhole, Leg, Part, Plan
-from birdcage.tracking.preposition import preposition
-from birdcage.tracking.sight import Sight
+from birdcage.tracking.planning.course import course as course_of
+from birdcage.tracking.planning.forecast import forecast
+from birdcage.tracking.planning.incidents import incidents, loss_notes
+from birdcage.tracking.planning.itinerary import Stretch
+from birdcage.tracking.planning.keyholes import keyholes, simulated
+from birdcage.tracking.planning.preposition import preposition
+from birdcage.tracking.planning.sight import Sight
 
 _AT_ONCE_S = 0.5
 """A rewind that ends no longer than this before the target is followed again ends with that."""

@@ -12,7 +12,7 @@ from birdcage.sky.observer import Observer
 from birdcage.sky.propagate import track
 from birdcage.sky.targets.model import NoPosition, Satellite, Target
 from birdcage.tracking.curve import Curve, Floats
-from birdcage.tracking.refraction import Refraction, lift_deg
+from birdcage.tracking.planning.refraction import Refraction, lift_deg
 
 _STEP_S = 0.25
 _POINTS = 3000

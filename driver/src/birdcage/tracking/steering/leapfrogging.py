@@ -9,7 +9,7 @@ from birdcage.base.geometry import shortest_turn
 from birdcage.leapfrog import overshoot
 from birdcage.protocol.model import Axis
 from birdcage.tracking.controller import Helm
-from birdcage.tracking.dead_band import dead_band_deg
+from birdcage.tracking.steering.dead_band import dead_band_deg
 from birdcage.tracking.steps import Activity, Look, Send, Wait
 
 EVERY_S = 1.0

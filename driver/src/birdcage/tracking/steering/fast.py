@@ -9,10 +9,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from birdcage.tracking.axis_belief import AxisBelief, spans
 from birdcage.tracking.controller import Helm
-from birdcage.tracking.dead_band import dead_band_deg
-from birdcage.tracking.latency import Interval, Latency
+from birdcage.tracking.steering.axis_belief import AxisBelief, spans
+from birdcage.tracking.steering.dead_band import dead_band_deg
+from birdcage.tracking.steering.latency import Interval, Latency
 from birdcage.tracking.steps import Activity, Look, Send, Wait
 
 REST_S = 0.02

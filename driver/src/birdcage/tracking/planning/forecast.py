@@ -6,10 +6,10 @@ import numpy as np
 
 from birdcage.protocol.model import DishModel
 from birdcage.tracking.curve import Curve, Floats
-from birdcage.tracking.itinerary import Stretch
 from birdcage.tracking.move_times import durations
 from birdcage.tracking.plan import Forecast
-from birdcage.tracking.sight import Sight
+from birdcage.tracking.planning.itinerary import Stretch
+from birdcage.tracking.planning.sight import Sight
 
 LATENCY_S = 0.06
 """From sending a command to its effect, before it was measured: the middle of 20 to 100 ms (SEAMS *Figures*)."""
@@ -91,7 +91,12 @@ def saw_tooth_deg(model: DishModel, course: Curve, t: Floats, stretches: tuple[S
         most_s: Floats = interval / 2.0 + _LATE_S
     else:
         mean_s, most_s = _UNDER_WAY * interval, interval / 2.0
-    return np.hypot(rate * mean_s, np.sqrt(steps / 12.0)), rate * most_s + np.sqrt(steps) / 2.0
+    # An axis comes to rest anywhere up to its overshoot off the command.
+    loose = (model.azimuth.overshoot_deg * narrow) ** 2 + model.elevation.overshoot_deg**2
+    return (
+        np.hypot(rate * mean_s, np.sqrt(steps / 12.0 + loose / 3.0)),
+        rate * most_s + np.sqrt(steps) / 2.0 + np.sqrt(loose),
+    )
 
 
 def _interval_s(model: DishModel, across: Floats, up: Floats) -> Floats:

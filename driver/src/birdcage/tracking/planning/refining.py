@@ -7,17 +7,17 @@ from dataclasses import replace
 
 import numpy as np
 
-from birdcage.tracking.choose import controller_for
-from birdcage.tracking.completing import Basis, complete
 from birdcage.tracking.controller import Controller
-from birdcage.tracking.forecast import made
-from birdcage.tracking.itinerary import Stretch
 from birdcage.tracking.mount import Mount
 from birdcage.tracking.plan import Forecast, Keyhole, Leg, Part, Plan
-from birdcage.tracking.rates import SHARES
-from birdcage.tracking.rehearsal import rehearse
-from birdcage.tracking.routes import Route
-from birdcage.tracking.sight import Sight
+from birdcage.tracking.planning.assembling import Basis, complete
+from birdcage.tracking.planning.forecast import made
+from birdcage.tracking.planning.itinerary import Stretch
+from birdcage.tracking.planning.rates import SHARES
+from birdcage.tracking.planning.rehearsal import rehearse
+from birdcage.tracking.planning.routes import Route
+from birdcage.tracking.planning.sight import Sight
+from birdcage.tracking.steering.choice import controller_for
 
 _GOOD_RATIO, _WORTH_DEG = 2.6, 0.5
 """The greatest error in a keyhole is to stay within so many times the physical limit, where that is over half a degree

@@ -9,8 +9,8 @@ import numpy as np
 
 from birdcage.antenna.motion import plan_axis
 from birdcage.protocol.model import DishModel
-from birdcage.tracking.bounds import Bounds
 from birdcage.tracking.curve import Floats
+from birdcage.tracking.planning.bounds import Bounds
 
 HOP_DEG = 170.0
 """The longest turn between two stops: under half a turn, by more than a dish may lag behind where it was planned."""

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.plan import Preposition
-from birdcage.tracking.routes import Route, route
-from birdcage.tracking.sight import Sight
+from birdcage.tracking.planning.routes import Route, route
+from birdcage.tracking.planning.sight import Sight
 
 _STOP_S = 1.0
 """For each stop on the way: the command, and until it is seen that the dish has come there."""

@@ -5,8 +5,8 @@ Where it stands is what it was sent to: nothing is read, and nothing shows a mov
 
 from __future__ import annotations
 
-from birdcage.tracking import fast, queued
 from birdcage.tracking.controller import Helm
+from birdcage.tracking.steering import fast, queued
 from birdcage.tracking.steps import Activity
 
 SENTENCE = "The dish does not tell its position: it is taken to be where it was sent."

@@ -9,17 +9,17 @@ from birdcage.sky.frames import posix_s
 from birdcage.sky.observer import Observer
 from birdcage.sky.passes.model import Pass
 from birdcage.sky.targets.model import Satellite, Target
-from birdcage.tracking.completing import Basis, complete, unfollowed
 from birdcage.tracking.curve import Curve
-from birdcage.tracking.itinerary import itinerary
 from birdcage.tracking.mount import Mount
 from birdcage.tracking.plan import Aim, Plan
-from birdcage.tracking.rates import FIRST_SHARE
-from birdcage.tracking.reached import reached
-from birdcage.tracking.refining import refine
-from birdcage.tracking.refraction import Refraction
-from birdcage.tracking.sight import Sight
-from birdcage.tracking.sky_path import sky_path
+from birdcage.tracking.planning.assembling import Basis, complete, unfollowed
+from birdcage.tracking.planning.itinerary import itinerary
+from birdcage.tracking.planning.plan_reach import reached
+from birdcage.tracking.planning.rates import FIRST_SHARE
+from birdcage.tracking.planning.refining import refine
+from birdcage.tracking.planning.refraction import Refraction
+from birdcage.tracking.planning.sight import Sight
+from birdcage.tracking.planning.sky_path import sky_path
 
 __all__ = ["plan_pass", "refine"]
 
