@@ -114,7 +114,10 @@ class Lookahead:
             for index, axis in enumerate(self._axes):
                 steps = np.round(both[index][:, index] / axis.step_deg) * axis.step_deg
                 goal[:, index] = np.minimum(np.maximum(steps, limits[index][0]), limits[index][1])
-                lasts[:, index] = durations(axis, goal[:, index] - at[:, index])
+                way = np.abs(goal[:, index] - at[:, index])
+                # Of measured times a step more may be the next class of them, and a queue would grow by that.
+                more = axis.step_deg if axis.times is not None else 0.0
+                lasts[:, index] = durations(axis, np.where(way > 0.0, way + more, 0.0))
         for index, axis in enumerate(self._axes):
             ramp[:, index] = ramps(axis, lasts[:, index])
         column = np.broadcast_to(np.array([[[0], [1]]]), shape)

@@ -55,5 +55,5 @@ def steer(helm: Helm, *, looks: bool) -> Activity:
         arrived_s = latency.measure(index, answer, move.lasts_s)
         begins_s = max(arrived_s, ends_s)
         beliefs[move.column].send(move.goal_deg, begins_s)
-        ends_s = beliefs[move.column].rests_s
+        ends_s = max(beliefs[move.column].rests_s, begins_s + move.lasts_s)
         now_s, helm.latency_s = answer.now_s, latency.mean_s
