@@ -67,6 +67,7 @@ class SchedulePane(Pane):
         when = f"{row.reach_start:%H:%M:%S} {length_text((row.reach_end - row.reach_start).total_seconds()):>5}"
         x = cells.put(1, y, f"{'●' if row.kept else '○'} {when}  ", "text" if row.kept else "dim")
         room = 24 if cells.width >= 76 else min(max(cells.width - x - 10, 10), 16)
-        x = cells.put(x, y, f"{fit(row.name, room):<{room}} {row.max_reach_elevation_deg:3.0f}°  ",
-                      "target" if row.kept else "dim")  # fmt: skip
+        name = fit(row.name.removeprefix("DEMO "), room)  # row 1 says that it is the demo
+        ink = "target" if row.kept else "dim"
+        x = cells.put(x, y, f"{name:<{room}} {row.max_reach_elevation_deg:3.0f}°  ", ink)
         cells.put(x, y, fit(row.why, max(cells.width - x, 1)), "dim")
