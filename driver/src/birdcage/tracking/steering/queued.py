@@ -15,6 +15,8 @@ from birdcage.tracking.steps import Activity, Look, Send, Wait
 
 REST_S = 0.05
 """How long it waits where nothing has to move."""
+SLACK_S = 0.003
+"""How much longer a move may take than it should: a queue that never runs dry adds up what each is late by."""
 
 
 def queued(helm: Helm) -> Activity:
@@ -55,5 +57,5 @@ def steer(helm: Helm, *, looks: bool) -> Activity:
         arrived_s = latency.measure(index, answer, move.lasts_s)
         begins_s = max(arrived_s, ends_s)
         beliefs[move.column].send(move.goal_deg, begins_s)
-        ends_s = max(beliefs[move.column].rests_s, begins_s + move.lasts_s)
+        ends_s = max(beliefs[move.column].rests_s, begins_s + move.lasts_s) + SLACK_S
         now_s, helm.latency_s = answer.now_s, latency.mean_s
