@@ -27,9 +27,7 @@ def slowing(helm):
 
 @pytest.fixture
 def bench(monkeypatch):
-    monkeypatch.setattr(
-        "birdcage.tracking.steering.choice.controller_for", lambda *_, **__: ("slowing", slowing)
-    )
+    monkeypatch.setattr("birdcage.tracking.steering.choice.controller_for", lambda *_, **__: ("slowing", slowing))
     bench = g2()
     bench.pursue(plan_of(at(bench) + 40.0), **PARK)
     bench.until(Phase.FOLLOWING).step(8.0)
@@ -161,9 +159,7 @@ class Again(PursuitBench):
 
 @pytest.fixture
 def killed(monkeypatch, tmp_path):
-    monkeypatch.setattr(
-        "birdcage.tracking.steering.choice.controller_for", lambda *_, **__: ("slowing", slowing)
-    )
+    monkeypatch.setattr("birdcage.tracking.steering.choice.controller_for", lambda *_, **__: ("slowing", slowing))
     bench = Again("g2?seed=1", {"state_folder": tmp_path}).connect()
     bench.pursue(plan_of(at(bench) + 40.0), **PARK)
     bench.until(Phase.FOLLOWING).step(8.0)
@@ -184,9 +180,7 @@ def test_but_not_at_another_dish(killed):
 
 
 def test_a_speed_that_could_not_be_remembered_is_not_changed(monkeypatch, tmp_path):
-    monkeypatch.setattr(
-        "birdcage.tracking.steering.choice.controller_for", lambda *_, **__: ("slowing", slowing)
-    )
+    monkeypatch.setattr("birdcage.tracking.steering.choice.controller_for", lambda *_, **__: ("slowing", slowing))
     (tmp_path / "file").write_text("no folder")
     bench = Again("g2?seed=1", {"state_folder": tmp_path / "file"}).connect()
     bench.pursue(plan_of(at(bench) + 40.0), **PARK)

@@ -222,6 +222,8 @@ def calm(view: View, *, brief: bool = False) -> str:
         return view.tour
     if view.state.link.state is Link.OPENING:
         detail = view.state.link.detail or f"opening {view.state.port}"
+        # A simulated dish has a long tail of options, which says nothing here.
+        detail = detail.replace(view.state.port, view.state.port.split("?")[0])
         return f"{detail[:1].upper()}{detail[1:]} …"
     told = "" if "control" in view.scopes else view.note  # the page's own last row tells it there
     return told or view.settings.notice or _standing(view, brief=brief)
@@ -262,7 +264,7 @@ def next_steps(view: View) -> list[tuple[str, str]]:
         ]
     if link in (Link.CLOSED, Link.OPENING):
         return [
-            ("text", f"Opening {state.port or 'the port'} and listening for the dish."),
+            ("text", f"Opening {state.port.split('?')[0] or 'the port'} and listening for the dish."),
             ("dim", "Nothing is sent that moves it. Its position shows as soon as it has told it."),
         ]
     if link is Link.LOST and not state.port:
