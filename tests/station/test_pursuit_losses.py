@@ -7,7 +7,7 @@ from itertools import pairwise
 import pytest
 from birdcage.sim.wire import DROP, PASS
 from birdcage.station.pursuit import Phase
-from birdcage.station.requests import Stop
+from birdcage.station.requests import Goto, Stop
 
 from .pursuit_bench import PARK, at, g2, plan_of, travler
 
@@ -68,11 +68,37 @@ def test_a_dish_that_no_longer_answers_interrupts_it():
     assert bench.pursuit.phase is Phase.INTERRUPTED
 
 
-def test_where_moves_queue_a_lost_answer_is_waited_for():
+def following_travler(*, seconds=5.0, **plan):
     bench = travler()
     start = at(bench) + 60.0
-    bench.pursue(plan_of(start, lasts_s=120.0, from_az=180.0, az_rate=0.5, leave_s=start - 59), **PARK)
-    bench.until(Phase.FOLLOWING).step(5.0)
+    plan = {"lasts_s": 120.0, "from_az": 180.0, "az_rate": 0.5, "leave_s": start - 59, **plan}
+    bench.pursue(plan_of(start, **plan), **PARK)
+    bench.until(Phase.FOLLOWING).step(seconds)
+    return bench
+
+
+def is_move(line):
+    """Whether it moves the dish: of one axis, or combined."""
+    return line.startswith(("a ", "g "))
+
+
+def went_on_from(bench, lost_at):
+    """Return what went out after a loss, having seen that it was looked at twice before the next move, and went on."""
+    after = [(when, line) for when, line in bench.received() if when > lost_at]
+    first = next(index for index, (_when, line) in enumerate(after) if is_move(line))
+    reads = [when for when, line in after[:first] if line == "a"]
+    assert any(b - a > 0.25 for a, b in pairwise(reads)), "it was not seen at rest before the next move"
+    assert bench.state.fault is None
+    assert bench.state.held is None
+    assert bench.phases[-1] is Phase.FOLLOWING
+    assert Phase.INTERRUPTED not in bench.phases
+    assert bench.pursuit.phase is Phase.FOLLOWING
+    assert bench.samples[-1].at > bench.clock.monotonic() - 3.0
+    return after
+
+
+def test_where_moves_queue_a_lost_answer_is_waited_for():
+    bench = following_travler()
     bench.device.wire.to_host.set_plan(lambda _value: DROP)
     count, end = len(bench.moves_since(0.0)), bench.clock.monotonic() + 10.0
     while len(bench.moves_since(0.0)) == count and bench.clock.monotonic() < end:
@@ -81,5 +107,62 @@ def test_where_moves_queue_a_lost_answer_is_waited_for():
     assert len(bench.moves_since(0.0)) == count + 1
     bench.device.wire.to_host.set_plan(None)
     bench.step(60.0)
-    after = [when for when, _line in bench.received() if when > lost_at]
-    assert after[0] - lost_at > 1.9
+    after = went_on_from(bench, lost_at)
+    assert after[0][0] - lost_at > 1.9
+
+
+@pytest.mark.parametrize("whole", [True, False])
+@pytest.mark.parametrize("nth", range(4, 8))
+def test_where_moves_queue_one_lost_answer_ends_nothing(nth, whole):
+    """Be it that of an azimuth, of an elevation or of a reading."""
+    bench = following_travler()
+    seen = [0]
+
+    def fate(value):
+        lost = seen[0] == nth and (whole or value == ord(">"))
+        seen[0] += value == ord(">")
+        return DROP if lost else PASS
+
+    lost_at = bench.clock.monotonic()
+    bench.device.wire.to_host.set_plan(fate)
+    bench.step(60.0)
+    sent = [when for when, line in bench.received() if when > lost_at]
+    assert max(b - a for a, b in pairwise(sent)) > 1.9, "nothing was lost"
+    assert bench.state.fault is None
+    assert bench.phases[-1] is Phase.FOLLOWING
+    assert bench.samples[-1].at > bench.clock.monotonic() - 3.0
+
+
+def test_where_moves_queue_a_command_that_never_came_is_given_up():
+    bench = following_travler()
+    wire = bench.device.wire
+    before, end = bench.clock.monotonic(), bench.clock.monotonic() + 10.0
+    eaten = bytearray()
+
+    def fate(value):
+        """Lose one whole line."""
+        if eaten.endswith(b"\r"):
+            return PASS
+        if eaten or value == ord("a"):
+            eaten.append(value)
+            return DROP
+        return PASS
+
+    wire.to_dish.set_plan(fate)
+    while not eaten.endswith(b"\r") and bench.clock.monotonic() < end:
+        bench.step(0.02)
+    assert is_move(eaten.decode())
+    stood = bench.device.truth()
+    bench.step(60.0)
+    went_on_from(bench, before)
+    now = bench.device.truth()
+    assert (now.az_deg, now.el_deg) != (stood.az_deg, stood.el_deg)
+
+
+def test_where_moves_queue_a_slew_may_follow_long_after_the_last_command():
+    """Of an axis that stands for long, and of one that moves: neither is taken for a dish that has gone astray."""
+    bench = following_travler(seconds=35.0, lasts_s=100.0, az_rate=0.0)
+    assert {line[:3] for line in bench.moves_since(bench.clock.monotonic() - 30.0)} == {"a 1"}
+    bench.do(Goto(150.0, 40.0, "you"), seconds=60.0)
+    assert bench.state.fault is None
+    assert bench.device.truth().az_deg == pytest.approx(150.0, abs=0.1)

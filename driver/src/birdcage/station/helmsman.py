@@ -7,13 +7,14 @@ from collections import deque
 from concurrent.futures import Future
 
 from birdcage.antenna.antenna import BirdcageAntenna
-from birdcage.antenna.motion import DishMotion
+from birdcage.antenna.motion import AxisMotion, DishMotion
 from birdcage.base.errors import BirdcageError, CommandRefused, NoReply, PositionUnknown
 from birdcage.base.geometry import shortest_turn
 from birdcage.protocol.model import SecondMove
 from birdcage.station.board import Board
 from birdcage.station.look import Look
 from birdcage.station.mover import ARRIVED_DEG, POLL_S, Job, Mover
+from birdcage.station.queued_mover import ASTRAY_S, STILL_S
 from birdcage.station.speeds import Speeds
 from birdcage.station.stalls import stalled_axis
 from birdcage.station.state import Activity, Motion, Pointing
@@ -59,6 +60,10 @@ class Helmsman:
         self._shown_at = -math.inf
         self._looked_for: Step | None = None
         """The command for which the dish was looked at anew."""
+        self._unsure_until: float | None = None
+        """When a move must be over that the dish may have taken or not; None where the last answer tells that."""
+        self._seen: Pointing | None = None
+        """The last reading since then."""
 
     @property
     def now_s(self) -> float:
@@ -91,6 +96,7 @@ class Helmsman:
         """A pursuit begins, or goes on."""
         self.holder, self.step, self._arrival, self._lost, self._late = holder, None, None, 0, 0
         self._ends_at, self._shown_at = 0.0, -math.inf
+        self._unsure_until = self._seen = None
 
     def forget_turn(self) -> None:
         """Another pursuit begins: its azimuths are counted from where the dish stands."""
@@ -144,6 +150,8 @@ class Helmsman:
     def _send(self, step: Send) -> Answer | None:
         model = self._antenna.model
         queues = model.second_move is SecondMove.QUEUE
+        if self._unsure_until is not None:
+            return self._see_it_rest(self._unsure_until)
         if queues and not self._is_free():
             return None
         elevation, deg = step.axis == model.elevation.index, step.deg
@@ -160,13 +168,43 @@ class Helmsman:
             self._bear(error)
             if error.reason == LATE and not elevation:
                 self._az_deg = deg
-            return Answer(self.now_s)
+            if not queues:
+                return Answer(self.now_s)
+            self._wait_out()
+            return None
         self._lost = self._late = 0
         if not elevation:
             self._az_deg = deg
         if self._board.clock.monotonic() >= self._shown_at + SHOW_S:
             self._show()
         return Answer(self.now_s, sent_s)
+
+    def _wait_out(self) -> None:
+        """Where moves queue, nothing may follow one whose answer was lost until it must be over."""
+        motion, clock = self._antenna.motion, self._board.clock
+        axes = () if motion is None else (motion.azimuth, motion.elevation)
+        ends_at = max((_over_at(axis, clock.rate) for axis in axes), default=-math.inf)
+        self._ends_at = self._unsure_until = max(clock.monotonic(), ends_at)
+        self._seen = None
+
+    def _see_it_rest(self, since: float) -> Answer | None:
+        """Look until two readings agree: the dish rests where the move led it, or where it was if it never took it."""
+        clock = self._board.clock
+        if clock.monotonic() < self._ends_at:
+            return None
+        answer, before, here = self._read(), self._seen, self._board.state.position
+        now = clock.monotonic()
+        self._ends_at = now + max(STILL_S / clock.rate, 2 * POLL_S)
+        if answer.seen_s is None or here is None:
+            return None
+        self._seen = here
+        if before is not None and self._look.is_still(before, here):
+            self._unsure_until = self._antenna.motion = None
+            self._az_deg = answer.az_deg
+            return answer
+        if before is not None and now > since + ASTRAY_S:
+            self._mover.on_astray()
+        return None
 
     def _is_free(self) -> bool:
         """Return whether a dish whose moves queue has at most the end of one before it."""
@@ -197,10 +235,7 @@ class Helmsman:
             (motion.azimuth, abs(shortest_turn(az_deg, here.dish_az_deg))),
             (motion.elevation, abs(el_deg - here.dish_el_deg)),
         )
-        return any(
-            axis.started + axis.slew.duration_s / rate + POLL_S < here.told_at and off > ARRIVED_DEG
-            for axis, off in offs
-        )
+        return any(_over_at(axis, rate) + POLL_S < here.told_at and off > ARRIVED_DEG for axis, off in offs)
 
     def _way_deg(self, step: Send) -> float:
         position, motion = self._antenna.protocol.gate.position, self._antenna.motion
@@ -276,7 +311,7 @@ class Helmsman:
         self._mover.go(Job(*true, self.holder, arrival))
         self._arrival, self._az_deg = arrival, az_deg
 
-    def _read(self) -> Answer | None:
+    def _read(self) -> Answer:
         before_s = self.now_s
         try:
             pointing = self._look.position(glance=self._board.state.activity is Activity.FOLLOWING)
@@ -293,3 +328,8 @@ class Helmsman:
         if self._az_deg is None:
             self._az_deg = az_deg
         return Answer(now_s, None, az_deg, pointing.dish_el_deg, (before_s + now_s) / 2)
+
+
+def _over_at(axis: AxisMotion, rate: float) -> float:
+    """Return when an axis rests, by its model alone."""
+    return axis.started + axis.slew.duration_s / rate

@@ -137,6 +137,8 @@ class QueuedMover(Mover):
 
     def _follow_leg(self, job: Job, motion: DishMotion) -> None:
         """Watch one axis, which rests at its target or is stuck."""
+        # One reading says nothing about motion: what a pursuit has sent may be over long before anybody looks.
+        seen_before = job.last is not None
         pointing, clock = self._read(job), self._board.clock
         if pointing is None:
             return
@@ -149,7 +151,7 @@ class QueuedMover(Mover):
         unseen_s = MARGIN_S / clock.rate if motion.skew is not None and pointing.skew_deg is None else 0.0
         if job.still_since is not None and off_deg <= ARRIVED_DEG and now >= eta + unseen_s:
             self._leg_over(job)
-        elif self._is_astray(motion, now):
+        elif seen_before and job.still_since is None and self._is_astray(motion, now):
             self._astray()
         elif self._is_stuck(job, eta):
             self.stuck(_stuck_sentence(pointing, off_deg))
@@ -171,7 +173,8 @@ class QueuedMover(Mover):
             self._tell_progress(job, pointing, self._eta(job) - now)
 
     def _is_astray(self, motion: DishMotion, now: float) -> bool:
-        return now > motion.azimuth.started + ASTRAY_S + motion.longest_s / self._board.clock.rate
+        began = max(axis.started for axis in (motion.azimuth, motion.elevation, motion.skew) if axis is not None)
+        return now > began + ASTRAY_S + motion.longest_s / self._board.clock.rate
 
     def _astray(self) -> None:
         sentence = "The dish moves on though its motion must be over."
