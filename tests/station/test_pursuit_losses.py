@@ -82,6 +82,10 @@ def is_move(line):
     return line.startswith(("a ", "g "))
 
 
+def errors_since(bench, time):
+    return [sample.error_deg for sample in bench.samples if sample.at > time]
+
+
 def went_on_from(bench, lost_at):
     """Return what went out after a loss, having seen that it was looked at twice before the next move, and went on."""
     after = [(when, line) for when, line in bench.received() if when > lost_at]
@@ -109,6 +113,7 @@ def test_where_moves_queue_a_lost_answer_is_waited_for():
     bench.step(60.0)
     after = went_on_from(bench, lost_at)
     assert after[0][0] - lost_at > 1.9
+    assert max(errors_since(bench, lost_at + 30.0)) < 0.2, "it does not come back to its target"
 
 
 @pytest.mark.parametrize("whole", [True, False])
@@ -130,7 +135,8 @@ def test_where_moves_queue_one_lost_answer_ends_nothing(nth, whole):
     assert max(b - a for a, b in pairwise(sent)) > 1.9, "nothing was lost"
     assert bench.state.fault is None
     assert bench.phases[-1] is Phase.FOLLOWING
-    assert bench.samples[-1].at > bench.clock.monotonic() - 3.0
+    assert len(errors_since(bench, lost_at + 50.0)) > 5
+    assert max(errors_since(bench, lost_at + 50.0)) < 0.2, "it does not come back to its target"
 
 
 def test_where_moves_queue_a_command_that_never_came_is_given_up():
@@ -166,3 +172,45 @@ def test_where_moves_queue_a_slew_may_follow_long_after_the_last_command():
     bench.do(Goto(150.0, 40.0, "you"), seconds=60.0)
     assert bench.state.fault is None
     assert bench.device.truth().az_deg == pytest.approx(150.0, abs=0.1)
+
+
+def on_its_long_way():
+    """A bench whose stream has fallen back, and goes a way that any byte would abort."""
+    bench = following_travler()
+    bench.device.wire.to_host.set_plan(lambda _value: DROP)
+    bench.step(1.0)
+    bench.device.wire.to_host.set_plan(None)
+    since, end = bench.clock.monotonic(), bench.clock.monotonic() + 40.0
+    while not any(line.startswith("g ") for line in bench.moves_since(since)) and bench.clock.monotonic() < end:
+        bench.step(0.05)
+    bench.step(1.0)
+    assert bench.device.truth().moving
+    return bench, max(when for when, line in bench.received() if line.startswith("g "))
+
+
+def test_nothing_is_said_while_a_stream_goes_a_long_way():
+    bench, began = on_its_long_way()
+    bench.step(4.0)
+    assert bench.device.truth().moving
+    assert not [line for when, line in bench.received() if when > began]
+
+
+def test_stop_ends_a_stream_on_its_long_way():
+    bench, began = on_its_long_way()
+    future = bench.station.submit(Stop("you"))
+    bench.step(3.0)
+    assert future.done()
+    assert future.exception() is None
+    assert not bench.device.truth().moving
+    assert bench.pursuit.phase is Phase.OVER
+    bench.step(20.0)
+    assert bench.moves_since(began) == []
+
+
+def test_a_stall_on_its_long_way_ends_a_stream():
+    bench, began = on_its_long_way()
+    bench.device.stall(1)
+    bench.step(20.0)
+    assert bench.state.fault.reason == "stall"
+    assert bench.pursuit.phase is Phase.OVER
+    assert bench.moves_since(began) == []

@@ -52,6 +52,8 @@ class Helmsman:
         """Whether a wait ends now: the plan was replaced."""
         self._stops: deque[tuple[float, float]] = deque()
         self._arrival: Future[object] | None = None
+        self._long: Future[object] | None = None
+        """The end of a stream's command that the mover has: until then nothing is said to the dish."""
         self._lost = self._late = 0
         self._az_deg: float | None = None
         """Where the azimuth was sent last, unrolled."""
@@ -85,18 +87,19 @@ class Helmsman:
         """When to go on with the step, in monotonic seconds; None while the mover has it."""
         clock, step = self._board.clock, self.step
         # What is due at once is due since ever: the present time is later than the one that the loop compares it with.
-        if isinstance(step, Wait) and not self.hurry:
-            left_s = step.until_s - self.now_s
+        if isinstance(step, Wait):
+            left_s = 0.0 if self.hurry else step.until_s - self.now_s
             return -math.inf if left_s <= 0.0 else clock.monotonic() + left_s / clock.rate
-        if isinstance(step, Send):
-            return self._ends_at
-        return None if self._arrival is not None and not self._arrival.done() else -math.inf
+        arrival = self._long or self._arrival
+        if arrival is not None and not arrival.done():
+            return None
+        return self._ends_at if isinstance(step, Send) else -math.inf
 
     def begin(self, holder: str) -> None:
         """A pursuit begins, or goes on."""
         self.holder, self.step, self._arrival, self._lost, self._late = holder, None, None, 0, 0
         self._ends_at, self._shown_at = 0.0, -math.inf
-        self._unsure_until = self._seen = None
+        self._unsure_until = self._seen = self._long = None
 
     def forget_turn(self) -> None:
         """Another pursuit begins: its azimuths are counted from where the dish stands."""
@@ -114,7 +117,12 @@ class Helmsman:
         MotionRefused and its kin: the gate does not let it. LinkError, NoReply, CommandRefused: the dish does not
         answer, more than once in a row.
         """
-        step = self.step
+        step, arrival = self.step, self._long
+        if arrival is not None and self.needs_wire:
+            if not arrival.done():
+                return None
+            self._long = None
+            arrival.result(0)
         if isinstance(step, Send):
             return self._send(step)
         if isinstance(step, Slew):
@@ -246,14 +254,18 @@ class Helmsman:
             return abs(step.deg - el_deg)
         return abs(shortest_turn(az_deg, step.deg))
 
-    def _send_long(self, step: Send) -> Answer | None:
-        """Let the mover go a way that must be stoppable while it lasts; the other axis stays where it was sent."""
+    def _send_long(self, step: Send) -> Answer:
+        """Let the mover go a way that must be stoppable while it lasts; the other axis stays where it was sent.
+
+        It is answered when it begins, as any other: whoever steers counts its time from then on.
+        """
         position, motion = self._antenna.protocol.gate.position, self._antenna.motion
         assert position is not None, "its way was measured from there"
         az_deg, el_deg = (position.azimuth, position.elevation) if motion is None else motion.rest
         to = (az_deg, step.deg) if step.axis == self._antenna.model.elevation.index else (step.deg, el_deg)
-        self.take(Slew((to,)))
-        return self._slew()
+        self._go(*to)
+        self._long, self._arrival = self._arrival, None
+        return Answer(self.now_s)
 
     def _show(self) -> None:
         """Show where it was sent, and what stops it."""
