@@ -170,7 +170,7 @@ class Bench:
     def _ask(self, step: Step, before_s: float) -> Answer:
         self.commands += 1
         if isinstance(step, Look):
-            seen = self.antenna.get_position()
+            seen = self.antenna.glance()
             now_s = self.now_s
             return Answer(now_s, az_deg=seen.azimuth, el_deg=seen.elevation, seen_s=(before_s + now_s) / 2.0)
         if isinstance(step, Limit):

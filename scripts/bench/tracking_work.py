@@ -33,8 +33,6 @@ DISHES = {dish.name: dish for dish in (G2, TRAVLER_5)}
 CONDITIONS = {"base": IDEAL, "worn": WORN, "shaken": SHAKEN}
 LOST = {"shaken": 0.02}
 """Part of the answers."""
-DELAYS_S = {"shaken": 0.5}
-"""How long the driver takes an answer to be on its way at the longest, where that is not its usual 2 s."""
 CLOSE_DEG = 0.58
 """1 dB at Ku band for a dish of 33 inches."""
 KEYHOLE_DEG = 0.5
@@ -92,9 +90,7 @@ def run(work: Work) -> Score:
     true = plan if work.offset_s == 0.0 else planned(work, dish, now, 0.0)
     start_s = work.case.passing.aos.timestamp() + work.offset_s
     address = dish.address(CONDITIONS[work.condition], work.seed)
-    bench = Bench(
-        address, dish.model, start_s, LOST.get(work.condition, 0.0), work.late_s, DELAYS_S.get(work.condition, 2.0)
-    )
+    bench = Bench(address, dish.model, start_s, LOST.get(work.condition, 0.0), work.late_s)
     stretches, rewinds = _stretches(plan)
     bench.sample(stretches[0][0] + work.late_s, stretches[-1][1] + work.late_s)
     if plan.preposition is not None:

@@ -47,10 +47,14 @@ class Rudder:
         self.belief = AxisBelief(axis, (helm.start_az_deg, helm.start_el_deg)[column], helm.now_s)
         self.interval = Interval(2.0 * helm.latency_s)
         self.sent_s = helm.now_s
+        self.looked_s = 0.0
+        """How long readings have held the wire since it was sent."""
 
-    def aim(self, acts_s: float) -> Aim:
-        """Choose a goal for a command that acts at a time."""
+    def aim(self, acts_s: float, look_s: float, looking_s: float) -> Aim:
+        """Choose a goal for a command that acts at a time; a reading is due at `look_s` and takes `looking_s`."""
         course, interval_s, column = self._helm.course(), self.interval.seconds, self._column
+        if look_s < acts_s + interval_s:
+            interval_s += looking_s  # it stands so much longer before its next turn
         goal, ahead_s = self.belief.goal_deg, interval_s / 2.0
         for _ in range(ROUNDS):
             goal = course.at(min(acts_s + ahead_s, self._helm.until_s))[column]
@@ -63,7 +67,8 @@ class Rudder:
 
     def sent(self, goal_deg: float, acted_s: float) -> None:
         """Take in that the dish has acted on a command."""
-        gap_s = acted_s - self.sent_s
+        gap_s = acted_s - self.sent_s - self.looked_s
+        self.looked_s = 0.0
         if gap_s < LONGEST_INTERVAL_S:
             self.interval.take(gap_s)
         self.sent_s = acted_s
@@ -87,6 +92,8 @@ def steer(helm: Helm, *, looks: bool) -> Activity:
     while now_s < helm.until_s:
         if looks and now_s >= look_s:
             seen = yield Look()
+            for rudder in rudders:
+                rudder.looked_s += seen.now_s - now_s
             now_s = seen.now_s
             look_s = now_s + AGAIN_S if seen.az_deg is None else max(look_s + helm.look_every_s, now_s)
             for rudder, read_deg in zip(rudders, (seen.az_deg, seen.el_deg), strict=True):
@@ -95,7 +102,7 @@ def steer(helm: Helm, *, looks: bool) -> Activity:
         best: tuple[float, Rudder, Aim] | None = None
         for rudder in rudders:
             acts_s = now_s + latency.of(rudder.index)
-            aim = rudder.aim(acts_s)
+            aim = rudder.aim(acts_s, look_s if looks else math.inf, latency.mean_s)
             if aim.due and (best is None or rudder.need(aim, acts_s) > best[0]):
                 best = rudder.need(aim, acts_s), rudder, aim
         if best is None:
