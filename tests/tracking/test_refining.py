@@ -82,6 +82,15 @@ def test_the_share_is_the_best_of_those_tried(hard):
         assert refined.keyholes[0].max_error_deg == min(one.keyholes[0].max_error_deg for one in others)
 
 
+def test_an_elevation_that_stays_below_the_top_leaves_less_error_in_a_keyhole(hard, monkeypatch):
+    plan, on = hard
+    holding = refine(plan, on, queued, shares=(0.9,))
+    monkeypatch.setattr("birdcage.tracking.planning.refining.HOLDS", (0.0,))
+    climbing = refine(plan, on, queued, shares=(0.9,))
+    assert holding.course.el_deg.max() < climbing.course.el_deg.max() - 0.5
+    assert holding.forecast.rms_deg < climbing.forecast.rms_deg
+
+
 def test_a_plan_without_a_keyhole_has_nothing_to_choose():
     on = mount(travler(5.0))
     plan = plan_of(6.0, on)

@@ -40,10 +40,13 @@ class Basis:
     preposition_s: float
 
 
-def complete(basis: Basis, share: float | None, seen: Forecast | None = None) -> Plan:
-    """Return the plan that follows the stretches; `seen` is what a simulation of its course has shown."""
+def complete(basis: Basis, share: float | None, seen: Forecast | None = None, *, hold: float = 0.0) -> Plan:
+    """Return the plan that follows the stretches; `seen` is what a simulation of its course has shown.
+
+    `share` and `hold` as `course` takes them.
+    """
     sight, stretches, mount = basis.sight, basis.stretches, basis.sight.mount
-    course = course_of(sight, stretches, share)
+    course = course_of(sight, stretches, share, hold)
     legs = _legs(stretches, course, turns=sight.bounds.cable is not None and sight.bounds.turn_known)
     holes = keyholes(sight, stretches, course)
     if seen is not None:

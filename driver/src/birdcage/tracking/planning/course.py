@@ -17,15 +17,19 @@ from birdcage.tracking.planning.sight import Sight
 _Piece = tuple[Floats, Floats, Floats]
 
 
-def course(sight: Sight, stretches: Sequence[Stretch], share: float | None) -> Curve:
-    """Return the course from the first stretch to the last; `share` as in `Plan`. ValueError without a stretch."""
+def course(sight: Sight, stretches: Sequence[Stretch], share: float | None, hold: float = 0.0) -> Curve:
+    """Return the course from the first stretch to the last; `share` as in `Plan`. ValueError without a stretch.
+
+    `hold`: how far below the top the elevation stays while the azimuth sweeps, in units of what both axes at once would
+    be off there: an axis that stays leaves the other one all the time.
+    """
     pieces: list[_Piece] = []
     for group, last in _groups(stretches):
         taken = group[0].route
         if pieces and taken is not None:
             on_way = sampled(taken, sight.mount.model, float(pieces[-1][0][-1]))
             pieces.append(_kept_before(on_way, group[0].start_s))
-        pieces.append(_followed(sight, group, share, first=not pieces, last=last))
+        pieces.append(_followed(sight, group, share, hold, first=not pieces, last=last))
     t, az, el = (np.concatenate(parts) for parts in zip(*pieces, strict=True))
     rising = np.concatenate(([True], np.diff(t) > JOINT_S / 10.0))
     return cornered(t[rising], az[rising], el[rising])
@@ -53,15 +57,31 @@ def _groups(stretches: Sequence[Stretch]) -> list[tuple[list[Stretch], bool]]:
     return [(group, group is groups[-1]) for group in groups]
 
 
-def _followed(sight: Sight, group: list[Stretch], share: float | None, *, first: bool, last: bool) -> _Piece:
+def _followed(
+    sight: Sight, group: list[Stretch], share: float | None, hold: float, *, first: bool, last: bool
+) -> _Piece:
     corridor = _corridor(sight, group, first=first, last=last)
     model, t = sight.mount.model, corridor.t_s
-    az = through(corridor, azimuth_rates_deg_s(model, t, corridor.el_deg, share))
-    el = best_elevation(az - corridor.az_deg, corridor.el_deg)
+    top_deg = _top_deg(sight, corridor, hold)
+    az = through(corridor, azimuth_rates_deg_s(model, t, np.minimum(corridor.el_deg, top_deg), share))
+    el = np.minimum(best_elevation(az - corridor.az_deg, corridor.el_deg), top_deg)
     floor, ceiling = sight.elevations(t)
     way = np.concatenate(([0.0], np.cumsum(np.diff(t)))) * mean_rate_deg_s(model.elevation)
     el = limited(np.clip(el, floor, ceiling), way)
     return t, az, el
+
+
+def _top_deg(sight: Sight, corridor: Corridor, hold: float) -> float:
+    """Return the elevation that is not exceeded, so that the azimuth need not wait for it."""
+    if hold <= 0.0:
+        return np.inf
+    rate = mean_rate_deg_s(sight.mount.model.azimuth)
+    below_deg = hold * least_error_deg(corridor, np.full(len(corridor.t_s), rate))
+    if below_deg <= 0.0:
+        return np.inf
+    # Never down into a no-go sector, which the azimuth may cross above it.
+    sectors = (keepout.below_deg for keepout in sight.bounds.keepouts)
+    return max((float(corridor.el_deg.max()) - below_deg, *sectors))
 
 
 def _corridor(sight: Sight, group: list[Stretch], *, first: bool, last: bool) -> Corridor:

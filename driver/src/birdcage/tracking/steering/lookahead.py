@@ -33,6 +33,10 @@ SHARE, BEYOND = 0.3, 1.1
 """The horizon: a little more than what the quicker third of all pairs takes, within these bounds. A longer one was
 measured to lead a slow target by half of it, as nothing is planned beyond the second move."""
 
+RUSHED_FIRST_S = (0.0, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0)
+RUSHED_SHARE, RUSHED_DEG_S = 0.5, 2.0
+"""More aims and a longer horizon where the azimuth sweeps this fast: each change of axis costs what less would miss."""
+
 
 @dataclass(frozen=True, slots=True)
 class Move:
@@ -74,7 +78,9 @@ class Lookahead:
         due = np.array([self._off(course, column, at_deg[column], start_s) for column in (0, 1)]) >= self._dead_bands
         if not due.any():
             return None
-        first = self._aims(course, np.full(2, start_s), np.array(at_deg), FIRST_S)
+        rushed = abs(course.at(start_s + 1.0)[0] - course.at(start_s)[0]) > RUSHED_DEG_S
+        firsts_s, share = (RUSHED_FIRST_S, RUSHED_SHARE) if rushed else (FIRST_S, SHARE)
+        first = self._aims(course, np.full(2, start_s), np.array(at_deg), firsts_s)
         count = len(first.goal)
         # For each first move, where both axes stand after it, and when the second can begin.
         after = np.tile(np.array(at_deg), (count, 1))
@@ -82,7 +88,7 @@ class Lookahead:
         begin = start_s + first.lasts
         second = self._aims(course, np.repeat(begin, 2), after.ravel(), SECOND_S)
         firsts = np.repeat(np.arange(count), 2 * len(SECOND_S))
-        horizon_s = float(np.quantile(begin[firsts] + second.lasts - start_s, SHARE)) * BEYOND
+        horizon_s = float(np.quantile(begin[firsts] + second.lasts - start_s, share)) * BEYOND
         worth = np.flatnonzero((due[first.column] & (first.way != 0.0))[firsts])
         if not len(worth):
             return None
