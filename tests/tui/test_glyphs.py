@@ -1,6 +1,7 @@
 """Glyph sets: nothing but ASCII on any page in `ascii`, signs that stay different, cells that keep their width."""
 
 import asyncio
+from types import SimpleNamespace
 
 import pytest
 import stand_in
@@ -138,6 +139,7 @@ def test_the_flag_is_over_the_guess(chosen, expected, monkeypatch, tmp_path):
 
     class App:
         return_code, anew = 0, False
+        track = SimpleNamespace(wait=lambda _seconds: None)
 
         def __init__(self, session, settings, *_):
             made.append(settings)
