@@ -50,3 +50,15 @@ def test_a_better_plan_for_a_pursuit_that_is_over_begins_nothing():
     bench.step(20)
     assert bench.pursuit.phase is Phase.OVER
     assert bench.moves_since(since) == []
+
+
+def test_steering_without_readings_says_so_and_reads_nothing():
+    bench = g2()
+    bench.pursue(plan_of(at(bench) + 30.0), controller="modelled", **PARK)
+    bench.until(Phase.FOLLOWING).step(2)
+    assert bench.pursuit.controller == "modelled"
+    assert "Where the dish is, is not read" in bench.pursuit.why
+    since = bench.clock.monotonic()
+    bench.step(20)
+    assert not [line for when, line in bench.received() if when > since and line.strip() == "a"]
+    assert len(bench.moves_since(since)) > 20

@@ -353,7 +353,9 @@ class Pursuing:
         live = self._live
         streamed = live is not None and live.phase is Phase.FOLLOWING
         at = None if notice.next_at_s is None else datetime.fromtimestamp(notice.next_at_s, UTC)
-        self._told.enter(Phase[notice.stage.name], notice.why, notice.next_what, at)
+        phase = Phase[notice.stage.name]
+        why = notice.why if live is None else words.as_steered(notice.why, phase, live.controller)
+        self._told.enter(phase, why, notice.next_what, at)
         if live is not None and self._live is not None and self._live.phase is Phase.FOLLOWING:
             self._mover.activity(Activity.FOLLOWING, "")
         elif streamed:

@@ -8,6 +8,7 @@ from birdcage.station.state import Fault, HeldState
 
 REPLACED = "Another pursuit replaced it."
 DONE = "The pass is over."
+UNREAD = "Where the dish is, is not read: it is taken to be where it was sent."
 
 
 def ended_by(by: str) -> str:
@@ -40,6 +41,11 @@ def interrupted(reason: str, options: PursuitOptions) -> str:
             "the dish is as it was; else a person releases it."
         )
     return f"{SENTENCES.get(reason, SENTENCES['clock'])} It goes on when a person releases it, if the pass still lasts."
+
+
+def as_steered(why: str, phase: Phase, controller: str) -> str:
+    """Say with it, while following, that nobody reads where the dish is."""
+    return f"{why} {UNREAD}" if phase is Phase.FOLLOWING and controller == "modelled" else why
 
 
 def too_late(live: Pursuit) -> str:

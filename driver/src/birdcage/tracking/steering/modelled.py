@@ -9,9 +9,6 @@ from birdcage.tracking.controller import Helm
 from birdcage.tracking.steering import fast, queued
 from birdcage.tracking.steps import Activity
 
-SENTENCE = "The dish does not tell its position: it is taken to be where it was sent."
-"""What a face shows while this steers."""
-
 
 def modelled(helm: Helm) -> Activity:
     """Follow by the model of both axes alone."""
