@@ -92,7 +92,8 @@ def test_every_pass_has_one_row_and_what_is_left_out_says_why(candidates, random
     assert all(row.why for row in rows if not row.kept)
     whole = {one.passing.norad_id: one.reach.intervals for one in candidates}
     for row in rows:
-        cut = (row.reach_start, row.reach_end) != (whole[row.norad_id][0].start, whole[row.norad_id][-1].end)
+        left = [each for each in whole[row.norad_id] if each.end > NOW]
+        cut = (row.reach_start, row.reach_end) != (left[0].start, left[-1].end)
         assert row.why or not cut
     shuffled = list(candidates)
     random.shuffle(shuffled)
@@ -226,3 +227,12 @@ def test_without_hysteresis_such_updates_do_change_the_choice():
 
     assert (chosen(5).name, chosen(-5).name) == ("SAT 0", "SAT 1")
     assert chosen(-5, Kept(chosen(5), following=False)).name == "SAT 0"
+
+
+def test_a_stretch_that_is_over_is_not_told_as_the_beginning_of_what_is_left():
+    short = candidate(4, 0, 120, 0, 10)
+    gap = candidate(5, -61, 604, 0, 10, gap=0.1)
+    rows = schedule([short, gap], RULES, 0.0, NOW)
+    assert [(row.name, seconds(row.reach_start), row.kept) for row in rows] == [
+        ("SAT 4", 0.0, True), ("SAT 5", 120.2, True),
+    ]  # fmt: skip

@@ -36,13 +36,15 @@ class Piece:
 
     @property
     def told_start(self) -> datetime:
-        """When reach begins, also where that was before now."""
-        return self.candidate.reach.intervals[0].start if self.begun else self.start
+        """When the stretch begins that comes first, also where that was before now; one that is over counts no more."""
+        if not self.begun:
+            return self.start
+        return next(each.start for each in self.candidate.reach.intervals if each.start <= self.start < each.end)
 
     @property
     def late(self) -> bool:
         """Whether something keeps the dish from its beginning."""
-        return self.told_start > self.candidate.reach.intervals[0].start
+        return not self.begun and self.start > self.candidate.reach.intervals[0].start
 
     @property
     def short(self) -> bool:
