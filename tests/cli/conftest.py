@@ -8,6 +8,7 @@ import subprocess
 import sys
 import threading
 import time
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -56,8 +57,11 @@ class PtyDish:
 
     def is_open_in(self, pid: int) -> bool:
         """Whether a process has the port open."""
-        descriptors = Path(f"/proc/{pid}/fd").iterdir()
-        return any(str(each.readlink()) == self.path for each in descriptors if each.is_symlink())
+        for each in Path(f"/proc/{pid}/fd").iterdir():
+            with suppress(FileNotFoundError):  # closed since it was listed
+                if str(each.readlink()) == self.path:
+                    return True
+        return False
 
     def lines(self, after: float = 0.0) -> list[str]:
         """Lines that the dish began to carry out after the monotonic time `after`."""
