@@ -51,6 +51,19 @@ def open_database(path: Path, migrations: Sequence[Migration]) -> sqlite3.Connec
     return connection
 
 
+def fingerprint(path: Path) -> tuple[object, ...]:
+    """Return something that differs after a database was written to, by whichever program; None where a file lacks."""
+    found: list[object] = []
+    for each in (path, path.with_name(f"{path.name}-wal")):
+        try:
+            state = each.stat()
+        except FileNotFoundError:
+            found.append(None)
+        else:
+            found.append((state.st_mtime_ns, state.st_size))
+    return tuple(found)
+
+
 def _migrate(connection: sqlite3.Connection, path: Path, migrations: Sequence[Migration]) -> None:
     if _version(connection) == len(migrations):
         return

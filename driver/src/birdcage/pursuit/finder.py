@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from birdcage.base.errors import StoreError
+from birdcage.base.store import fingerprint
 from birdcage.pursuit.now import Found
 
 if TYPE_CHECKING:
@@ -34,7 +35,7 @@ class Finder:
         from birdcage.sky.frozen import frozen
         from birdcage.sky.watch_source import read_entries
 
-        seen = self._fingerprint()
+        seen = fingerprint(self._path)
         if seen == self._seen:
             return False
         self._seen = seen
@@ -50,7 +51,7 @@ class Finder:
         self._entries = entries or tuple(Entry(each, each.epoch) for each in frozen())
         self._index = SearchIndex(self._entries)
         # Reading it makes files beside it that were not there before.
-        self._seen = self._fingerprint()
+        self._seen = fingerprint(self._path)
         return True
 
     @property
@@ -86,18 +87,6 @@ class Finder:
             found += [_of_entry(each, now) for each in self._index.search(typed, MOST)]
         found += [each for each in _slots(typed) if each.name not in {one.name for one in found}]
         return tuple(found[:MOST])
-
-    def _fingerprint(self) -> tuple[object, ...]:
-        """Return something that differs after the catalogue was written to."""
-        found: list[object] = []
-        for path in (self._path, self._path.with_name(f"{self._path.name}-wal")):
-            try:
-                state = path.stat()
-            except FileNotFoundError:
-                found.append(None)
-            else:
-                found.append((state.st_mtime_ns, state.st_size))
-        return tuple(found)
 
 
 def _of_entry(entry: Entry, now: datetime) -> Found:

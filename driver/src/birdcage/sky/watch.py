@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.clock import Clock
 from birdcage.base.errors import StoreError
+from birdcage.base.store import fingerprint
 from birdcage.base.wake import Wake
 from birdcage.sky.observer import Observer
 from birdcage.sky.reach_limits import ReachLimits
@@ -164,7 +165,7 @@ class SkyWatch:
         monotonic = self._clock.monotonic()
         if not reload and monotonic >= self._file_at:
             self._file_at = monotonic + LOOK_AT_FILE_S
-            reload = self._fingerprint() != self._seen
+            reload = fingerprint(self._path) != self._seen
         moved = observer != self._observer
         if moved:
             self._observer, self._hunt, self._next_hunt = observer, None, None
@@ -189,20 +190,8 @@ class SkyWatch:
                 self._watched = replace(self._watched, note=f"{error} Shown is what was read before.")
             else:
                 self._watched = replace(frozen_set(), note=f"{error} Shown are the sets that ship with birdcage.")
-        self._seen = self._fingerprint()
+        self._seen = fingerprint(self._path)
         self._fleet = Fleet(self._watched.elements)
-
-    def _fingerprint(self) -> tuple[object, ...]:
-        """Return something that differs after the catalogue was written to."""
-        found: list[object] = []
-        for path in (self._path, self._path.with_name(f"{self._path.name}-wal")):
-            try:
-                state = path.stat()
-            except FileNotFoundError:
-                found.append(None)
-            else:
-                found.append((state.st_mtime_ns, state.st_size))
-        return tuple(found)
 
     def _keep_hunting(self, now: datetime, *, anew: bool) -> None:
         """Begin a search where there is none, or the one that is there no longer covers the time looked at."""
