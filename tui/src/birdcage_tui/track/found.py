@@ -41,7 +41,7 @@ def candidates(view: View) -> list[Candidate]:
     up = sorted((one for one in view.sky.up if one.name not in known and not one.fixed), key=lambda one: -one.el_deg)
     return rows + [
         Candidate(str(one.norad_id or one.name), one.name,
-                  f"up now, {one.el_deg:.0f}°{'' if one.el_deg >= floor else ', below the floor'}", one.favourite)
+                  f"up now, {one.el_deg:.0f}°{'' if one.el_deg >= floor else ', too low'}", one.favourite)
         for one in up[:MOST_UP]
     ]  # fmt: skip
 
@@ -86,7 +86,7 @@ class FoundList(Pane):
                 cells.put(0, y, " " * cells.width, ink)
             cells.put(0, y, f"{'▶' if here else ' '}{'★' if row.favourite else ' '} ", ink if here else "target")
             cells.put(3, y, fit(row.name, width), ink)
-            cells.put(4 + width, y, row.detail[: max(cells.width - 5 - width, 0)], ink if here else "dim")
+            cells.put(4 + width, y, fit(row.detail, max(cells.width - 5 - width, 0)), ink if here else "dim")
 
     def on_click(self, event: events.Click) -> None:
         """Choose a row: the first press moves the cursor there, one on the cursor takes it."""

@@ -18,7 +18,7 @@ NO_PLACE = "Where the dish stands is not known yet, so nothing in the sky can be
 SET_PLACE = "Setup (8), step 9 sets it; or, in a shell: birdcage place add home JO21jv --use"
 NOBODY = "No target is chosen. Enter takes the row under the cursor; / searches."
 
-HOW = "Then f follows it. After / any name finds it, or number; and 19.2E the slot there."
+HOW = "Then f follows it. / finds names and numbers; 19.2E is the slot there."
 
 
 class TrackHead(Pane):

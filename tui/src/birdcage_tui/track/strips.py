@@ -198,9 +198,13 @@ def _errors(cells: Cells, view: View, plan: Plan, box: tuple[int, int, int], x_o
     if height > 1:
         cells.right(LEFT - 1, y, degrees(top) if top < 10 else f"{top:.0f}°", "dim")
     lost = loss_db(top, view.state.beam_deg)
-    cells.right(cells.width, y, "" if lost is None else f"-{lost:.2f}dB" if lost < 9.995 else f"-{lost:.0f}dB",
-              "dim")  # fmt: skip
+    cells.right(cells.width, y, "" if lost is None else _decibels(lost), "dim")
     if height > 1:
         cells.right(LEFT - 1, y + height - 1, "0", "dim")
         cells.right(cells.width, y + height - 1, "" if lost is None else "0 dB", "dim")
     cells.put(0, y + (height - 1) // 2 if height > 2 else y + height - 1, "err", "strong")
+
+
+def _decibels(lost_db: float) -> str:
+    """Return what is lost, as a level: `-0.04dB`, `-44dB`; the least that shows is a hundredth."""
+    return f"-{lost_db:.0f}dB" if lost_db >= 9.995 else f"-{lost_db:.2f}dB" if lost_db >= 0.005 else "<0.01dB"
