@@ -14,6 +14,7 @@ from birdcage.base.paths import Paths
 from birdcage.link.link import Link
 from birdcage.pursuit.desk import PursuitDesk
 from birdcage.pursuit.desk_setup import DeskSetup
+from birdcage.pursuit.pass_log import PassLog
 from birdcage.sim.port import SimPort, open_device
 from birdcage.sky.catalogue import Catalogue
 from birdcage.sky.demo_orbits import demo_orbits
@@ -22,6 +23,8 @@ from birdcage.station.requests import Watch
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings, rules_from
 from birdcage.station.station import Station
+
+from .pass_events import Story
 
 NOW = datetime(2026, 11, 21, 12, tzinfo=UTC)
 HERE = Observer(50.0, 10.0, 300.0, "here")
@@ -129,3 +132,20 @@ def bench(tmp_path):
 def make(tmp_path):
     """Make a bench with other settings."""
     return lambda **options: DeskBench(tmp_path, **options)
+
+
+@pytest.fixture
+def paths(tmp_path):
+    return Paths.in_folder(tmp_path)
+
+
+@pytest.fixture
+def log(paths):
+    log = PassLog(paths.journal, paths.passes, site=lambda: "Home, 52.0 N 4.4 E")
+    yield log
+    log.close()
+
+
+@pytest.fixture
+def story(log):
+    return Story(log)

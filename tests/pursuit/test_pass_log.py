@@ -11,7 +11,6 @@ from dataclasses import replace
 import pytest
 from birdcage.base.errors import StoreError
 from birdcage.base.journal_schema import MIGRATIONS
-from birdcage.base.paths import Paths
 from birdcage.base.store import open_database
 from birdcage.pursuit.hooks import HookLine
 from birdcage.pursuit.pass_book import list_passes, read_remarks, read_samples, total_of, worst_moments
@@ -20,23 +19,6 @@ from birdcage.station.pursuit import Phase
 
 from . import pass_events
 from .pass_events import Story, at, plan, rows_of
-
-
-@pytest.fixture
-def paths(tmp_path):
-    return Paths.in_folder(tmp_path)
-
-
-@pytest.fixture
-def log(paths):
-    log = PassLog(paths.journal, paths.passes, site=lambda: "Home, 52.0 N 4.4 E")
-    yield log
-    log.close()
-
-
-@pytest.fixture
-def story(log):
-    return Story(log)
 
 
 def comments_of(path):

@@ -5,32 +5,12 @@ from __future__ import annotations
 import errno
 import os
 
-import pytest
 from birdcage.base.journal_schema import MIGRATIONS
-from birdcage.base.paths import Paths
 from birdcage.base.store import open_database
 from birdcage.pursuit.pass_book import list_passes, read_samples
-from birdcage.pursuit.pass_log import PassLog
 from birdcage.station.pursuit import Phase
 
-from .pass_events import Story, at, rows_of
-
-
-@pytest.fixture
-def paths(tmp_path):
-    return Paths.in_folder(tmp_path)
-
-
-@pytest.fixture
-def log(paths):
-    log = PassLog(paths.journal, paths.passes, site=lambda: "Home, 52.0 N 4.4 E")
-    yield log
-    log.close()
-
-
-@pytest.fixture
-def story(log):
-    return Story(log)
+from .pass_events import at, rows_of
 
 
 def test_a_locked_database_is_told_and_made_good(story, log, paths, monkeypatch):
