@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
 BY_ID = Path("/dev/serial/by-id")
+_INTERFACE = re.compile(r":[\dx]+\.(\d+)$")
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,7 +24,13 @@ class PortInfo:
     """USB vendor and product, `0403:6001`."""
     serial_number: str | None = None
     topology: str | None = None
-    """USB bus and socket, `1-1.4`."""
+    """USB bus and socket, `1-1.4`; with configuration and interface, `1-1.4:1.0`, where a device has several."""
+
+    @property
+    def interface(self) -> str | None:
+        """The USB interface of an adapter that has several: `0`, `1`; None where it has one, or is not on USB."""
+        found = _INTERFACE.search(self.topology or "")
+        return found.group(1) if found else None
 
     @property
     def identity(self) -> str | None:
@@ -76,10 +84,16 @@ def find_again(identity: str, list_ports: PortLister = list_ports) -> str | None
 
 def identify(device: str, list_ports: PortLister = list_ports) -> str | None:
     """Return the identity of an open or present device (a link to it counts), None if it is not on USB."""
+    port = find_port(device, list_ports)
+    return None if port is None else port.identity
+
+
+def find_port(device: str, list_ports: PortLister = list_ports) -> PortInfo | None:
+    """Return what the system tells of a device (a link to it counts); None if it is not among the ports."""
     target = str(Path(device).resolve())
     for port in list_ports():
         if device in (port.device, port.by_id) or port.device == target:
-            return port.identity
+            return port
     return None
 
 
