@@ -58,3 +58,10 @@ def test_its_help_and_its_complaints_agree_with_what_it_does(run) -> None:
     assert "[default: g2]" in told
     assert "hal205]" not in told
     assert run("sim", "--firmware", "hal000").stderr.rstrip().endswith("did you mean hal205?")
+
+
+def test_the_help_tells_how_a_dish_that_waits_for_its_motor_is_simulated(run) -> None:
+    told = " ".join(run("sim", "--help").stdout.split())
+    assert "-o second_move=block (on the same axis)" in told
+    assert "-o second_other=block (on the other axis)" in told
+    assert "-o move_reply=none" in told

@@ -328,3 +328,39 @@ def test_overshoot_ends_at_the_stop_of_the_cable(terminal, start, stop, seed):
     dish.listen(3.0)
     assert LOW - 1e-9 <= truth(dish).cable_deg <= HIGH + 1e-9
     assert truth(dish).cable_deg == pytest.approx(stop, abs=0.01)
+
+
+def timed(dish, line):
+    start = dish.now
+    reply = dish.ask(line, "MOT>")
+    return reply, dish.now - start
+
+
+def test_the_shell_blocks_until_the_other_axis_stands(terminal):
+    """Reference 2.6: no new motor command before the current motor stops. A reading is no motor command."""
+    dish = at_mot(terminal, "second_other=block")
+    assert timed(dish, "a 0 200")[1] < 0.1
+    assert "Angle[0] = " in dish.ask("a", "MOT>")
+    reply, took_s = timed(dish, "a 1 30")
+    assert "Angle = 30.00" in reply
+    assert took_s == pytest.approx(2.6, abs=0.2)
+    assert truth(dish).az_deg == pytest.approx(200, abs=0.07)
+    assert truth(dish).el_deg == pytest.approx(45, abs=1), "elevation begins as it answers"
+    assert timed(dish, "a 1 40")[1] < 0.1, "the same axis takes a new target on its way"
+
+
+def test_a_shell_that_blocks_on_either_axis(terminal):
+    dish = at_mot(terminal, "second_other=block&second_move=block")
+    dish.ask("a 0 200", "MOT>")
+    dish.ask("a 1 30", "MOT>")
+    assert 0.3 < timed(dish, "a 1 60")[1] < 1.0
+
+
+@pytest.mark.parametrize(
+    ("style", "printed"), [("angle", "Angle = 200.00\r\n"), ("none", ""), ("np", "m 0  a 20000  np 22222\r\n")]
+)
+def test_what_a_move_prints(terminal, style, printed):
+    dish = at_mot(terminal, f"move_reply={style}")
+    assert dish.ask("a 0 200", "MOT>") == f"a 0 200\r\n{printed}MOT>"
+    dish.listen(4.0)
+    assert truth(dish).az_deg == pytest.approx(200, abs=0.07)

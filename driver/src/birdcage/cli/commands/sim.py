@@ -36,6 +36,8 @@ def command(
     """Simulate a dish that any program can talk to: prints the port, and serves until Ctrl+C.
 
     With --json it prints one line: {"port": …, "firmware": …, "control": …}. --firmware is g2 or hal205.
+    A G2 that takes no new motor command while a motor runs, and answers late: -o second_move=block (on the same axis)
+    and -o second_other=block (on the other axis). One that answers a move with nothing: -o move_reply=none.
     With --rig any program that speaks to Hamlib's rigctld can tune a receiver, and read what it hears through the
     dish's beam: `rigctl -m 2 -r 127.0.0.1:PORT l STRENGTH`.
     """

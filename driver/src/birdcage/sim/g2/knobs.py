@@ -20,6 +20,8 @@ class G2Settings(MotorSettings):
     choices: ClassVar[Mapping[str, tuple[str, ...]]] = {
         **MotorSettings.choices,
         "second_move": ("retarget", "queue", "in_turn", "refuse", "block"),
+        "second_other": ("together", "block"),
+        "move_reply": ("angle", "none", "np"),
         "az_map": ("nearest", "home", "literal"),
         "az_print": ("wrapped", "cable"),
         "signed": ("relative", "absolute"),
@@ -39,6 +41,12 @@ class G2Settings(MotorSettings):
     second_move: str = "retarget"
     """What `a` does while that axis moves: retarget, queue, refuse (an error text) or block the shell; or, in_turn,
     wait until both axes stand still, which section 2 tells of these consoles ([V] of Trav'lers). On a G2 [open]."""
+    second_other: str = "together"
+    """What `a` does while the other axis moves: both move together, or the shell blocks and answers when that axis
+    stands still (section 2.6: "before accepting a new motor command"). On a G2 [open]."""
+    move_reply: str = "angle"
+    """What `a <motor> <angle>` prints: `Angle = 46.00` ([S1], [P] of the G2+), nothing, or `m 0  a 4600  np 111714` as
+    a Pathway X2 does (section 8)."""
     out_of_range: str = "error"
     """Whether a target beyond the limits is refused or moved to the limit. [open]"""
     out_of_range_text: str = "Angle out of range."

@@ -56,15 +56,33 @@ def _one(board: Board, index: int, wanted: float) -> Script:
     if axis.moving(board.now_s) and policy == "refuse":
         yield f"{board.settings.busy_text}\n"
         return
-    if axis.moving(board.now_s) and policy == "block":
-        yield Pause(axis.end_s() - board.now_s)
+    if (waits_s := _waits_s(board, index)) > 0.0:
+        yield Pause(waits_s)
     if policy == "queue":
         axis.queue(board.now_s, goal)
     elif policy == "in_turn":
         axis.queue(board.now_s, goal, not_before_s=max(each.end_s() for each in board.dish.axes))
     else:
         axis.retarget(board.now_s, goal)
-    yield f"Angle = {wanted if index == 0 else goal:.2f}\n"
+    yield _taken(board, index, wanted if index == 0 else goal)
+
+
+def _waits_s(board: Board, index: int) -> float:
+    """Return how long the shell blocks before an axis takes its next command."""
+    settings, now_s = board.settings, board.now_s
+    same, other = settings.second_move == "block", settings.second_other == "block"
+    ends = (each.end_s() for at, each in enumerate(board.dish.axes) if (same if at == index else other))
+    return max((end_s - now_s for end_s in ends), default=0.0)
+
+
+def _taken(board: Board, index: int, deg: float) -> str:
+    match board.settings.move_reply:
+        case "none":
+            return ""
+        case "np":
+            return f"m {index}  a {round(deg * 100)}  np {round(deg / board.dish.axes[index].step_deg)}\n"
+        case _:
+            return f"Angle = {deg:.2f}\n"
 
 
 def both(board: Board, args: list[str]) -> Script | None:
