@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import itertools
 import os
 from collections.abc import Iterator
@@ -29,6 +30,12 @@ def _forget_the_developer() -> None:
 
 
 _forget_the_developer()
+
+
+def pytest_collection_finish() -> None:
+    """Keep what all tests share, all of it made by now, out of the garbage collector's sight."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture(scope="session")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 from collections import deque
 from collections.abc import Callable
 from concurrent.futures import Future
@@ -39,6 +38,7 @@ from birdcage_tui.scope import Scope, scopes_of
 from birdcage_tui.settings import AppSettings
 from birdcage_tui.signal_book import SignalBook
 from birdcage_tui.sky_feed import SkyFeed
+from birdcage_tui.start_objects import StartObjects
 from birdcage_tui.status import BadDayRow, TopRow
 from birdcage_tui.stopping import focused_widget, is_stop_key, stop_first
 from birdcage_tui.surface import Surface
@@ -116,6 +116,7 @@ class Shell(Surface):
         self._paging = Paging(self)
         self._frames: Timer | None = None
         self._late = False
+        self._start_objects = StartObjects()
 
     def get_driver_class(self) -> type[Driver]:
         """Return the platform's driver, with STOP in front."""
@@ -139,10 +140,7 @@ class Shell(Surface):
         self.call_after_refresh(self._begin)
 
     def _begin(self) -> None:
-        # What the start has made lives as long as the app: a full collection would look at it all, every other thread
-        # waiting, and STOP behind it.
-        gc.freeze()
-        gc.enable()  # off since `main`
+        self._start_objects.freeze()
         self.presets.load()
         self._unsubscribe = self.station.subscribe(self._tell)
         try:
@@ -163,11 +161,12 @@ class Shell(Surface):
         self.post_message(StationEvent(event))
 
     def on_unmount(self) -> None:
-        """Hear no more events."""
+        """Hear no more events, and let go of what was made."""
         for each in (self.sky, self.track, self.calibrate, self.clock_watch):
             each.close()
         if self._unsubscribe is not None:
             self._unsubscribe()
+        self._start_objects.thaw()
 
     def note(self, words: str) -> None:
         """Show what a command did, and keep it with the time; nothing shows nothing, and the same again is one."""
