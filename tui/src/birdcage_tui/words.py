@@ -177,6 +177,10 @@ def bad_day(view: View) -> tuple[str, str] | None:
     if state.homed is False:
         how = home_hint(view).replace("H homes it", "H home it")
         return "warn-row", f"▲ NOT HOMED  The dish does not know where it points.  {how[:1].upper()}{how[1:]}"
+    if state.position_lost == "unreadable" and state.activity is not Activity.HOMING:
+        how = home_hint(view).replace("H homes it", "H home it")
+        how = f"{how[:1].upper()}{how[1:]}"
+        return "warn-row", f"▲ POSITION UNREADABLE  What the dish prints is no position: see F5.  {how}"
     pursued = trouble(view)
     if pursued is not None:
         return pursued

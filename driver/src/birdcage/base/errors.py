@@ -93,7 +93,7 @@ class BelowFloor(MotionRefused, ValueError):
 
 
 class PositionUnknown(MotionRefused):
-    """Where the dish stands is not known. Reasons: unread, unhomed, released."""
+    """Where the dish stands is not known. Reasons: unread, unhomed, unreadable, released."""
 
     reason = "unread"
 

@@ -179,6 +179,13 @@ class Dish:
         return None
 
 
+def why_unknown(state: StationState) -> str:
+    """Return why it is not known where the dish points, and what helps."""
+    if state.position_text:
+        return f"{state.position_text} {how_to_home(state)}"
+    return f"The dish does not know where it is: it is not homed. {how_to_home(state)}"
+
+
 def how_to_home(state: StationState) -> str:
     """Return what makes a dish know where it is, in a sentence."""
     if state.dish is not None and state.dish.homing_s is None:

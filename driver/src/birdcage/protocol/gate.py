@@ -82,7 +82,7 @@ class MotionGate:
             self.cable_deg = shortest_turn(0.0, self.position.azimuth)
 
     def forget(self, reason: str) -> None:
-        """Forget the position: `unread`, `unhomed`, `released`, `raw`."""
+        """Forget the position: `unread`, `unhomed`, `unreadable`, `released`, `raw`."""
         self.position, self.unknown_reason, self.cable_deg = None, reason, None
 
     def release(self) -> None:
@@ -211,6 +211,7 @@ class MotionGate:
         why = {
             "unread": "the position of the dish was not read yet. Read it first (it is asked for by itself).",
             "unhomed": "the dish is not homed, so it does not know where it is. Home it first.",
+            "unreadable": "what the dish prints of its position can't be read. Home it; the console shows its words.",
             "released": "the motors were released, so the position no longer holds. Home the dish.",
             "raw": "a raw command may have moved the dish. Read the position again.",
         }

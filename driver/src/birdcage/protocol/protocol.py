@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, ClassVar
 
 from birdcage.base.clock import Clock, RealClock
-from birdcage.base.errors import BirdcageError, CommandRefused, LinkError
+from birdcage.base.errors import BirdcageError, CommandRefused, LinkError, PositionUnknown
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.session import Console
 from birdcage.protocol.belief import Belief
@@ -17,12 +18,15 @@ from birdcage.protocol.hazard import Grade, HazardTable, Verdict
 from birdcage.protocol.model import DishModel
 from birdcage.protocol.raw_motion import with_motion
 from birdcage.protocol.types import Position, RssiReading, Survey
+from birdcage.protocol.unhomed import UnreadablePosition, says_unhomed
 
 if TYPE_CHECKING:
     from birdcage.base.wake import Wake
     from birdcage.link.link import Link
 
 BOOT_TIMEOUT_S = 180.0
+_STALLED = re.compile(r"\bSTALLED\b")
+"""An obstacle, which is said of the motion under way and not of the question."""
 
 
 class FirmwareProtocol(ABC):
@@ -132,7 +136,35 @@ class FirmwareProtocol(ABC):
         """Read where the dish is. PositionUnknown when the axes are not homed."""
 
     def _believed(self, once: Callable[[], Position]) -> Position:
-        return once() if self.belief is None else self.belief.read(once, self.clock)
+        """Return what `once` reads.
+
+        PositionUnknown (`unhomed`, `unreadable`) where the dish says twice what is no position: it answers, so it can
+        be homed all the same.
+        """
+        belief = self.belief
+
+        def read() -> Position:
+            try:
+                return once() if belief is None else belief.read(once, self.clock)
+            except CommandRefused as refused:
+                if refused.reason in ("wrong_menu", "unknown_command") or _STALLED.search(str(refused)):
+                    raise
+                raise UnreadablePosition(str(refused), (str(refused),)) from refused
+
+        try:
+            try:
+                return read()
+            except UnreadablePosition as once_more:
+                first = once_more
+            try:
+                return read()
+            except UnreadablePosition as again:
+                if again.repeats(first):
+                    raise _unreadable(again) from again
+                raise
+        except PositionUnknown as unknown:
+            self.gate.forget(unknown.reason)
+            raise
 
     def move_motor(self, motor_id: int, degrees: float) -> None:
         """Send one axis to an absolute angle, through the gate. Returns when the dish has taken the command.
@@ -269,3 +301,9 @@ class FirmwareProtocol(ABC):
     @abstractmethod
     def kill_search(self) -> None:
         """End the firmware's automatic TV search, as far as this firmware can: see `DishModel.search_switch`."""
+
+
+def _unreadable(answer: UnreadablePosition) -> PositionUnknown:
+    if says_unhomed(answer.printed):
+        return PositionUnknown(f"The dish says that it is not homed. {answer}", reason="unhomed")
+    return PositionUnknown(f"Where the dish is can't be read. {answer}", reason="unreadable")

@@ -9,7 +9,7 @@ from types import MappingProxyType
 from birdcage.antenna.antenna import STILL_DEG, BirdcageAntenna
 from birdcage.base.config.sections import NoGoSector
 from birdcage.base.errors import CommandRefused, PositionUnknown
-from birdcage.base.geometry import shortest_turn
+from birdcage.base.geometry import shortest_turn, wrap_360
 from birdcage.protocol.model import SearchSwitch, Turn
 from birdcage.protocol.types import Survey
 from birdcage.station.board import Board
@@ -40,7 +40,7 @@ class Look:
     def forget(self, why: str) -> None:
         """The position and the turn of the cable no longer hold; `why` is for the board."""
         self._antenna.protocol.gate.forget("unread")
-        self._board.change(position_lost=why, turn=self._turn())
+        self._board.change(position_lost=why, position_text="", turn=self._turn())
         if self._antenna.protocol.model.search_switch is SearchSwitch.UNTIL_POWER_UP:
             # It may have been without power meanwhile, and then it searches again.
             self._board.change(search=Search.UNKNOWN)
@@ -49,7 +49,10 @@ class Look:
         """The dish does not know where it is."""
         homed = False if unknown.reason == "unhomed" else None
         forgot = homed is False and self._board.state.homed is True
-        self._board.change(homed=homed, position=None, position_lost=unknown.reason, turn=self._turn())
+        said = str(unknown) if unknown.reason == "unreadable" else ""
+        self._board.change(
+            homed=homed, position=None, position_lost=unknown.reason, position_text=said, turn=self._turn()
+        )
         if forgot:
             self.on_forgotten()
 
@@ -80,10 +83,10 @@ class Look:
         assert dish is not None, "it was read just now"
         at, utc = self._board.stamp()
         pointing = Pointing(
-            true.azimuth, true.elevation, dish.azimuth, dish.elevation, at, utc, cable_deg=gate.cable_deg,
+            wrap_360(true.azimuth), true.elevation, dish.azimuth, dish.elevation, at, utc, cable_deg=gate.cable_deg,
             skew_deg=dish.skew,
         )  # fmt: skip
-        self._board.change(position=pointing, position_lost=None, homed=True, turn=self._turn())
+        self._board.change(position=pointing, position_lost=None, position_text="", homed=True, turn=self._turn())
         self._board.tell(PositionRead(at, utc, pointing))
         return pointing
 
@@ -96,7 +99,7 @@ class Look:
         dish = motion.at(at, clock.rate)
         az_deg, el_deg = self._antenna.alignment.to_true(dish.azimuth, dish.elevation)
         pointing = Pointing(
-            az_deg, el_deg, dish.azimuth, dish.elevation, at, utc,
+            wrap_360(az_deg), el_deg, dish.azimuth, dish.elevation, at, utc,
             skew_deg=before.skew_deg if before is not None and dish.skew is None else dish.skew,
             modelled=True, read_at=motion.azimuth.started if before is None else before.told_at,
         )  # fmt: skip

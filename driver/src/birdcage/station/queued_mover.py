@@ -257,4 +257,4 @@ def _off_deg(pointing: Pointing, az_deg: float, el_deg: float) -> float:
 
 
 def _stuck_sentence(pointing: Pointing, off_deg: float) -> str:
-    return f"The dish stands still at {pointing.az_deg:.2f}°/{pointing.el_deg:.2f}°, {off_deg:.2f}° from its target."
+    return f"The dish stands still at {pointing.az_text}/{pointing.el_deg:.2f}°, {off_deg:.2f}° from its target."

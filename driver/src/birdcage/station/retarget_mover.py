@@ -58,7 +58,7 @@ class RetargetMover(Mover):
         eta = self._update_eta(now)
         if self._is_stuck(job, eta):
             self.stuck(
-                f"The dish stands still at {pointing.az_deg:.2f}°/{pointing.el_deg:.2f}°, "
+                f"The dish stands still at {pointing.az_text}/{pointing.el_deg:.2f}°, "
                 f"{max(off_az, off_el):.2f}° from its target."
             )
             return

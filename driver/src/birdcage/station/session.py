@@ -114,9 +114,7 @@ def farewell(position: Pointing | None, lost: str | None, reach: Reach | None) -
     if position is None or lost is not None:
         where = "Where the dish is, is not known."
     else:
-        where = (
-            f"The dish was last seen at AZ {position.az_deg:.2f}° EL {position.el_deg:.2f}°, {position.utc:%H:%M:%S}Z."
-        )
+        where = f"The dish was last seen at AZ {position.az_text} EL {position.el_deg:.2f}°, {position.utc:%H:%M:%S}Z."
     if reach is Reach.SENT:
         return f"STOP was sent. {where}"
     if reach is Reach.ENDS:

@@ -101,10 +101,10 @@ class Pointing:
     """A direction that was read (or modelled, and then says so)."""
 
     az_deg: float
-    """True azimuth."""
+    """True azimuth, 0 to 360."""
     el_deg: float
     dish_az_deg: float
-    """As the dish counts it, before the offset."""
+    """As the dish counts it, before the offset; it may count on beyond the circle."""
     dish_el_deg: float
     at: float
     """Monotonic seconds of the reading."""
@@ -123,6 +123,11 @@ class Pointing:
     def told_at(self) -> float:
         """Monotonic seconds of when the dish last said where it was: what an age is counted from."""
         return self.at if self.read_at is None else self.read_at
+
+    @property
+    def az_text(self) -> str:
+        """The azimuth as people read it: two decimals, never 360.00."""
+        return f"{round(self.az_deg, 2) % 360.0:.2f}°"
 
 
 @dataclass(frozen=True, slots=True)
@@ -214,7 +219,9 @@ class StationState:
     firmware_version: str | None = None
     position: Pointing | None = None
     position_lost: str | None = None
-    """Why the last position no longer holds (`released`, `unhomed`, `raw command`), else None."""
+    """Why the last position no longer holds (`released`, `unhomed`, `unreadable`, `raw command`), else None."""
+    position_text: str = ""
+    """What the dish said instead of where it is, in a sentence; empty where that was not asked or needs no words."""
     target_az_deg: float | None = None
     target_el_deg: float | None = None
     target_skew_deg: float | None = None

@@ -193,7 +193,7 @@ class Stopper:
                 self.way.retarget_works = self.way.retarget_works is not False and now <= pending.deadline
             self._finish(
                 pending, now <= pending.deadline or pending.report.means in LOOKING,
-                f"{pending.note}Stands still at {pointing.az_deg:.2f}°/{pointing.el_deg:.2f}°, "
+                f"{pending.note}Stands still at {pointing.az_text}/{pointing.el_deg:.2f}°, "
                 f"{now - pending.report.at:.1f} s after STOP.",
             )  # fmt: skip
 

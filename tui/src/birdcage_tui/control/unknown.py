@@ -10,6 +10,7 @@ from birdcage_tui.words import home_hint
 _LOST = {
     "released": "MOTORS RELEASED",
     "unhomed": "NOT HOMED",
+    "unreadable": "UNREADABLE",
     "stowing": "STOWING",
     "raw": "AFTER A RAW LINE",
     "raw command": "AFTER A RAW LINE",

@@ -48,6 +48,8 @@ def command(axis: str | None, yes: bool) -> None:
         state = dish.state
     position = state.position
     if position is None or state.position_lost is not None:
+        if state.position_text:
+            raise PositionUnknown(f"Homed. {state.position_text}", reason=state.position_lost)
         raise PositionUnknown("The dish still does not know where it is: home the other axis too.", reason="unhomed")
     if flags().json:
         tell_json({**position_values(position), "demo": state.demo})

@@ -140,10 +140,12 @@ def _describe(dish: Dish) -> None:
         say("It moves, though nobody asked: its own TV search, or homing after power-up. Keep clear of it.")
     elif state.homed is False:
         say(f"It is not homed, so it does not know where it is. {how_to_home(state)}")
+    elif state.position_text:
+        say(f"{state.position_text} {how_to_home(state)}")
     elif state.position is not None and state.position_lost is None:
         at = state.position
         skew = "" if at.skew_deg is None else f" SK {at.skew_deg:.2f}°"
-        say(f"It points at AZ {at.az_deg:.2f}° EL {at.el_deg:.2f}°{skew}.")
+        say(f"It points at AZ {at.az_text} EL {at.el_deg:.2f}°{skew}.")
     if _ends_at_once(state.dish):
         say(SEARCHES[state.search.value])
         return

@@ -13,16 +13,14 @@ from birdcage.cli.options import flags, global_options, wanted
 def command() -> None:
     """Print where the dish points, in true degrees: one question to the dish."""
     from birdcage.base.errors import PositionUnknown
-    from birdcage.cli.dish import how_to_home, open_dish
+    from birdcage.cli.dish import open_dish, why_unknown
     from birdcage.cli.say import position_lines, position_values, tell, tell_json
 
     with open_dish(wanted(), survey=False) as dish:
         state = dish.come_up(15.0)
     position = state.position
     if position is None or state.position_lost is not None:
-        raise PositionUnknown(
-            f"The dish does not know where it is: it is not homed. {how_to_home(state)}", reason="unhomed"
-        )
+        raise PositionUnknown(why_unknown(state), reason=state.position_lost)
     if flags().json:
         tell_json({**position_values(position), "port": state.port, "demo": state.demo})
     else:

@@ -12,8 +12,9 @@ from typing import ClassVar
 
 from birdcage.protocol.g2.gains import read_gains
 from birdcage.protocol.g2.motor_values import Accelerations, ElevationLimits, Gains, MotorEntry, Speeds, StepCounts
-from birdcage.protocol.g2.reading import END, INT_MAX, NUMBER, by_motor, find, garbage, only_text, only_whole, search
+from birdcage.protocol.g2.reading import END, NUMBER, by_motor, find, garbage, only_text, only_whole, search
 from birdcage.protocol.g2.room import Room
+from birdcage.protocol.unhomed import is_unhomed
 
 _LIMITS = re.compile(rf"Min:\s*({NUMBER})\s+Max:\s*({NUMBER})\s+Home:\s*({NUMBER})")
 _MOTOR = re.compile(r"(?<!\w)([01])\s*[=:)]\s*(AZIMUTH|ELEVATION)\b")
@@ -48,7 +49,7 @@ class Motors(Room):
         raw = by_motor(reply)
         if "." in raw.azimuth + raw.elevation:
             raise garbage(reply)
-        return StepCounts(*(None if int(text) == INT_MAX else int(text) for text in (raw.azimuth, raw.elevation)))
+        return StepCounts(*(None if is_unhomed(int(text)) else int(text) for text in (raw.azimuth, raw.elevation)))
 
     def velocities(self) -> Speeds:
         """Read how fast the axes turn now (`v`)."""

@@ -15,7 +15,6 @@ from birdcage.protocol.g2.hazards import HAZARDS
 from birdcage.protocol.g2.homing import parse_homing
 from birdcage.protocol.g2.model import CARRYOUT_G2, DIALECT
 from birdcage.protocol.g2.motor_values import HomingReport
-from birdcage.protocol.g2.reading import INT_MAX
 from birdcage.protocol.g2.rooms import Rooms
 from birdcage.protocol.g2.survey import survey
 from birdcage.protocol.hazard import HazardTable
@@ -23,6 +22,7 @@ from birdcage.protocol.model import DishModel
 from birdcage.protocol.nvs import DISABLE_TRACKER, NvsRow
 from birdcage.protocol.protocol import BOOT_TIMEOUT_S
 from birdcage.protocol.types import Position, RssiReading, Survey
+from birdcage.protocol.unhomed import UnreadablePosition, is_unhomed
 
 _DEGREES = r"([-+]?\d+(?:\.\d+)?)(?=\s+[A-Za-z]|\s*$)"
 """A number with a word behind it, or nothing: what noise has cut in two is none."""
@@ -122,15 +122,19 @@ class CarryoutG2Protocol(Rooms):
             self.gate.forget("unread")
             if _OTHER_ANGLES.search(" ".join(reply.lines)):
                 raise self._another_firmware()
-            raise NoReply(f"The dish answered `a` with {' / '.join(reply.lines)!r}, not two angles.", reason="garbage")
-        if INT_MAX in angles.values():
+            raise UnreadablePosition(
+                f"The dish answered `a` with {' / '.join(reply.lines)!r}, not two angles.", reply.lines
+            )
+        if any(map(is_unhomed, angles.values())):
             self.gate.forget("unhomed")
             raise PositionUnknown(
                 "The dish is not homed, so it does not know where it is. Home it first.", reason="unhomed"
             )
         if not all(low <= angles[axis] <= high for axis, (low, high) in enumerate(_PLAUSIBLE)):
             self.gate.forget("unread")
-            raise NoReply(f"The dish answered `a` with {' / '.join(reply.lines)!r}: no such angles.", reason="garbage")
+            raise UnreadablePosition(
+                f"The dish answered `a` with {' / '.join(reply.lines)!r}: no such angles.", reply.lines
+            )
         return Position(angles[0], angles[1])
 
     def _send_move(self, motor_id: int, degrees: float) -> None:

@@ -16,8 +16,6 @@ END = r"(?=[.,;)\]]*(?:\s|$))"
 """Where a value ends: what noise has cut in two is none."""
 NUMBER = r"[-+]?\d+(?:\.\d+)?(?=[A-Za-z%°/²]*[.,;)\]]*(?:\s|$))"
 """With its unit right behind it, or none."""
-INT_MAX = 2147483647
-"""What an axis reports until it is homed (section 7.2)."""
 
 _NUMBER = re.compile(rf"{START}{NUMBER}")
 _BY_MOTOR = re.compile(rf"\[\s*([01])\s*\]\s*[=:]\s*({NUMBER})")

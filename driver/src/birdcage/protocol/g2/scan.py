@@ -8,7 +8,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from birdcage.protocol.g2.reading import INT_MAX, NUMBER
+from birdcage.protocol.g2.reading import NUMBER
+from birdcage.protocol.unhomed import is_unhomed
 
 _POINT = re.compile(
     rf"Motor:\s*(?P<motor>\d)\s+Angle:\s*(?P<angle>[-+]?\d+)\s+RSSI:\s*(?P<rssi>\d+)\s+Lock:\s*(?P<lock>[01])\s+"
@@ -37,7 +38,7 @@ def parse_scan_point(line: str) -> ScanPoint | None:
     angle = int(match["angle"])
     return ScanPoint(
         motor=int(match["motor"]),
-        angle_deg=None if angle == INT_MAX else angle / 100.0,
+        angle_deg=None if is_unhomed(angle) else angle / 100.0,
         rssi_counts=int(match["rssi"]),
         locked=match["lock"] == "1",
         snr_db=float(match["snr"]),

@@ -5,16 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from birdcage.base.errors import NoReply, PositionUnknown
+from birdcage.base.errors import PositionUnknown
 from birdcage.protocol.types import Position
+from birdcage.protocol.unhomed import UnreadablePosition, is_unhomed
 
 _ANGLE = re.compile(r"\b(AZ|EL|(SK)) =\s+([-+]?\d+(?:\.\d+)?)(?!\S)(?(2)|(?=\s+[A-Za-z]|\s*$))")
 """Section 3 [P]: label, space, `=`, at least one space, a decimal; on one line or on three.
 
 What no word follows, noise has cut in two; after the skew the wrap position may follow as it is.
 """
-_UNHOMED = frozenset({2147483647.0, -2147483648.0, 21474836.47, -21474836.48})
-"""INT_MAX and INT_MIN, as degrees or as hundredths: known of an unhomed G2 (section 7.2), assumed here."""
 _PLAUSIBLE = {"AZ": (-360.0, 720.0), "EL": (-90.0, 180.0), "SK": (-360.0, 360.0)}
 """Wider than any dish turns: what lies outside is a misread number, not an angle."""
 _NUMBER = re.compile(r"(?:^|(?<=[\s=:]))([-+]?\d+(?:\.\d+)?)(?=\s|$)")
@@ -23,21 +22,22 @@ _NUMBER = re.compile(r"(?:^|(?<=[\s=:]))([-+]?\d+(?:\.\d+)?)(?=\s|$)")
 def parse_position(lines: Iterable[str]) -> Position:
     """Return the angles that `a` printed; skew None where none was printed.
 
-    PositionUnknown (`unhomed`) for an axis that does not know where it is, NoReply (`garbage`) unless azimuth and
+    PositionUnknown (`unhomed`) for an axis that does not know where it is, UnreadablePosition unless azimuth and
     elevation were printed as angles.
     """
-    told = " ".join(lines)
+    printed = tuple(lines)
+    told = " ".join(printed)
     found: dict[str, str] = {}
     for match in _ANGLE.finditer(told):
         found.setdefault(match[1], match[3])
-    if any(float(text) in _UNHOMED for text in found.values()):
+    if any(is_unhomed(float(text)) for text in found.values()):
         raise PositionUnknown(
             "The dish is not homed, so it does not know where it is. It homes by itself at power-up.", reason="unhomed"
         )
     angles = {label: _angle(label, text) for label, text in found.items()}
     az_deg, el_deg = angles.get("AZ"), angles.get("EL")
     if az_deg is None or el_deg is None or ("SK" in angles and angles["SK"] is None):
-        raise NoReply(f"The dish answered `a` with {told!r}, not with an azimuth and an elevation.", reason="garbage")
+        raise UnreadablePosition(f"The dish answered `a` with {told!r}, not with an azimuth and an elevation.", printed)
     return Position(az_deg, el_deg, angles.get("SK"))
 
 

@@ -111,9 +111,6 @@ class HAL205Protocol(FirmwareProtocol):
             self._skew_goal = None  # whatever made the position doubtful may have turned the skew as well
         try:
             position = self._believed(lambda: parse_position(self.console.run(MOTOR, "a").lines))
-        except PositionUnknown:
-            self.gate.forget("unhomed")
-            raise
         except NoReply:
             self.gate.forget("unread")
             raise
