@@ -11,7 +11,21 @@ from hypothesis import strategies as st
 DIALECT = ConsoleDialect(prompts={"root": "TRK>", "mot": "MOT>", "dvb": "DVB>"})
 TEXT = st.lists(
     st.sampled_from(
-        [b"MOT>", b"TRK>", b"a\r\n", b"a", b"\r", b"\n", b"\r\n", b"?\r\n", b"Enter <mot> - MOT>\n", b"\xff\x00", b"7"]
+        [
+            b"MOT>",
+            b"TRK>",
+            b"a\r\n",
+            b"a",
+            b"\r",
+            b"\n",
+            b"\r\n",
+            b"?\r\n",
+            b"Enter <mot> - MOT>\n",
+            b"\xff\x00",
+            b"7",
+            b"\x1b[32m",
+            b"\x1b[",
+        ]
     ),
     max_size=25,
 ).map(b"".join)

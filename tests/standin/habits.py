@@ -25,12 +25,11 @@ UNHOMED = {
 }
 """What an axis prints that was not homed. Sources say INT_MAX, and not in which form."""
 LOG_LINES = (
-    "EXTENDED_DVB_DEBUG ENABLED",
-    "Enabled LNB STB",
     "GPS: no fix, 0 satellites",
-    "Ant ID - 12-IN G2",
     "dvb: blind scan 18000-24000 ksps, rolloff 0.35",
-    "Loc Startup: IDU NOT Present",
+    "AGC 1873",
+    "temp 31.5 C",
+    "wrap check -180.00",
 )
 
 

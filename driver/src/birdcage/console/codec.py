@@ -1,8 +1,8 @@
 """Bytes in, replies out: pure, incremental, no I/O (SEAMS *Codec*).
 
-A line ends at any run of CR and LF; blank lines are dropped. A prompt is a known token that begins a line, recognised
-with its last byte; what follows it on that line is the next echo. So `>` in help text never ends a reply, and how the
-stream was split can't matter.
+A line ends at any run of CR and LF; blank lines and terminal control sequences are dropped. A prompt is a known token
+that begins a line, recognised with its last byte; what follows it on that line is the next echo. So `>` in help text
+never ends a reply, and how the stream was split can't matter.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 
 from birdcage.console.damage import may_become
 from birdcage.console.dialect import ConsoleDialect
+from birdcage.console.escapes import EscapeFilter
 from birdcage.console.events import Event, Line, Reply, Stray, StrayPrompt
 
 LONGEST_LINE = 1024
@@ -47,6 +48,7 @@ class Codec:
             if len(self._menus) != len(dialect.prompts):
                 raise ValueError("two menus share one prompt token")
         self._echo = dialect.echo
+        self._escapes = EscapeFilter()
         self._owed: deque[_Owed] = deque()
         self._tickets = 0
         self._text = ""
@@ -115,11 +117,12 @@ class Codec:
     def feed(self, data: bytes) -> list[Event]:
         """Take in what arrived."""
         events: list[Event] = []
-        for byte in data:
-            if byte in b"\r\n":
-                self._end_line(events)
-            else:
-                self._take(byte, events)
+        for raw in data:
+            for byte in self._escapes.take(raw):
+                if byte in b"\r\n":
+                    self._end_line(events)
+                else:
+                    self._take(byte, events)
         return events
 
     def idle(self) -> list[Event]:

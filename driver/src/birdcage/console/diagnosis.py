@@ -6,6 +6,7 @@ import re
 
 from birdcage.base.errors import NoReply
 from birdcage.console.dialect import ConsoleDialect
+from birdcage.console.escapes import without_escapes
 
 KEPT = 512
 """Bytes of a failed exchange that are kept to judge it by."""
@@ -40,6 +41,7 @@ def no_reply(port: str, command: str, seen: bytes, waited_s: float) -> NoReply:
     prompt that answers the command).
     """
     asked = f"`{command}`" if command else "Enter"
+    seen = without_escapes(seen)
     text = "".join(chr(byte) if 0x20 <= byte < 0x7F else "." for byte in seen.strip())
     quoted = text if len(text) <= _QUOTED else "…" + text[-_QUOTED:]
     if not seen:
@@ -60,7 +62,8 @@ def no_reply(port: str, command: str, seen: bytes, waited_s: float) -> NoReply:
             "its shell is deadlocked, which only a power cycle ends.",
             reason="echo",
         )
-    if command and command not in text and looks_like_prompt(text[-1:]):
+    came_back = command in text if command else any(byte in b"\r\n" for byte in seen)
+    if not came_back and looks_like_prompt(text[-1:]):
         return NoReply(
             f"The dish answered {asked} on {port} (last: `{quoted}`), but the line itself did not come back: a "
             "half-duplex adapter swallows the echo (wire all four lines, or use one for RS-422), or bytes were lost.",

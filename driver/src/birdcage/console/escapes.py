@@ -1,0 +1,48 @@
+"""Terminal control sequences (ECMA-48): colours, erased lines and character sets that some consoles print."""
+
+from __future__ import annotations
+
+import re
+
+ESC = 0x1B
+_LONGEST = 32
+"""Bytes of one sequence; what claims to be longer is noise."""
+_SEQUENCE = re.compile(rb"\x1b(\[[\x20-\x3f]{0,30}[\x40-\x7e]|[()][\x20-\x7e])")
+
+
+class EscapeFilter:
+    """Takes control sequences out of a stream, byte by byte: `ESC [ … letter` and `ESC ( letter`.
+
+    An ESC that begins neither is let through as the noise that it is.
+    """
+
+    def __init__(self) -> None:
+        self._held = b""
+
+    def take(self, byte: int) -> bytes:
+        """Return what of the stream up to this byte is text."""
+        if not self._held:
+            if byte == ESC:
+                self._held = b"\x1b"
+                return b""
+            return bytes((byte,))
+        held = self._held + bytes((byte,))
+        if _SEQUENCE.fullmatch(held):
+            self._held = b""
+            return b""
+        if self._may_begin(held):
+            self._held = held
+            return b""
+        self._held = b""
+        return held[:-1] + self.take(byte)
+
+    @staticmethod
+    def _may_begin(held: bytes) -> bool:
+        if held in (b"\x1b[", b"\x1b(", b"\x1b)"):
+            return True
+        return held.startswith(b"\x1b[") and len(held) < _LONGEST and 0x20 <= held[-1] <= 0x3F
+
+
+def without_escapes(data: bytes) -> bytes:
+    """Return `data` without control sequences."""
+    return _SEQUENCE.sub(b"", data)
