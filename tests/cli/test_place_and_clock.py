@@ -99,7 +99,7 @@ class TestPlace:
     def test_what_is_in_use_can_be_saved(self, run, home):
         run("place", "add", "Roof", "--lat", "-1.5", "--lon", "-2.5", "--use")
         run("place", "horizon", "add", "90", "12")
-        assert "horizon at 12.0° all round" in run("place", "show").stdout
+        assert "flat horizon: a line needs a second point, not at 90°" in run("place", "show").stdout
         run("place", "add", "Copy")
         assert json.loads(run("place", "list", "--json").stdout)[1]["horizon"] == [[90.0, 12.0]]
 

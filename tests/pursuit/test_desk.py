@@ -7,7 +7,7 @@ from datetime import timedelta
 
 import pytest
 from birdcage.base.config import Settings
-from birdcage.base.config.sections import MotionSettings
+from birdcage.base.config.sections import HorizonPoint, MotionSettings, PlaceSettings
 from birdcage.base.config.tracking_sections import TrackingSettings
 from birdcage.pursuit.now import Mode
 from birdcage.sky.catalogue import Catalogue
@@ -206,6 +206,30 @@ def test_what_cannot_be_reached_is_not_followed_and_says_why(bench):
     assert now.problem
     assert now.mode is Mode.WATCH
     assert bench.pursuit is None
+
+
+WALL = (HorizonPoint(0.0, 80.0), HorizonPoint(180.0, 80.0))
+"""A horizon mask behind which every pass stays."""
+
+
+@pytest.mark.parametrize("points", [WALL[:1], WALL], ids=["one point", "all round"])
+def test_a_horizon_mask_refuses_no_target(make, points):
+    bench = make(settings=Settings(motion=MotionSettings(min_elevation_deg=50.0), place=PlaceSettings(horizon=points)))
+    bench.desk.choose(STATION)
+    bench.desk.follow()
+    assert bench.do().mode is Mode.FOLLOW
+    bench.until(lambda: bench.phase() is Phase.FOLLOWING)
+    bench.step(5.0)
+    assert bench.moves()
+    heard = [one for one in bench.desk.now.plan.notes if "behind the horizon mask" in one]
+    assert len(heard) == (points == WALL)
+
+
+def test_another_mask_counts_at_once(bench):
+    bench.desk.choose(STATION)
+    assert "horizon" not in bench.do().plan.reach.reasons
+    bench.desk.apply(replace(bench.settings, place=PlaceSettings(horizon=WALL)), bench.observer)
+    assert "horizon" in bench.do().plan.reach.reasons
 
 
 def test_a_dish_that_does_not_know_where_it_is_follows_nothing(make):

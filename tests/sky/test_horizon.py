@@ -28,8 +28,18 @@ def test_straight_lines_that_wrap_at_north(az_deg, el_deg):
     assert mask.at(az_deg) == pytest.approx(el_deg, abs=1e-4)
 
 
-def test_one_point_is_a_level_line():
-    assert HorizonMask([(200, 8)]).at(20) == 8
+@pytest.mark.parametrize("points", [[(200, 8)], [(200, 8), (200, 30)], [(359.98, 8), (0.01, 9)]])
+def test_points_at_one_azimuth_are_no_line(points):
+    mask = HorizonMask(points)
+    assert mask
+    assert not mask.is_line
+    assert [mask.at(az_deg) for az_deg in (20, 200, 359.98)] == [0.0, 0.0, 0.0]
+
+
+def test_two_azimuths_make_a_line():
+    mask = HorizonMask([(200, 8)]).insert(20, 4)
+    assert mask.is_line
+    assert mask.at(110) == 6
 
 
 def test_the_edge_of_a_wall_counts_as_the_wall():
@@ -42,7 +52,8 @@ def test_the_edge_of_a_wall_counts_as_the_wall():
 @given(POINTS, st.lists(st.floats(-720, 720), min_size=1, max_size=8))
 def test_it_lies_between_its_points_and_is_the_same_a_turn_on(points, azimuths):
     mask = HorizonMask(points)
-    lowest, highest = (pick([el for _, el in points], default=0.0) for pick in (min, max))
+    heights = [el for _, el in points] if mask.is_line else [0.0]
+    lowest, highest = min(heights), max(heights)
     for each in azimuths:
         assert lowest - 1e-9 <= mask.at(each) <= highest + 1e-9
         assert mask.at(each % 360.0) == mask.at(each)

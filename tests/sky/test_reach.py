@@ -91,14 +91,16 @@ def test_edges_do_not_depend_on_the_samples(step_s):
 
 
 def test_of_two_limits_between_two_samples_both_must_be_kept():
-    found = reach(flyover(60.0, step_s=10.0), ReachLimits(el_floor_deg=20.0, horizon=HorizonMask([(0.0, 20.5)])))
+    found = reach(
+        flyover(60.0, step_s=10.0), ReachLimits(el_floor_deg=20.0, horizon=HorizonMask([(0.0, 20.5), (180.0, 20.5)]))
+    )
     assert seconds(found.intervals[0].start) == pytest.approx(-when_at(20.5), abs=0.02)
     assert seconds(found.intervals[0].end) == pytest.approx(when_at(20.5), abs=0.02)
 
 
 def test_what_is_lost_after_the_last_but_one_sample_is_named_too():
     edge = float(flyover(60.0, step_s=10.0).el_deg[0])
-    limits = ReachLimits(el_floor_deg=0.0, horizon=HorizonMask([(0.0, edge + 0.05)]))
+    limits = ReachLimits(el_floor_deg=0.0, horizon=HorizonMask([(0.0, edge + 0.05), (180.0, edge + 0.05)]))
     found = reach(flyover(60.0, step_s=10.0), limits)
     assert 0.0 < seconds(found.intervals[0].start) + 300.0 < 10.0
     assert [one.reason for one in found.lost] == ["horizon", "horizon"]

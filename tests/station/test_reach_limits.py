@@ -56,9 +56,11 @@ def test_limits_are_true_and_the_cable_is_the_dishes_own():
 
 
 def test_the_horizon_of_the_place_counts():
-    limits = reach_limits(Settings(place=PlaceSettings(horizon=(HorizonPoint(0.0, 12.0),))), None)
+    points = HorizonPoint(0.0, 12.0), HorizonPoint(180.0, 12.0)
+    limits = reach_limits(Settings(place=PlaceSettings(horizon=points)), None)
     assert limits.horizon is not None
     assert limits.horizon.at(123.0) == 12.0
+    assert reach_limits(Settings(place=PlaceSettings(horizon=points[:1])), None).horizon is None
 
 
 def test_a_live_dish_counts_as_the_station_knows_it():

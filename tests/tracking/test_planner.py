@@ -12,6 +12,7 @@ from birdcage.sky.horizon import HorizonMask
 from birdcage.sky.reach_limits import NoGo
 from birdcage.sky.targets.model import Fixed
 from birdcage.tracking.plan import Part
+from birdcage.tracking.plan_words import plan_lines
 from birdcage.tracking.planning.bounds import Bounds
 from birdcage.tracking.planning.forecast import separations_deg
 from birdcage.tracking.planning.planner import plan_pass
@@ -156,10 +157,28 @@ def test_a_mast_is_passed_above_and_only_when_there_is_time():
     assert after.waypoints[-1] == pytest.approx(masted.course.at(after.start_s), abs=1e-6)
 
 
-def test_a_mask_leaves_gaps_that_are_named():
-    plan = plan_of(4.0, mount(horizon=HorizonMask([(100.0, 0.0), (100.0, 60.0), (160.0, 60.0), (160.0, 0.0)])))
+def test_what_a_mask_hides_is_told_and_followed_all_the_same():
+    trees = HorizonMask([(100.0, 0.0), (100.0, 60.0), (160.0, 60.0), (160.0, 0.0)])
+    plan, clear = plan_of(4.0, mount(horizon=trees)), plan_of(4.0, mount())
     assert "horizon" in plan.reach.reasons
-    assert any("horizon mask" in note for note in plan.notes)
+    assert plan.reach.total_s < clear.reach.total_s
+    assert any("behind the horizon mask: the dish follows, nothing is heard." in note for note in plan.notes)
+    assert [(leg.start_s, leg.end_s) for leg in plan.legs] == [(leg.start_s, leg.end_s) for leg in clear.legs]
+    assert [one.text for one in plan.incidents] == [one.text for one in clear.incidents]
+    assert any("╌ behind the horizon mask" in line for line in plan_lines(plan))
+
+
+def test_the_cable_is_turned_back_while_nothing_is_heard():
+    """Like pass D of the reference, and trees where either turn would do."""
+    orbit = {"inclination_deg": 51.6, "height_km": 420.0}
+    clear = plan_of(-2.0, orbit=orbit)
+    trees = HorizonMask([(309.5, 0.0), (310.0, 89.0), (330.0, 89.0), (330.5, 0.0)])
+    hidden = plan_of(-2.0, mount(horizon=trees), orbit=orbit)
+    before, after = (
+        [plan.sky.at((leg.start_s + leg.end_s) / 2)[0] % 360.0 for leg in plan.rewinds] for plan in (clear, hidden)
+    )
+    assert not 310.0 < before[0] < 330.0
+    assert 310.0 < after[0] < 330.0
 
 
 def test_the_dish_leaves_in_time_and_by_stops_of_less_than_half_a_turn():

@@ -6,6 +6,7 @@ import pytest
 import sky_stand_in
 import stage
 import stand_in
+import track_stand_in
 from birdcage.base.config import load
 from birdcage.base.paths import throw_away_paths
 from birdcage.sky.horizon import HorizonMask
@@ -58,12 +59,15 @@ def test_where_the_dish_points_becomes_a_point_and_is_told_in_words(size):
     assert asked == []
 
 
-def test_one_point_counts_all_round_and_says_so():
+def test_one_point_hides_nothing_and_says_so():
     async def mark(app, pilot):
         await pilot.press("m")
         return await settled(app, pilot)
 
-    assert "1 point: for now so high all round." in run(mark, file=File(HorizonMask()))
+    text = run(mark, size=(160, 48), file=File(HorizonMask()))
+    assert "1 point. Mark another azimuth to make it a line." in text
+    assert "horizon 1 point, no line yet" in text
+    assert "horizon  42.9°" not in text
 
 
 @pytest.mark.parametrize(
@@ -296,7 +300,7 @@ def test_the_rose_draws_the_skyline_as_the_sky_map_has_it(size):
         flat = ["".join(segment.text for segment in strip) for strip in pane._strips]
         return [sum(a != b for a, b in zip(*rows, strict=True)) for rows in zip(shown, flat, strict=True)]
 
-    changed = run(row, size=size, file=File(HorizonMask([(90, 30)])))
+    changed = run(row, size=size, file=File(HorizonMask([(90, 30), (270, 30)])))
     assert sum(1 for count in changed if count) > len(changed) / 2
 
 
@@ -308,16 +312,17 @@ def test_every_key_is_in_help_and_palette():
         assert command.help
 
 
-def test_the_sky_hears_of_it_at_once():
+def test_the_sky_and_the_pursuit_desk_hear_of_it_at_once():
     async def mark(app, pilot):
         before = sky_stand_in.Source.made[-1].horizon
         await pilot.press("m")
         app._tick()
-        return before, sky_stand_in.Source.made[-1].horizon
+        return before, sky_stand_in.Source.made[-1].horizon, track_stand_in.Source.made[-1].horizon
 
-    before, after = run(mark, sky=sky_stand_in.make())
+    before, after, tracked = run(mark, sky=sky_stand_in.make(), track=track_stand_in.Source(track_stand_in.desk()))
     assert before == TREES
     assert (189.16, 42.87) in after.points
+    assert tracked == after
 
 
 # The file.

@@ -301,8 +301,8 @@ class Source:
     def start(self):
         self.show(self.now)
 
-    def keep(self, place):
-        self.place = place
+    def keep(self, place, horizon=None):
+        self.place, self.horizon = place, horizon
 
     def search(self, text):
         self.asked.append(("search", text))

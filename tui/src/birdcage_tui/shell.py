@@ -149,7 +149,7 @@ class Shell(Surface):
             self.tap_problem = str(problem)
         self.session.start()
         self.sky.begin(self.station.state, self.settings.place, self.horizon.known)
-        self.track.begin()
+        self.track.begin(self.settings.place, self.horizon.known)
         self.clock_watch.begin()
         self.watch_page()
         if self.settings.first_page != "dashboard":
@@ -245,7 +245,7 @@ class Shell(Surface):
 
     def _keep_sky(self) -> None:
         self.sky.keep(self.station.state, self.settings.place, self.horizon.known)
-        self.track.keep(self.settings.place)
+        self.track.keep(self.settings.place, self.horizon.known)
 
     def _tick(self) -> None:
         """Move the tour on and draw: ages and the time have changed."""

@@ -100,7 +100,7 @@ class WatchedSky:
         """Take what is known of the dish, where it stands, and the horizon there (None: the settings')."""
         limits = self._setup.limits(state)
         if horizon is not None:
-            limits = replace(limits, horizon=horizon or None)
+            limits = replace(limits, horizon=horizon if horizon.is_line else None)
         if limits != self._limits:
             self._limits = limits
             self._converter.mask = limits.horizon

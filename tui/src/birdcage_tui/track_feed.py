@@ -15,6 +15,7 @@ from birdcage.station.pursuit import Phase, Sample
 
 if TYPE_CHECKING:
     from birdcage.pursuit.now import DeskNow
+    from birdcage.sky.horizon import HorizonMask
 
     from birdcage_tui.settings import Place
 
@@ -30,8 +31,8 @@ class TrackSource(Protocol):
     def start(self) -> None:
         """Begin, on a thread of its own."""
 
-    def keep(self, place: Place | None) -> None:
-        """Take where the dish stands."""
+    def keep(self, place: Place | None, horizon: HorizonMask | None = None) -> None:
+        """Take where the dish stands, and the horizon there as it is now; None: what the settings said."""
 
     def search(self, text: str) -> None:
         """Look for targets by what was typed; nothing typed finds the favourites."""
@@ -92,20 +93,21 @@ class TrackFeed:
         self._phase: Phase | None = None
         self._closed = False
 
-    def begin(self) -> None:
-        """Open the desk; after the first frame."""
+    def begin(self, place: Place | None = None, horizon: HorizonMask | None = None) -> None:
+        """Open the desk for where the dish stands; after the first frame."""
         if self._make is not None and not self._closed:
             self.source = self._make(lambda now: self._soon(lambda: self._take(now)))
+            self.source.keep(place, horizon)
             self.source.start()
 
     def _take(self, now: DeskNow) -> None:
         self.now = now
         self._changed()
 
-    def keep(self, place: Place | None) -> None:
-        """Take where the dish stands."""
+    def keep(self, place: Place | None, horizon: HorizonMask | None = None) -> None:
+        """Take where the dish stands, and the horizon there."""
         if self.source is not None:
-            self.source.keep(place)
+            self.source.keep(place, horizon)
 
     def set_autotrack(self, on: bool) -> None:
         """Follow what the schedule says, or no longer."""

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from birdcage.base.config import Settings
     from birdcage.base.paths import Paths
     from birdcage.pursuit.desk import PursuitDesk
+    from birdcage.sky.horizon import HorizonMask
     from birdcage.sky.observer import Observer
     from birdcage.station.session import Session
 
@@ -67,6 +68,7 @@ class DeskSource:
         self._waiting: list[Order] = []
         self._closed = False
         self._place: Place | None = None
+        self._horizon: HorizonMask | None = None
         self.desk: PursuitDesk | None = None
 
     def start(self) -> None:
@@ -102,10 +104,12 @@ class DeskSource:
                 if self.desk.step() > 0:
                     break
 
-    def keep(self, place: Place | None) -> None:
-        """Take where the dish stands."""
+    def keep(self, place: Place | None, horizon: HorizonMask | None = None) -> None:
+        """Take where the dish stands, and the horizon there (None: the settings')."""
         before, self._place = self._place, place
-        if before is not None and place is not None and place != before:
+        mask, self._horizon = self._horizon, horizon
+        elsewhere = before is not None and place is not None and place != before
+        if elsewhere or (mask is not None and horizon is not None and horizon != mask):
             settings = self._load()
             observer = observer_of(settings, place)
             self._ask(lambda desk: desk.apply(settings, observer))

@@ -46,10 +46,12 @@ def place_line(place: Place) -> str:
 
 def horizon_words(points: Sequence[tuple[float, float]]) -> str:
     """Return a horizon in a few words."""
+    from birdcage.sky.horizon import HorizonMask
+
     if not points:
         return "flat horizon"
-    if len(points) == 1:
-        return f"horizon at {points[0][1]:.1f}° all round"
+    if not HorizonMask(points).is_line:
+        return f"flat horizon: a line needs a second point, not at {points[0][0]:.0f}°"
     az_deg, el_deg = max(points, key=lambda point: point[1])
     return f"horizon of {len(points)} points, up to {el_deg:.1f}° at {az_deg:.0f}°"
 

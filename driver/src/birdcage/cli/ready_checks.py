@@ -70,8 +70,10 @@ def place(settings: Settings) -> Check:
     if here.latitude_deg is None or here.longitude_deg is None:
         return Check("place", "must", "not set: no pass and no direction can be computed", "birdcage place add")
     where = f"{here.latitude_deg:.3f}, {here.longitude_deg:.3f}, {here.height_m:.0f} m"
-    horizon = f", horizon of {len(here.horizon)} points" if here.horizon else ", flat horizon"
-    return Check("place", "good", f"{f'{here.name}: ' if here.name else ''}{where}{horizon}")
+    from birdcage.cli.place_words import horizon_words
+
+    horizon = horizon_words(here.horizon)
+    return Check("place", "good", f"{f'{here.name}: ' if here.name else ''}{where}, {horizon}")
 
 
 def dish(settings: Settings) -> Check:

@@ -14,7 +14,7 @@ SAME_AZ_DEG = 0.05
 
 
 class HorizonMask:
-    """Points in true degrees, straight lines between them, all the way round; without a point it is flat at 0.
+    """Points in true degrees, straight lines between them, all the way round; at one azimuth only, flat at 0.
 
     Immutable. Azimuths are folded into [0, 360) and sorted. Two points at one azimuth make a step, as the edge of a
     wall is: at the edge itself the higher one counts.
@@ -37,8 +37,13 @@ class HorizonMask:
         return self._points
 
     def __bool__(self) -> bool:
-        """Return whether there is anything but the flat horizon."""
+        """Return whether a point is kept; see `is_line`."""
         return bool(self._points)
+
+    @cached_property
+    def is_line(self) -> bool:
+        """Whether there are points at two azimuths or more: of one alone nobody knows how the line goes on."""
+        return any(_apart(each[0], self._points[0][0]) > SAME_AZ_DEG for each in self._points[1:])
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, HorizonMask) and self._points == other._points
@@ -51,7 +56,7 @@ class HorizonMask:
 
     def at(self, az_deg: float) -> float:
         """Return the lowest elevation that is free at an azimuth (any number of turns), in degrees."""
-        if not self._points:
+        if not self.is_line:
             return 0.0
         az_deg = wrap_360(az_deg)
         azimuths, elevations = self._round

@@ -79,7 +79,8 @@ def _tolerance(beam_deg: float | None) -> float:
 
 
 def _horizon(settings: Settings) -> HorizonMask | None:
-    return HorizonMask(settings.place.horizon) or None
+    mask = HorizonMask(settings.place.horizon)
+    return mask if mask.is_line else None
 
 
 def _no_go(sectors: Iterable[tuple[float, float, float] | tuple[float, float, float, str]]) -> tuple[NoGo, ...]:

@@ -120,6 +120,13 @@ def follows(plan: Plan, at_s: float) -> bool:
     return any(leg.part.value == "follow" and leg.start_s <= at_s <= leg.end_s for leg in plan.legs)
 
 
+def is_hidden(plan: Plan, at_s: float) -> bool:
+    """Return whether the target is behind the horizon mask at a time."""
+    return any(
+        one.reason == "horizon" and one.start.timestamp() <= at_s <= one.end.timestamp() for one in plan.reach.lost
+    )
+
+
 def _points(points: Sequence[tuple[float, float]]) -> list[list[float | None]]:
     return [[_round(az), _round(el)] for az, el in points]
 

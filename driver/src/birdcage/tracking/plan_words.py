@@ -9,7 +9,7 @@ from datetime import UTC, datetime
 import numpy as np
 
 from birdcage.tracking.plan import Part, Plan
-from birdcage.tracking.plan_values import follows
+from birdcage.tracking.plan_values import follows, is_hidden
 
 WIDTH = 80
 _ROWS = 14
@@ -90,7 +90,7 @@ def _bar(plan: Plan) -> Iterator[str]:
     start, end = plan.sky.start_s, plan.sky.end_s
     times = np.linspace(start, end, 2 * _BAR + 1)[1::2]
     yield "Time     " + "".join(_glyph(plan, at) for at in times.tolist())
-    used = {"━": "follow", "╍": "keyhole", "↺": "rewind", "·": "out of reach"}
+    used = {"━": "follow", "╍": "keyhole", "↺": "rewind", "╌": "behind the horizon mask", "·": "out of reach"}
     marks = {_glyph(plan, at) for at in times.tolist()}
     yield "         " + "   ".join(f"{glyph} {word}" for glyph, word in used.items() if glyph in marks)
 
@@ -100,7 +100,9 @@ def _glyph(plan: Plan, at_s: float) -> str:
         return "↺"
     if not follows(plan, at_s):
         return "·"
-    return "╍" if any(hole.start_s <= at_s <= hole.end_s for hole in plan.keyholes) else "━"
+    if any(hole.start_s <= at_s <= hole.end_s for hole in plan.keyholes):
+        return "╍"
+    return "╌" if is_hidden(plan, at_s) else "━"
 
 
 def _table(plan: Plan) -> Iterator[str]:

@@ -79,7 +79,7 @@ class Quarter:
 def horizon_deg(view: View) -> float | None:
     """Return how high trees and roofs stand where the dish looks; None where that is not known."""
     position = view.state.position
-    return None if position is None or not view.horizon.mask else view.horizon.mask.at(position.az_deg)
+    return None if position is None or not view.horizon.mask.is_line else view.horizon.mask.at(position.az_deg)
 
 
 class ElevationPane(Pane):
@@ -124,7 +124,7 @@ class ElevationPane(Pane):
 
     @staticmethod
     def _quarter(width: int, height: int, view: View) -> Quarter:
-        return Quarter(width, max(height - ROWS, 1), WITH_HORIZON if view.horizon.mask else WORDS)
+        return Quarter(width, max(height - ROWS, 1), WITH_HORIZON if view.horizon.mask.is_line else WORDS)
 
     @staticmethod
     def _horizon(canvas: Braille, quarter: Quarter, view: View) -> None:
@@ -187,7 +187,7 @@ class ElevationPane(Pane):
         if quarter.height < ROOM:
             return
         rows = [("ceiling", state.el_max_deg), ("floor", state.el_min_deg)]
-        if view.horizon.mask:
+        if view.horizon.mask.is_line:
             rows.append(("horizon", horizon_deg(view)))
         for y, (name, limit) in enumerate(rows):
             words = f"{name:<8}" + (" --.-" if limit is None else f"{limit:5.1f}°")

@@ -57,8 +57,8 @@ class HorizonBook:
     def mark(self, az_deg: float, el_deg: float) -> str:
         """Keep a point; one at that azimuth was measured again and is replaced."""
         self._change(lambda mask: mask.insert(az_deg, el_deg))
-        more = ": for now so high all round" if len(self.mask.points) == 1 else ""
-        return f"Horizon {el_deg:.1f}° at {az_deg % 360.0:.1f}° recorded, {count_text(self.mask)}{more}."
+        more = "" if self.mask.is_line else " Mark another azimuth to make it a line."
+        return f"Horizon {el_deg:.1f}° at {az_deg % 360.0:.1f}° recorded, {count_text(self.mask)}.{more}"
 
     def draw(self, mask: HorizonMask) -> str:
         """Keep a horizon that was drawn as a whole."""

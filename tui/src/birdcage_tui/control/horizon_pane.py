@@ -25,7 +25,9 @@ def horizon_text(view: View) -> tuple[str, str]:
     if view.horizon.recording:
         return "warn-strong", f"● RECORDING  {count_text(mask)}"
     words = f"horizon {count_text(mask)}"
-    if mask and position is not None and view.link_up:
+    if mask and not mask.is_line:
+        words += ", no line yet"
+    elif mask and position is not None and view.link_up:
         words += f", {mask.at(position.az_deg):.1f}° here"
     return "dim", words
 

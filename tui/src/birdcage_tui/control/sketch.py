@@ -67,4 +67,5 @@ class Sketch:
             return abs(self.heights[column] - straight) > STRAIGHT_DEG
 
         bends = {column for column in self.drawn if bent(column)}
-        return bends or {min(self.drawn)}
+        # Equally high all round: a line needs two azimuths even so.
+        return bends or {0, size // 2}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import textwrap
+from typing import TYPE_CHECKING
 
 from birdcage.station.pursuit import Phase
 
@@ -22,6 +23,9 @@ from birdcage_tui.track.words import (
     next_words,
 )
 from birdcage_tui.view import View
+
+if TYPE_CHECKING:
+    from birdcage.tracking.plan import Plan
 
 BIG = 9
 """From so many rows on the error is written in big digits."""
@@ -126,18 +130,8 @@ def _watched(view: View) -> list[tuple[str, str]]:
     here = "" if place is None else f"  AZ {place[0]:.1f}°  EL {place[1]:.1f}°"
     found = [*done, ("target-strong", f"{plan.aim.name}{here}")]
     t_s = view.utc.timestamp()
-    inside = [one for one in plan.reach.intervals if one.start.timestamp() <= t_s < one.end.timestamp()]
-    after = [one for one in plan.reach.intervals if one.start.timestamp() > t_s]
-    if inside:
-        does = "Enter releases the dish, then f follows it." if view.state.held is not None else "f follows it now."
-        found.append(("text", f"In reach for {count_text(inside[0].end.timestamp() - t_s)}: {does}"))
-    elif after:
-        does = "Enter releases the dish, then f waits for it." if view.state.held is not None else (
-            "f waits for it and follows.")  # fmt: skip
-        found.append(("text", f"In reach in {count_text(after[0].start.timestamp() - t_s)}: {does}"))
-    else:
-        found.append(("text", "This pass is not in reach any more." if plan.reach.intervals else "Never in reach."))
-    if plan.preposition is not None and after and not inside:
+    found.append(("text", _chance(view, plan, t_s)))
+    if plan.preposition is not None and plan.legs and plan.legs[0].start_s > t_s:
         point = plan.preposition
         where = f"{point.true_az_deg:.0f}°/{point.true_el_deg:.0f}°"
         found.append(("dim", f"It would wait at {where}, {point.slew_s:.0f} s from here."))
@@ -145,3 +139,24 @@ def _watched(view: View) -> list[tuple[str, str]]:
         forecast = plan.forecast
         found.append(("dim", f"Expected: rms {degrees(forecast.rms_deg)}, most {degrees(forecast.max_deg)}."))
     return [*found, *(("dim", note) for note in plan.notes)]
+
+
+def _chance(view: View, plan: Plan, t_s: float) -> str:
+    """Return when the target can be followed, and what key does it; behind the horizon mask it can be, unheard."""
+    from birdcage.tracking.plan_values import is_hidden
+
+    spans = [(one.start.timestamp(), one.end.timestamp()) for one in plan.reach.intervals]
+    heard = next(((start, end) for start, end in spans if end > t_s), None)
+    leg = next((each for each in plan.legs if each.end_s > t_s), None)
+    held = view.state.held is not None
+    if heard is not None and heard[0] <= t_s:
+        does = "Enter releases the dish, then f follows it." if held else "f follows it now."
+        return f"In reach for {count_text(heard[1] - t_s)}: {does}"
+    if leg is not None and leg.start_s <= t_s and is_hidden(plan, t_s):
+        does = "Enter releases the dish, then f follows it." if held else "f follows it all the same."
+        return f"Behind the horizon mask: {does}"
+    starts_s = [*([] if heard is None else [heard[0]]), *([] if leg is None else [leg.start_s])]
+    if starts_s and (begins_s := min(starts_s)) > t_s:
+        does = "Enter releases the dish, then f waits for it." if held else "f waits for it and follows."
+        return f"In reach in {count_text(begins_s - t_s)}: {does}"
+    return "This pass is not in reach any more." if spans or plan.legs else "Never in reach."

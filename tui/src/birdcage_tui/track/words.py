@@ -152,6 +152,8 @@ def pass_words(plan: Plan) -> str:
 def reach_words(plan: Plan, room: int) -> str:
     """Return when it is in reach: as many intervals as there is room for, then how long in all."""
     intervals = plan.reach.intervals
+    if not intervals and plan.legs:
+        return "behind the horizon mask all the way"
     if not intervals:
         reasons = ", ".join(plan.reach.reasons)
         return f"never in reach: {reasons}" if reasons else "never in reach"

@@ -141,7 +141,8 @@ class PlaceSettings(Section):
         minimum=-180.0, maximum=180.0,
     )  # fmt: skip
     horizon: tuple[HorizonPoint, ...] = setting(
-        (), "The line of trees and roofs: [[az, el], ...], true degrees, straight in between; none: flat."
+        (),
+        "The line of trees and roofs: [[az, el], ...], true degrees, straight in between; at one azimuth only: flat.",
     )
     gps: str | None = setting(
         None, "Where a GPS receiver is asked: gpsd, gpsd://host:port, or its own port such as /dev/ttyACM0."

@@ -27,6 +27,8 @@ _HIGH_IS_WORTH = 0.3
 """How much more a second overhead counts than one at the horizon, when a place for a rewind is sought."""
 _KEYHOLE_IS_WORTH = 0.3
 """What a second counts in which the azimuth cannot keep up anyway."""
+_HIDDEN_IS_WORTH = 0.1
+"""What a second counts behind the horizon mask, where nothing is heard."""
 _SWITCH_S = 10.0
 """What a rewind must gain at least."""
 
@@ -126,6 +128,7 @@ def _most(sight: Sight, spans: Spans, turns: list[int]) -> list[Run]:
     wanted = _within(t, spans)
     worth = np.diff(t) * (1.0 + _HIGH_IS_WORTH * np.sin(np.radians(el[1:])))
     worth[np.abs(np.diff(az) / np.diff(t)) > mean_rate_deg_s(sight.mount.model.azimuth)] *= _KEYHOLE_IS_WORTH
+    worth[sight.hidden(t[1:])] *= _HIDDEN_IS_WORTH
     gains = []
     for turn in turns:
         good = wanted & (az + 360.0 * turn >= cable[0]) & (az + 360.0 * turn <= cable[1])

@@ -7,7 +7,7 @@ from datetime import datetime
 
 from birdcage.sky.passes.model import Pass
 from birdcage.sky.reach_limits import ReachLimits
-from birdcage.sky.reach_model import Reach
+from birdcage.sky.reach_model import Lost, Reach
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.plan import Incident, Keyhole, Leg, Part
 
@@ -46,7 +46,7 @@ def limit_words(reason: str, limits: ReachLimits) -> str:
         return f"{limits.el_floor_deg:g}° floor"
     if reason == "ceiling":
         return f"{limits.el_ceiling_deg:g}° ceiling"
-    return {"horizon": "horizon mask", "cable": "cable stop"}.get(reason, reason)
+    return "cable stop" if reason == "cable" else reason
 
 
 def _of_pass(passing: Pass | None, sky: Curve) -> Iterator[Incident]:
@@ -64,7 +64,7 @@ def _of_pass(passing: Pass | None, sky: Curve) -> Iterator[Incident]:
 
 
 def _enters(at_s: float, reach: Reach, limits: ReachLimits) -> str:
-    for lost in reach.lost:
+    for lost in _limiting(reach):
         if abs(_s(lost.end) - at_s) < _EDGE_S:
             return f"in reach: {limit_words(lost.reason, limits)} passed"
     return "in reach"
@@ -72,10 +72,15 @@ def _enters(at_s: float, reach: Reach, limits: ReachLimits) -> str:
 
 def _reason_after(at_s: float, reach: Reach) -> str:
     """Return which limit ends a leg; nothing if none does."""
-    for lost in reach.lost:
+    for lost in _limiting(reach):
         if _s(lost.start) - _EDGE_S < at_s < _s(lost.end):
             return lost.reason
     return ""
+
+
+def _limiting(reach: Reach) -> Iterator[Lost]:
+    """Yield what the dish cannot follow; behind the horizon mask it can."""
+    return (lost for lost in reach.lost if lost.reason != "horizon")
 
 
 def _s(when: datetime) -> float:
@@ -88,7 +93,9 @@ def loss_notes(reach: Reach, limits: ReachLimits) -> Iterator[str]:
     for lost in reach.lost:
         seconds[lost.reason] = seconds.get(lost.reason, 0.0) + (lost.end - lost.start).total_seconds()
     for reason, lost_s in seconds.items():
-        if lost_s >= _SHORT_LOSS_S:
+        if lost_s >= _SHORT_LOSS_S and reason == "horizon":
+            yield f"{_length(lost_s)} behind the horizon mask: the dish follows, nothing is heard."
+        elif lost_s >= _SHORT_LOSS_S:
             yield f"{_length(lost_s)} out of reach: {limit_words(reason, limits)}."
 
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 
 import numpy as np
+from numpy.typing import NDArray
 
 from birdcage.base.geometry import shortest_turn
 from birdcage.sky.reach import reach
@@ -89,17 +90,26 @@ class Sight:
         """Return when the target may be followed, the keyhole included, and when a cable of unknown turn is in the way.
 
         A little less than `reached` beside no-go sectors, and more above the ceiling: the dish stays at it while it
-        still points within the tolerance.
+        still points within the tolerance. The horizon mask tells what is heard; the dish follows behind it all the
+        same.
         """
         limits = self.mount.limits
         sky, ceiling = self.sky, limits.el_ceiling_deg
         el = np.minimum(sky.el_deg, np.maximum(ceiling, sky.el_deg - limits.tolerance_deg))
-        wider = replace(_uncabled(limits), no_go=tuple(_wider(sector) for sector in limits.no_go))
+        wider = replace(_uncabled(limits), horizon=None, no_go=tuple(_wider(sector) for sector in limits.no_go))
         found = reach(_Track(sky.t_s, sky.az_deg, el), wider)
         kept = [(one.start, one.end) for one in found.intervals]
         kept += [(lost.start, lost.end) for lost in found.lost if lost.reason == "keyhole"]
         cable = [(lost.start.timestamp(), lost.end.timestamp()) for lost in found.lost if lost.reason == "cable"]
         return self._clear(_joined(sorted(kept))), cable
+
+    def hidden(self, t_s: Floats) -> NDArray[np.bool_]:
+        """Return whether the horizon mask hides the target, at some times."""
+        mask = self.mount.limits.horizon
+        if mask is None:
+            return np.zeros(len(t_s), dtype=np.bool_)
+        az, el = (np.interp(t_s, self.sky.t_s, values) for values in (self.sky.az_deg, self.sky.el_deg))
+        return el < np.array([mask.at(az_deg % 360.0) for az_deg in az.tolist()])
 
     def _clear(self, spans: list[tuple[float, float]]) -> list[tuple[float, float]]:
         """Return spans without what the dish itself cannot point at: sectors and its stops count in its own degrees.

@@ -1,0 +1,32 @@
+"""The app's end of the pursuit desk: what it is told anew when place or horizon have changed."""
+
+from birdcage.base.config import Settings
+from birdcage.base.config.sections import PlaceSettings
+from birdcage.sky.horizon import HorizonMask
+from birdcage_tui.settings import Place
+from birdcage_tui.track_source import DeskSource
+
+HERE = Place(50.0, 10.0, "here")
+TREES = HorizonMask([(10, 4), (20, 5)])
+
+
+class Desk:
+    def __init__(self):
+        self.applied = []
+
+    def apply(self, settings, observer):
+        self.applied.append((settings, observer))
+
+    def start(self):
+        """A desk without a thread."""
+
+
+def test_another_horizon_reaches_the_desk_at_once_and_only_then():
+    desk, settings = Desk(), Settings(place=PlaceSettings(latitude_deg=50.0, longitude_deg=10.0))
+    source = DeskSource(lambda: desk, lambda: settings, threads=False)
+    source.start()
+    for horizon in (TREES, TREES, TREES.insert(200.0, 30.0), TREES.insert(200.0, 30.0)):
+        source.keep(HERE, horizon)
+    ((told, observer),) = desk.applied
+    assert told is settings
+    assert (observer.latitude_deg, observer.longitude_deg) == (50.0, 10.0)
