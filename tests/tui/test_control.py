@@ -93,7 +93,7 @@ def without(**lacking):
     [
         ("not-homed", ("NOT HOMED", "H homes it", "---.--", "turn unknown: H homes the dish")),
         ("lost", ("LINK LOST", "old")),
-        ("silent", ("SILENT", "the dish is mute")),
+        ("silent", ("SILENT", "the dish is silent")),
         ("opening", ("NOT READ YET",)),
         ("late", ("NO REPLY", "2.3s")),
         ("held", ("HELD",)),

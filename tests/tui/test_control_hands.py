@@ -111,7 +111,7 @@ def test_nothing_is_nudged_when_the_dish_cannot_take_it(name):
 
 
 QUESTIONS = [
-    ("H", Home("you"), "knocks at its stops"),
+    ("H", Home("you"), "runs into its end stops"),
     ("E", Engage("you"), "put back on the motors"),
     ("R", ReleaseMotors("you"), "may fall under its own weight"),
     ("R", ReleaseMotors("you"), "position is unknown afterwards"),

@@ -17,7 +17,7 @@ def test_the_eleven_steps_are_told_with_mark_title_and_evidence(size):
         assert f"{step.number:<2} {step.title}" in text
     for words in ("✓ 1  Link", "▶ 4  Home", "– 8  Level", "… 11 First", "ttyUSB0, FTDI, 115200 8N1"):
         assert words in text
-    assert "Homing cannot be stopped from here" in text
+    assert "Homing can't be stopped" in text
     assert "Area is clear: home" in text
     assert "▲ moves the dish" in text
 

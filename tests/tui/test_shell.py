@@ -239,7 +239,7 @@ def test_homing_is_asked_for_once_in_words(key, asked):
         await pilot.press("H")
         await pilot.pause()
         text = " ".join(stand_in.text_of(app).replace("│", " ").split())
-        assert "knocks at its stops" in text
+        assert "runs into its end stops" in text
         assert "12 V switch" in text
         await pilot.press(key)
         await pilot.pause()

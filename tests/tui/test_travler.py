@@ -277,7 +277,7 @@ def bad_day_or_calm(view):
 @pytest.mark.parametrize(
     ("means", "confirmed", "words"),
     [
-        ("end of move", None, "no STOP: at rest after it"),
+        ("end of move", None, "STOP waits for the end of this move"),
         ("abort", None, "STOP sent: not yet at rest"),
         ("end of move", False, "STOP not confirmed: power switch"),
     ],

@@ -30,10 +30,10 @@ from birdcage_tui.jump import JumpScreen, Target, targets
 from birdcage_tui.messages import CommandChosen
 from birdcage_tui.palette import Palette
 from birdcage_tui.shell import Shell
+from birdcage_tui.stop_words import power_switch
 from birdcage_tui.themes import LOOKS
 from birdcage_tui.track.pursuing import pursuit_of
 from birdcage_tui.view import YOU
-from birdcage_tui.words import power_switch
 
 MOTIONS = (Goto, Jog, TurnSkew, Home, Stow)
 
@@ -217,9 +217,9 @@ class BirdcageApp(Shell):
         dish = self.station.state.dish
         takes = "T" if dish is None or dish.homing_s is None else f"In up to {dish.homing_s * 2:.0f} s t"
         stoppable = dish is not None and dish.homing_stoppable
-        words = f"{takes}he dish turns through its whole range and knocks at its stops. Keep its swing clear."
+        words = f"{takes}he dish turns through its whole range and runs into its end stops. Keep its swing clear."
         if not stoppable:
-            words += f" Homing cannot be stopped from here: keep a hand on the {power_switch(self.view())}."
+            words += f" Homing can't be stopped: keep a hand on the {power_switch(self.view())}."
 
         def answered(yes: bool | None) -> None:
             if yes:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from birdcage.station.events import End, MoveEnded
-from birdcage.station.known import SearchSwitch
 from birdcage.station.state import Activity, Link, Search
 
+from birdcage_tui.stop_words import awaited_words, power_switch, searching, stop_text
 from birdcage_tui.track.pursuing import pursuit_of
 from birdcage_tui.track.words import PHASE, error_words, headline, trouble
 from birdcage_tui.view import View
@@ -61,47 +61,6 @@ def angle(value_deg: float | None, places: int = 2) -> str:
     return ("-" * places + ".--") if value_deg is None else f"{value_deg:.2f}"
 
 
-def stop_text(view: View) -> str:
-    """Return what STOP can do to the present motion."""
-    motion = view.state.motion
-    if view.waiting:
-        return "STOP waits for the port to open"
-    if not view.link_up:
-        return f"STOP cannot reach it: {power_switch(view)}"
-    if is_stopping(view):
-        return _stopping(view)
-    if motion is None:
-        return "STOP ends the TV search" if searching(view) and view.moving else "STOP holds it where it is"
-    if motion.stop_means == "end of move":
-        rests = motion.eta if motion.rests_at is None else motion.rests_at
-        return f"STOP at end of move, {max(0.0, rests - view.now):.0f} s"
-    if motion.stop_means == "none" or motion.stop_power_s is None:
-        return f"no STOP: ends in {max(0.0, motion.eta - view.now):.0f} s; {power_switch(view)}"
-    means = {"release": "by motor release", "abort": "any byte ends it"}.get(motion.stop_means, "by a new target")
-    return f"STOP in {motion.stop_power_s:.1f} s, {means}"
-
-
-def is_stopping(view: View) -> bool:
-    """Return whether a STOP went out, and the dish was not seen at rest since."""
-    return view.state.motion is None and view.state.activity is Activity.STOPPING
-
-
-def _stopping(view: View) -> str:
-    """Return what is awaited after a STOP; never that the dish is held before it is."""
-    stopped = view.state.last_stop
-    if stopped is not None and stopped.confirmed is False:
-        return f"STOP not confirmed: {power_switch(view)}"
-    if stopped is not None and stopped.means == "end of move":
-        return "no STOP: at rest after it"
-    return "STOP sent: not yet at rest"
-
-
-def power_switch(view: View) -> str:
-    """Return what to switch off where no STOP helps, as the dish calls its supply."""
-    dish = view.state.dish
-    return "12 V switch" if dish is None or dish.firmware == "g2" else "power switch"
-
-
 def home_hint(view: View) -> str:
     """Return how a dish comes to know where it points, in a few words."""
     dish = view.state.dish
@@ -126,18 +85,13 @@ def motion_text(view: View) -> str:
         word = "SLEWING" if state.motion.to_skew_deg is None else "SKEW"
         return f"{word}{going} {left_s:.1f} s" if left_s > 0 else f"{word}{going} overdue {-left_s:.1f} s"
     word = ACTIVITY[state.activity]
+    if view.crash:
+        return "UNKNOWN: birdcage has failed"
     if state.activity is Activity.IDLE:
-        return "IDLE, at rest"
+        return "IDLE, at rest" if state.motion is None else "MOVING"
     if state.activity is Activity.UNKNOWN:
         return "UNKNOWN since a raw line" if state.raw_motion else "UNKNOWN: nothing read yet"
     return f"{word} {state.activity_text}".rstrip()
-
-
-def searching(view: View) -> bool:
-    """Return whether a TV search runs that can be ended at once."""
-    dish = view.state.dish
-    at_once = dish is not None and dish.search_switch is SearchSwitch.UNTIL_POWER_UP
-    return at_once and view.link_up and view.state.search is Search.RUNNING
 
 
 def _tags(view: View, *shown: str) -> str:
@@ -156,7 +110,7 @@ def bad_day(view: View) -> tuple[str, str] | None:
     state, link = view.state, view.state.link
     if view.crash:
         words = f"✖ BIRDCAGE FAILED  {view.crash}  What is shown is old, and nothing more is sent to the dish."
-        return "fault-row", f"{words} Ctrl+Q, then start again; in need the {power_switch(view)}."
+        return "fault-row", f"{words} Ctrl+Q, then start again; in an emergency use the {power_switch(view)}."
     if state.fault is not None:
         fault = state.fault
         words = f"✖ FAULT {fault.what} {fault.utc:%H:%M:%S}. {fault.meaning} {fault.remedy}"
@@ -173,7 +127,7 @@ def bad_day(view: View) -> tuple[str, str] | None:
     if state.motion_refused_because:
         return "warn-row", f"▲ NO MOTION  {state.motion_refused_because}  Enter accept the dish's own limits"
     if state.homed is False and state.activity is Activity.HOMING:
-        return "warn-row", "▲ NOT HOMED  Homing: it runs into its stops. Only the power switch stops it."
+        return "warn-row", f"▲ NOT HOMED  Homing: it runs into its end stops. Only the {power_switch(view)} stops it."
     if state.homed is False:
         how = home_hint(view).replace("H homes it", "H home it")
         return "warn-row", f"▲ NOT HOMED  The dish does not know where it points.  {how[:1].upper()}{how[1:]}"
@@ -215,7 +169,7 @@ def _held(view: View) -> str:
         words += f" x{held.ignored}" if held.ignored > 1 else ""
     stopped = view.state.last_stop
     if held.reason == "stop" and stopped is not None:
-        awaited = "  no STOP for this move: it ends by itself" if stopped.means == "end of move" else "  STOP sent"
+        awaited = f"  {awaited_words(stopped)}"
         words += {True: "", False: "  STOP NOT CONFIRMED", None: awaited}[stopped.confirmed]
     return f"{words}   Enter release"
 
@@ -259,12 +213,18 @@ def next_steps(view: View) -> list[tuple[str, str]]:
     """Return what it is doing, what stops it, and what comes next, as (ink, sentence) in that order."""
     state = view.state
     link = state.link.state
+    if view.crash:
+        return [
+            ("fault-strong", "birdcage has failed. What is shown is old."),
+            ("text", f"Nothing more is sent to the dish: in an emergency use the {power_switch(view)}."),
+            ("text", "Ctrl+Q, then start again."),
+        ]
     if state.fault is not None:
         return [
             ("fault-strong", state.fault.what),
             ("text", state.fault.meaning),
             ("text", state.fault.remedy),
-            ("dim", "Enter acknowledges it. Nothing moves before."),
+            ("dim", "Enter acknowledges it. birdcage sends no motion until then."),
         ]
     if link in (Link.CLOSED, Link.OPENING):
         return [
@@ -276,31 +236,33 @@ def next_steps(view: View) -> list[tuple[str, str]]:
     if link in (Link.LOST, Link.SILENT):
         back = "The port is looked for again by itself." if link is Link.LOST else "It is asked again by itself."
         return [
-            ("warn-strong", "The adapter is gone." if link is Link.LOST else "The port is there, the dish is mute."),
+            ("warn-strong", "The adapter is gone." if link is Link.LOST else "The port is there, the dish is silent."),
             ("text", state.link.detail or back),
             ("dim", f"Check the cable, then the dish's {power_switch(view).removesuffix(' switch')}. {back}"),
-            ("dim", "It stays held after that until you release it." if state.held else "Nothing moves meanwhile."),
+            ("dim", "It stays held until you press Enter." if state.held else "birdcage sends no motion meanwhile."),
         ]
     steps = [_doing(view)]
     pursuit = pursuit_of(view)
     if view.moving and pursuit is None:  # what STOP does stands under the digits, which say whom it pursues
         steps.append(("text", f"Space: {stop_text(view)}."))
     if state.held is not None:
-        steps.append(("text", "Nobody moves it before you release it: Enter."))
+        steps.append(("text", "birdcage sends no motion until you press Enter."))
     elif state.homed is False and state.activity is not Activity.HOMING:
         dish = state.dish
         if dish is not None and dish.homing_s is None:
-            steps.append(("text", "Next: switch it off and on. It homes by itself, and only then: wait for it."))
+            steps.append(("text", "Next: switch it off and on, and wait: it homes by itself."))
         else:
-            steps.append(("text", "Next: H homes it. It turns through its whole range and knocks at its stops."))
+            steps.append(("text", "Next: H homes it. It turns through its whole range and runs into its end stops."))
     elif searching(view):
         steps.append(("text", "The search begins again at each power-up."))
     elif state.motion_refused_because:
-        steps.append(("text", "It takes no motion: mend the file, or accept the dish's own limits with Enter."))
+        steps.append(
+            ("text", "birdcage sends no motion: fix the file, or press Enter to accept the dish's own limits.")
+        )
     elif view.tour:
-        steps.append(("text", "2 then c shows it. Space stops it; an arrow takes over, a step by hand."))
+        steps.append(("text", "2, c: details. Space: stop. Arrows: take over."))
     elif pursuit is not None:
-        steps.append(("text", "2 then c shows it; x there ends it. A key that moves by hand takes over."))
+        steps.append(("text", "2, c: details. x there: end it. Arrows: take over."))
     elif not view.moving:
         steps.append(("text", f"Next: g goes to a direction, arrows step {view.step_deg:g}°."))
     if view.clock is not None and view.clock.ink == "warn":
@@ -325,19 +287,38 @@ def _doing(view: View) -> tuple[str, str]:
         who = state.holder or "somebody"
         return "accent-strong", f"{who.capitalize()} {'move' if who == 'you' else 'moves'} it to {aim}."
     if searching(view):
-        return "fault-strong", "Its TV search moves it: K ends the search."
+        return "fault-strong", "The TV search moves the dish: K ends it."
     if state.activity is Activity.MOVING_UNASKED:
-        return "fault-strong", "It moves though nobody asked: TV search, wind, or a hand."
-    if state.activity is Activity.HOMING:
-        return "warn-strong", f"Homing. {state.activity_text}".rstrip()
-    if state.activity is Activity.STOWING:
-        return "warn-strong", "Stowing. No STOP is documented for it: a new target is tried."
+        return "fault-strong", "The dish moves without a command: TV search, wind, or a hand."
+    plain = _unplanned(view)
+    if plain is not None:
+        return "warn-strong", plain
+    who = state.holder
+    return (
+        "strong",
+        "At rest." if who is None else f"At rest. {who.capitalize()} {'have' if who == 'you' else 'has'} control.",
+    )
+
+
+def _unplanned(view: View) -> str | None:
+    """Return what a dish does that this program has not planned, or what is not known; None of one that rests."""
+    state = view.state
+    activity = state.activity
+    if activity is Activity.HOMING:
+        return f"Homing {state.activity_text}".rstrip() + "."
+    if activity is Activity.STOWING:
+        return "Stowing. No STOP is documented for it."
+    if activity is Activity.INITIALIZING:
+        return "The dish is starting."
+    if activity is Activity.STOPPING:
+        return "Not seen at rest yet."
+    if activity in (Activity.SLEWING, Activity.FOLLOWING) or state.motion is not None:
+        return "The dish is moving."
     if state.raw_motion:
-        return "warn-strong", "A raw line may move it. Where it goes is read when nobody types any more."
+        return "A raw line may move the dish. Its position is read when the console is idle."
     if state.homed is False:
-        return "warn-strong", "The dish is not homed."
-    who = state.holder or "nobody"
-    return "strong", f"At rest. {who.capitalize()} {'have' if who == 'you' else 'has'} control."
+        return "The dish is not homed."
+    return "Nothing read yet." if activity is Activity.UNKNOWN else None
 
 
 def ended_text(event: MoveEnded) -> str:

@@ -139,6 +139,8 @@ class DishModel:
     has_nvs: bool
     has_stow: bool
     position_reported: bool
+    power_switch: str
+    """What a person switches off where no STOP helps: `12 V switch`, `power switch`."""
     skew: Axis | None = None
     """The axis that turns the feed about the beam; None where there is none."""
 

@@ -33,6 +33,7 @@ class Grip:
 
 
 NOTHING = Grip("nothing moved", "Nothing was moving. Looking where the dish is.")
+LOOK = Grip("look", "No motion of ours was under way: looking where the dish goes, to aim.")
 
 
 class StopWay(ABC):
@@ -88,10 +89,12 @@ class Retarget(StopWay):
             self._seen = motion.azimuth.least_speed_deg_s, motion.elevation.least_speed_deg_s
         if self.retarget_works is not False:
             lines = self._antenna.stop_lines()
-            return Grip("retarget", "A new target just ahead of the dish was sent.", lines) if lines else NOTHING
-        if self._antenna.motion is not None:
+            if lines:
+                return Grip("retarget", "A new target just ahead of the dish was sent.", lines)
+        elif motion is not None:
             return Grip("none", "This dish takes new targets at the end of a move only: cut its power.")
-        return NOTHING
+        unknown = self._board.state.activity in (Activity.UNKNOWN, Activity.MOVING_UNASKED)
+        return LOOK if unknown else NOTHING
 
     def on_sight(self, earlier: Pointing, later: Pointing) -> Grip:
         """Aim ahead of the motion as it was seen."""

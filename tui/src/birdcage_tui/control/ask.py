@@ -11,6 +11,7 @@ from birdcage.base.presets import Preset, checked
 from birdcage_tui.control.book import PresetBook
 from birdcage_tui.control.fields import Field, FieldsScreen, Values
 from birdcage_tui.goto_text import is_direction
+from birdcage_tui.stop_words import power_switch
 from birdcage_tui.view import View
 
 Change = Callable[[], str]
@@ -36,12 +37,12 @@ def release() -> tuple[str, str, str]:
     return "Release the motors", words, "let go of it"
 
 
-def stow() -> tuple[str, str, str]:
+def stow(view: View) -> tuple[str, str, str]:
     """Return title, words and consent of stowing."""
     words = (
         "The firmware folds the dish flat, its own way and beyond the limits that hold here. Whatever is mounted in "
-        "place of the stock feed would be crushed. Nothing is known to stop it on its way: keep a hand on the 12 V "
-        "switch."
+        "place of the stock feed would be crushed. Nothing is known to stop it on its way: keep a hand on the "
+        f"{power_switch(view)}."
     )
     return "Stow the dish", words, "it is clear: fold it flat"
 

@@ -8,8 +8,9 @@ from birdcage_tui.canvas import Cells
 from birdcage_tui.digits import angle_text, put_big, width_of
 from birdcage_tui.goto_text import wind_of
 from birdcage_tui.pane import Pane
+from birdcage_tui.stop_words import stop_text
 from birdcage_tui.view import View
-from birdcage_tui.words import age_text, motion_text, stop_text
+from birdcage_tui.words import age_text, motion_text
 
 
 class ReadoutPane(Pane):

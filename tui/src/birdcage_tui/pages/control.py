@@ -160,7 +160,7 @@ class ControlPage(Tabbed):
             case "release-motors":
                 self._question(*ask.release(), ReleaseMotors(YOU))
             case "stow":
-                self._question(*ask.stow(), Stow(YOU))
+                self._question(*ask.stow(self.host.view()), Stow(YOU))
             case "speeds":
                 self._ask_speeds()
             case _:

@@ -7,10 +7,11 @@ from birdcage_tui.digits import angle_text, put_big, width_of
 from birdcage_tui.pane import Pane
 from birdcage_tui.passes.words import fit
 from birdcage_tui.skew import has_skew, skew_row
+from birdcage_tui.stop_words import stop_text
 from birdcage_tui.track.pursuing import pursuit_of
 from birdcage_tui.track.words import error_words, headline, los_words, next_words
 from birdcage_tui.view import View
-from birdcage_tui.words import age_text, motion_text, stop_text
+from birdcage_tui.words import age_text, motion_text
 
 
 def motion_ink(view: View) -> str:

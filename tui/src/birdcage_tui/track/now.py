@@ -60,7 +60,7 @@ class TrackNow(Pane):
         if left_s is not None:
             x = put_big(cells, 1, 0, f"{max(left_s, 0.0):.0f}", "warn-strong")
             cells.put(x + 1, 1, "s until it moves", "warn-strong")
-            cells.put(x + 1, 2, "Space stops it", "text")
+            cells.put(x + 1, 2, "Space cancels it", "text")
             return True
         if sample is None:
             return False

@@ -89,7 +89,7 @@ def countdown_words(view: View) -> str | None:
         return None
     left_s = seconds_to(view, pursuit.next_at)
     when = "soon" if left_s is None else f"in {max(left_s, 0.0):.0f} s"
-    return f"▲ MOVES{_where_to(pursuit)} {when}   Space stops it"
+    return f"▲ MOVES{_where_to(pursuit)} {when}   Space cancels it"
 
 
 def _where_to(pursuit: Pursuit) -> str:

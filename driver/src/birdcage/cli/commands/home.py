@@ -75,7 +75,7 @@ def _confirm(axis: str | None, yes: bool) -> None:
         return
     what = {None: "both axes", "az": "the azimuth axis", "el": "the elevation axis"}[axis]
     consequence = (
-        f"Homing turns {what} through the whole range and knocks at the stops. Nothing but cutting the power stops it. "
+        f"Homing turns {what} through the whole range, into the end stops. Nothing but cutting the power stops it. "
         "Keep its swing clear."
     )
     if not sys.stdin.isatty():

@@ -42,6 +42,7 @@ CARRYOUT_G2 = DishModel(
     has_nvs=True,
     has_stow=True,
     position_reported=True,
+    power_switch="12 V switch",
 )
 
 DIALECT = ConsoleDialect(

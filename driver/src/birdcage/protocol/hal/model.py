@@ -52,6 +52,7 @@ TRAVLER = DishModel(
     has_nvs=True,
     has_stow=True,
     position_reported=True,
+    power_switch="power switch",
     skew=SKEW,
 )
 """The Trav'ler LG-2112.

@@ -47,9 +47,10 @@ class HomeStep(Step):
         model = self.bench.state.dish
         if model is not None and self._by_itself:
             return (*self._wait(model.boot_s), *self.trouble())
-        words = ["Turns through its whole range, knocks at its stops, ~20 s. Keep its swing clear."]
+        words = ["Turns through its whole range, runs into its end stops, ~20 s. Keep its swing clear."]
         if model is None or not model.homing_stoppable:
-            words.append("Homing cannot be stopped from here: keep a hand on the 12 V switch.")
+            switch = "power switch" if model is None else model.power_switch
+            words.append(f"Homing can't be stopped: keep a hand on the {switch}.")
         return (*words, *self.trouble())
 
     def _wait(self, boot_s: float) -> tuple[str, ...]:
@@ -75,7 +76,7 @@ class HomeStep(Step):
         if choice == "release":
             self.begin(self.release(), "releasing")
         else:
-            self.begin(self._home(), "homing; cut the 12 V to stop it")
+            self.begin(self._home(), "homing; only cutting its power stops it")
 
     def _home(self) -> Plan:
         yield self.bench.ask(Home(self.bench.holder))

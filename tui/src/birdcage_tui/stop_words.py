@@ -1,0 +1,109 @@
+"""What STOP can do at this moment, in one line of at most 36 columns: exact in every state, or hedged.
+
+Pure functions of a view. `tests/tui/test_stop_truth.py` presses STOP in each state and holds the line against the dish.
+"""
+
+from __future__ import annotations
+
+from birdcage.station.known import SearchSwitch
+from birdcage.station.state import Activity, Link, Motion, Search, StopReport
+
+from birdcage_tui.view import View
+
+
+def power_switch(view: View) -> str:
+    """Return what to switch off where no STOP helps, as the dish calls its supply."""
+    return "power switch" if view.state.dish is None else view.state.dish.power_switch
+
+
+def searching(view: View) -> bool:
+    """Return whether a TV search runs that can be ended at once."""
+    dish = view.state.dish
+    at_once = dish is not None and dish.search_switch is SearchSwitch.UNTIL_POWER_UP
+    return at_once and view.link_up and view.state.search is Search.RUNNING
+
+
+def is_stopping(view: View) -> bool:
+    """Return whether STOP was called, and the dish was not seen at rest since."""
+    return view.state.motion is None and view.state.activity is Activity.STOPPING
+
+
+def stop_text(view: View) -> str:
+    """Return what STOP can do to the present motion."""
+    state, switch = view.state, power_switch(view)
+    if view.waiting:
+        return "No STOP before the port is open"
+    if view.crash or state.link.state is Link.LOST:
+        return f"STOP can't reach it: {switch}"
+    if not view.link_up:
+        return f"STOP may not reach it: {switch}"
+    if is_stopping(view):
+        return _stopping(state.last_stop, switch)
+    if state.motion is not None:
+        return _in_motion(view, state.motion, switch)
+    return _without_plan(view, switch)
+
+
+def _in_motion(view: View, motion: Motion, switch: str) -> str:
+    if motion.stop_means == "end of move":
+        rests = motion.eta if motion.rests_at is None else motion.rests_at
+        return f"STOP at end of move, {max(0.0, rests - view.now):.0f} s"
+    if motion.stop_means == "none" or motion.stop_power_s is None:
+        return f"No STOP, {max(0.0, motion.eta - view.now):.0f} s left: {switch}"
+    tail = {"release": ", by motor release", "abort": ", any byte ends it"}.get(motion.stop_means, "")
+    return f"STOP in {motion.stop_power_s:.1f} s{tail}"
+
+
+def _without_plan(view: View, switch: str) -> str:
+    """Return what STOP does to a dish that rests, or whose motion this program has not planned."""
+    state = view.state
+    activity = state.activity
+    if activity is Activity.HOMING:
+        return f"Homing has no STOP: {switch}"
+    if activity is Activity.INITIALIZING:
+        return f"No STOP at start-up: {switch}"
+    if activity is Activity.UNKNOWN:
+        return "Motion unknown: STOP looks and acts"
+    if activity is Activity.MOVING_UNASKED and searching(view):
+        return "STOP ends the TV search"
+    if activity in (Activity.STOWING, Activity.MOVING_UNASKED):
+        return f"STOP may not hold it: {switch}"
+    if activity in (Activity.SLEWING, Activity.FOLLOWING):
+        queues = state.dish is not None and state.dish.moves_in_turn
+        return "STOP at end of move" if queues else "STOP brings it to rest"
+    if state.held is not None:
+        return "STOP is latched: no motion is sent"
+    return "STOP holds it where it is"
+
+
+def _stopping(stopped: StopReport | None, switch: str) -> str:
+    """Return what is awaited after a STOP; never that the dish is held before it is."""
+    if stopped is None:
+        return "STOP called: not yet at rest"
+    if stopped.confirmed is False:
+        return f"STOP not confirmed: {switch}"
+    return {
+        "end of move": "STOP waits for the end of this move",
+        "none": f"No STOP for this: {switch}",
+        "look": "STOP looks where the dish goes",
+        "nothing moved": "STOP checks that it is at rest",
+        "release": "Motors released: position unknown",
+        "no link": f"STOP did not reach it: {switch}",
+    }.get(stopped.means, "STOP sent: not yet at rest")
+
+
+def awaited_words(stopped: StopReport) -> str:
+    """Return what a STOP that is not confirmed yet has done, in a few words for the HELD row."""
+    return {
+        "end of move": "no STOP for this move: it ends by itself",
+        "none": "no STOP for this motion: it goes on",
+        "look": "STOP looks where it goes",
+        "nothing moved": "STOP checks that it is at rest",
+        "no link": "STOP DID NOT REACH IT",
+        "release": "motors released",
+    }.get(stopped.means, "STOP sent")
+
+
+def esc_text(view: View, *, closes: str) -> str:
+    """Return what Esc does now: `closes` (`closes`, `does nothing`, …) only while nothing moves or may move."""
+    return "Esc stops the dish" if view.may_move else f"Esc {closes}"
