@@ -3,10 +3,12 @@
 import ast
 import importlib
 import pkgutil
+import re
 from pathlib import Path
 
 import birdcage_tui
 import pytest
+import stand_in
 import textual.containers
 import textual.widgets
 from birdcage.station.requests import Unwatch, Watch
@@ -24,8 +26,8 @@ def kinds_of(widget):
     owner = next(
         each for each in widget.ancestors if type(each).__module__.startswith("birdcage_tui") and each is not widget
     )
-    kind = type(widget).__name__ if type(widget).can_focus else "can_focus"
-    return {f"{base.__name__}/{kind}" for base in type(owner).__mro__}
+    kinds = [kind.__name__ for kind in type(widget).__mro__ if getattr(kind, "can_focus", False)] or ["can_focus"]
+    return {f"{base.__name__}/{kind}" for base in type(owner).__mro__ for kind in kinds}
 
 
 def focusable(app):
@@ -124,3 +126,39 @@ def asking(node, owner=""):
 def test_everything_that_asks_is_asked_in_some_place():
     found = {name for path in SOURCES.rglob("*.py") for name in asking(ast.parse(path.read_text()))}
     assert found == {place.asked_by for place in PLACES if place.dialog}
+
+
+SAID_OF_ESC = re.compile(r"(at rest|rests),? Esc|Esc\s+(\S+ ?\S*)", re.IGNORECASE)
+
+
+def said_of_esc(text):
+    """Every pair of words after Esc, but for sentences that begin with `at rest`."""
+    return [found[2] for found in SAID_OF_ESC.finditer(text) if found[2]]
+
+
+@pytest.mark.parametrize("place", PLACES, ids=lambda place: place.name)
+def test_what_is_said_of_esc_is_what_it_does(place, tmp_path):
+    async def moving(app, pilot, _asked_by):
+        layers = list(app.screen_stack)
+        return said_of_esc(stand_in.text_of(app)), layers == app.screen_stack
+
+    said, _ = at(place, tmp_path, moving)
+    for words in said:
+        assert words.startswith(("stop", "or Ctrl+C")), f"the dish moves, and the screen says: Esc {words}"
+
+
+@pytest.mark.parametrize("place", [place for place in PLACES if place.dialog], ids=lambda place: place.name)
+def test_at_rest_a_dialog_says_that_esc_closes_it_and_it_does(place, tmp_path):
+    async def resting(app, pilot, _asked_by):
+        if app.view().may_move:
+            return None
+        said, layers = said_of_esc(stand_in.text_of(app)), len(app.screen_stack)
+        await pilot.press("escape")
+        await pilot.pause()
+        return said, len(app.screen_stack) < layers
+
+    found = at(place, tmp_path, resting, state="idle")
+    if found is not None:
+        said, closed = found
+        assert closed
+        assert not [words for words in said if words.startswith("stop")], said

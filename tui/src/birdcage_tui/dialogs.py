@@ -14,6 +14,8 @@ from textual.widgets import Static
 
 from birdcage_tui.host import Host
 from birdcage_tui.status import TopRow
+from birdcage_tui.stop_words import esc_text
+from birdcage_tui.view import View
 
 Found = TypeVar("Found")
 
@@ -21,9 +23,24 @@ Found = TypeVar("Found")
 class Dialog(ModalScreen[Found]):
     """Lies over a page, and leaves row 1 alive."""
 
+    KEYS = ""
+    """What its keys do, for the lower edge of its frame; `show` adds what Esc does."""
+    AT_REST = "closes"
+    """What Esc does while nothing moves or may move. Else it stops the dish, and the dialog stays."""
+
     def on_mount(self) -> None:
         """Fill row 1."""
         cast(Host, self.app).paint()
+
+    def show(self, view: View) -> None:
+        """Say what Esc does now."""
+        frame = self.query_one_optional(Vertical)
+        words = f"{self.KEYS}, {esc_text(view, closes=self.AT_REST)}, Ctrl+C stops"
+        if self.KEYS and frame is not None and frame.border_subtitle != words:
+            frame.border_subtitle = words
+
+
+DECLINE = "do nothing"
 
 
 class Answer(Static):
@@ -37,12 +54,19 @@ class Answer(Static):
             self.yes = yes
 
     def __init__(self, key: str, words: str, *, yes: bool) -> None:
-        super().__init__(Text.assemble((f" {key} ", "bold reverse"), f" {words}"))
-        self._means_yes = yes
+        super().__init__()
+        self.means_yes, self._told = yes, ("", "")
+        self.tell(key, words)
+
+    def tell(self, key: str, words: str) -> None:
+        """Show this key and these words."""
+        if self._told != (key, words):
+            self._told = (key, words)
+            self.update(Text.assemble((f" {key} ", "bold reverse"), f" {words}"))
 
     def on_click(self) -> None:
         """Tell the dialog."""
-        self.post_message(self.Given(self._means_yes))
+        self.post_message(self.Given(self.means_yes))
 
 
 class QuestionScreen(Dialog[bool]):
@@ -63,12 +87,19 @@ class QuestionScreen(Dialog[bool]):
                 yield Static(self._words, markup=False)
             with Vertical(id="answers"):
                 yield Answer(" y ", self._yes, yes=True)
-                yield Answer("Esc", "do nothing", yes=False)
+                yield Answer("Esc", DECLINE, yes=False)
 
     def on_mount(self) -> None:
         """Let the arrows scroll words that are longer than the screen."""
         super().on_mount()
         self.query_one(VerticalScroll).focus()
+
+    def show(self, view: View) -> None:
+        """Name the key that declines: Esc stops the dish while it moves or may move."""
+        esc = ("n", f"{DECLINE}. Esc stops the dish") if view.may_move else ("Esc", DECLINE)
+        for answer in self.query(Answer):
+            if not answer.means_yes:
+                answer.tell(*esc)
 
     @on(Answer.Given)
     def _given(self, answer: Answer.Given) -> None:

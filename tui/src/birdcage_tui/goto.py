@@ -15,6 +15,7 @@ from textual.widgets import Input, Label
 from birdcage_tui.canvas import Cells
 from birdcage_tui.commands.table import can_move
 from birdcage_tui.control.reach import forbidden, way_words
+from birdcage_tui.esc_field import EscField
 from birdcage_tui.goto_skew import is_skew, skew_of, skew_way
 from birdcage_tui.goto_text import EXAMPLES, Aim, parse, resolve
 from birdcage_tui.host import Host
@@ -31,7 +32,10 @@ def aim_of(text: str, view: View) -> Aim:
 def held_back(view: View) -> str | None:
     """Return why nothing can be sent anywhere now, and what to do from inside the line; None when it can."""
     reason = can_move(view)
-    return None if reason is None else reason.replace(": Enter ", ": Esc closes this line, then Enter ")
+    if reason is None or ": Enter " not in reason:
+        return reason
+    first = "once it rests, Esc closes" if view.may_move else "Esc closes"
+    return reason.replace(": Enter ", f": {first} this line, then Enter ")
 
 
 def foretell(text: str, view: View) -> tuple[str, str]:
@@ -107,7 +111,7 @@ class GotoLine(Vertical):
         """A label and a field, which has no focus before `open`; the preview."""
         with Horizontal():
             yield Label("go to")
-            yield Input(placeholder="Enter goes there, Esc closes, Ctrl+C stops", disabled=True)
+            yield EscField("Enter goes there, Ctrl+C stops", closes="closes")
         yield GotoPreview()
 
     def open(self, text: str = "") -> None:

@@ -17,7 +17,10 @@ from birdcage_tui.status import TopRow
 from birdcage_tui.view import View
 
 WIDTH = 70
-ALWAYS = "Ctrl+C stops in text fields and dialogs too. Esc stops while anything moves, and closes a layer at rest."
+ALWAYS = (
+    "Ctrl+C stops in text fields and dialogs too. Esc stops while the dish moves or may move by itself. "
+    "At rest it closes a layer."
+)
 
 
 def help_words(focused: Widget | None, page: Widget) -> str:
@@ -41,6 +44,7 @@ def line_of(command: Command, view: View, width: int) -> Text:
 class HelpScreen(Dialog[str | None]):
     """What can be done here. Enter or a click does it; Esc or ? closes."""
 
+    KEYS = "Enter does it"
     BINDINGS = [("escape,question_mark", "dismiss", "close")]  # noqa: RUF012
 
     def __init__(self, view: View, words: str) -> None:
@@ -52,7 +56,6 @@ class HelpScreen(Dialog[str | None]):
         yield TopRow()
         with Vertical() as frame:
             frame.border_title = "Help"
-            frame.border_subtitle = "Enter does it, Esc closes"
             yield OptionList(*self._options())
 
     def on_mount(self) -> None:

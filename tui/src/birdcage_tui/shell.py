@@ -27,6 +27,8 @@ from birdcage_tui.clock_watch import ClockWatch
 from birdcage_tui.console.tap import WireTap
 from birdcage_tui.control.book import PresetBook
 from birdcage_tui.control.horizon_book import HorizonBook
+from birdcage_tui.dialogs import Dialog
+from birdcage_tui.esc_field import EscField
 from birdcage_tui.footer import KeyBar
 from birdcage_tui.goto import GotoLine
 from birdcage_tui.messages import SkyChanged, StationEvent
@@ -222,6 +224,11 @@ class Shell(Surface):
             for part in shown:
                 if part is not None:  # none is left when the app ends
                     part.show(view)
+            for screen in self.screen_stack[1:]:
+                if isinstance(screen, Dialog):
+                    screen.show(view)
+            if isinstance(base.focused, EscField):
+                base.focused.tell(view)
         if self._frames is not None:
             if view.animated:
                 self._frames.resume()

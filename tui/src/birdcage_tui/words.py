@@ -293,11 +293,9 @@ def _doing(view: View) -> tuple[str, str]:
     plain = _unplanned(view)
     if plain is not None:
         return "warn-strong", plain
-    who = state.holder
-    return (
-        "strong",
-        "At rest." if who is None else f"At rest. {who.capitalize()} {'have' if who == 'you' else 'has'} control.",
-    )
+    if state.holder is None:
+        return "strong", "At rest."
+    return "strong", f"At rest. {state.holder.capitalize()} {'have' if state.holder == 'you' else 'has'} control."
 
 
 def _unplanned(view: View) -> str | None:

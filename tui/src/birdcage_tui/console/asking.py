@@ -11,6 +11,7 @@ from birdcage_tui.console import saying
 from birdcage_tui.console.complete import Completion, matching, named
 from birdcage_tui.console.history import History
 from birdcage_tui.console.lines_sent import LinesSent
+from birdcage_tui.stop_words import esc_text
 from birdcage_tui.view import YOU, View
 
 if TYPE_CHECKING:
@@ -56,7 +57,7 @@ class Asking:
                 self._sent.end_line(view.now)
             return
         if self._is_held(view):
-            self._say(saying.held_words(line, self.verdict))
+            self._say(saying.held_words(line, self.verdict, may_move=view.may_move))
             return
 
         def take() -> None:
@@ -126,10 +127,11 @@ class Asking:
         command, offered = named(self.text, commands), matching(self.text, commands)
         usage = () if command is None else ((saying.usage_words(command), "dim"),)
         if self._is_held(view):
-            return ((saying.held_words(self.text.strip(), verdict), "warn-row"),)
+            return ((saying.held_words(self.text.strip(), verdict, may_move=view.may_move), "warn-row"),)
         if self.warns(view):
             again = "  Enter asks first." if saying.asks(verdict) else "  Enter twice sends it."
-            again = "  Enter again sends it, Esc takes it back." if self.armed else again
+            esc = esc_text(view, closes="takes it back")
+            again = f"  Enter again sends it, {esc}." if self.armed else again
             hazard = (saying.verdict_words(verdict) + again, saying.GRADES[verdict.grade][0])
             return (hazard, (f"✖ LIMIT: {verdict.limit}", "fault-row")) if verdict.limit else (hazard, *usage)
         if self._sent.under_way:

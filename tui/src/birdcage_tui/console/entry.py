@@ -52,7 +52,7 @@ class Purpose(Enum):
 class FindInput(Input):
     """Searches the log, or the lines typed before, while one types."""
 
-    HELP = "Searches while you type. Enter keeps it, Esc leaves. Space types a space: Ctrl+C stops the dish."
+    HELP = "Searches while you type. Enter keeps it, Esc leaves at rest. Space types a space: Ctrl+C stops the dish."
 
     def __init__(self, do: Callable[[str], bool]) -> None:
         super().__init__(select_on_focus=False, disabled=True)

@@ -26,6 +26,7 @@ from birdcage_tui.console.save import save
 from birdcage_tui.console.wire_log import WireLog
 from birdcage_tui.dialogs import QuestionScreen
 from birdcage_tui.host import Host
+from birdcage_tui.stop_words import esc_text
 from birdcage_tui.view import View
 
 FLUSH_S = 0.1
@@ -33,10 +34,10 @@ FLUSH_S = 0.1
 HOW = "i or Enter: type a line for the dish. Sending it takes control."
 TYPE = "Enter sends, Tab completes, Esc back to the log. Ctrl+C stops the dish."
 MOVING = "Enter sends, Tab completes. Esc or Ctrl+C stops the dish, which may move."
-TAKE = "Enter takes it into the line and sends nothing. ^R an older one, Esc leaves."
+TAKE = "Enter takes it into the line and sends nothing. ^R an older one"
 PART = "Type a part of a line that you have sent."
 NONE = "No line that you have sent holds this."
-KEEP = "Enter keeps it: n and N then step through the matches. Esc leaves."
+KEEP = "Enter keeps it: n and N then step through the matches"
 
 
 class ConsoleOverlay(Container):
@@ -156,11 +157,14 @@ class ConsoleOverlay(Container):
         self._head.lit = self._keys.lit = self.has_focus_within
 
     def _hint(self, view: View) -> tuple[tuple[str, str], ...]:
+        leave = esc_text(view, closes="leaves")
         if self._finder.display and self._finder.purpose is Purpose.HISTORY:
             found = self._asking.history.find(self._finder.value, self._recalled)
-            return ((found, "strong"), (TAKE, "dim")) if found else ((NONE if self._finder.value else PART, "dim"),)
+            if found:
+                return (found, "strong"), (f"{TAKE}, {leave}.", "dim")
+            return ((NONE if self._finder.value else PART, "dim"),)
         if self._finder.display:
-            return ((KEEP, "dim"),)
+            return ((f"{KEEP}, {leave}.", "dim"),)
         how = HOW if not self._entry.has_focus else MOVING if view.may_move else TYPE
         return self._asking.hint(view) or ((how, "dim"),)
 

@@ -51,12 +51,13 @@ def verdict_words(verdict: Verdict) -> str:
     return f"{word}{unlisted}: {verdict.consequence}"
 
 
-def held_words(line: str, verdict: Verdict) -> str:
+def held_words(line: str, verdict: Verdict, *, may_move: bool) -> str:
     """Return why a line that moves the dish is not sent while STOP is latched, and what to do."""
     how = (
         " To take the current off the motors even so: F5 closes the console, then F2 and R." if verdict.releases else ""
     )
-    return f"STOP is latched: `{line}` may move the dish and is not sent. Esc, then Enter, releases STOP.{how}"
+    first = "Once the dish rests, Esc and then Enter release" if may_move else "Esc, then Enter, releases"
+    return f"STOP is latched: `{line}` may move the dish and is not sent. {first} STOP.{how}"
 
 
 def is_worse(verdict: Verdict, told: Verdict) -> bool:

@@ -32,7 +32,7 @@ def release() -> tuple[str, str, str]:
     """Return title, words and consent of releasing the motors."""
     words = (
         "The current is taken off both motors. The dish may fall under its own weight: keep clear, or hold it. "
-        "Its position is unknown afterwards, and nothing moves it before it is homed."
+        "Its position is unknown afterwards: birdcage moves it again only after homing."
     )
     return "Release the motors", words, "let go of it"
 

@@ -25,7 +25,7 @@ class Field:
 
 
 class FieldsScreen(Dialog[Values | None]):
-    """Enter keeps all lines if `check` finds nothing wrong, else its sentence is shown; Esc keeps nothing."""
+    """Enter keeps all lines if `check` finds nothing wrong, else its sentence is shown; at rest, Esc keeps nothing."""
 
     DEFAULT_CSS = """
     FieldsScreen Horizontal { height: 1; }
@@ -35,6 +35,7 @@ class FieldsScreen(Dialog[Values | None]):
     FieldsScreen #wrong { color: $warning; margin-top: 1; }
     FieldsScreen #words { margin-bottom: 1; }
     """
+    KEYS = "Enter keeps, Tab next line"
     BINDINGS = [("escape", "leave", "close")]  # noqa: RUF012
 
     def __init__(self, title: str, words: str, fields: Sequence[Field], check: Callable[[Values], str]) -> None:
@@ -46,7 +47,6 @@ class FieldsScreen(Dialog[Values | None]):
         yield TopRow()
         with Vertical() as frame:
             frame.border_title = self._title
-            frame.border_subtitle = "Enter keeps, Tab next line, Esc nothing, Ctrl+C stops"
             yield Static(self._words, id="words", markup=False)
             for field in self._fields:
                 with Horizontal():

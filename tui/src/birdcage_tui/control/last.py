@@ -8,6 +8,7 @@ from birdcage_tui.canvas import Cells
 from birdcage_tui.commands.table import can_move
 from birdcage_tui.control.actions import cut
 from birdcage_tui.pane import Pane
+from birdcage_tui.stop_words import esc_text
 from birdcage_tui.view import View
 
 TIME = 11
@@ -33,9 +34,9 @@ class LastLine(Pane):
 def _hint(view: View) -> str:
     """Return what the arrows do where the focus is."""
     if "digits" in view.scopes:
-        return "← → choose a digit of the target, ↑ ↓ step it, Esc goes back to the rose."
+        return f"← → choose a digit of the target, ↑ ↓ step it, {esc_text(view, closes='goes back to the rose')}."
     if "presets" in view.scopes:
-        return "↑ ↓ choose, Enter turns the dish there, Esc goes back to the rose."
+        return f"↑ ↓ choose, Enter turns the dish there, {esc_text(view, closes='goes back to the rose')}."
     if view.horizon.recording:
         return "Recording the horizon: jog along the tree line. A rest of 1 s is a point. M ends it."
     return f"Arrows or hjkl step {view.step_deg:g}°, g goes to a direction, Tab goes on to the digits."

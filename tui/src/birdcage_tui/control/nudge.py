@@ -28,7 +28,7 @@ class DigitsPane(Pane, can_focus=True):
     HELP = (
         "Left and right choose a digit of the target, up and down step it. "
         "Each step is a jog of that size, within the limits. "
-        "Esc goes back to the rose."
+        "At rest, Esc goes back to the rose."
     )
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002

@@ -14,6 +14,7 @@ from textual.widgets import Input
 
 from birdcage_tui.canvas import Cells
 from birdcage_tui.commands import BY_NAME
+from birdcage_tui.esc_field import EscField
 from birdcage_tui.host import Host
 from birdcage_tui.pages.page import Page
 from birdcage_tui.pane import Pane
@@ -21,7 +22,7 @@ from birdcage_tui.view import View
 
 KEYS = (("preset-go", "go"), ("preset-add", "add"), ("preset-edit", "edit"), ("preset-delete", "del"),
         ("preset-filter", "find"), ("preset-undo", "undo"))  # fmt: skip
-EMPTY = "No direction has a name yet. a keeps the one in which the dish points."
+EMPTY = "No direction has a name yet. Press a to save the current direction."
 
 
 class PresetsPane(Pane, can_focus=True):
@@ -29,7 +30,7 @@ class PresetsPane(Pane, can_focus=True):
 
     HELP = (
         "Up and down choose, Enter turns the dish there, e edits, d deletes and u brings back. "
-        "Esc goes back to the rose."
+        "At rest, Esc goes back to the rose."
     )
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
@@ -164,7 +165,7 @@ class PresetsBox(Vertical):
 
     def compose(self) -> ComposeResult:
         """A filter that is not seen before it is asked for, and the list."""
-        field = Input(placeholder="part of a name; Enter keeps it, Esc clears it", id="preset-filter", disabled=True)
+        field = EscField("part of a name; Enter keeps it", closes="clears it", id="preset-filter")
         field.display = False
         yield field
         yield PresetsPane(id="presets")

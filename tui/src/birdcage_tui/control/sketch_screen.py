@@ -31,7 +31,7 @@ WORDS = (
 class SketchPane(Pane, can_focus=True):
     """Azimuth across, elevation up, from north round to north."""
 
-    HELP = "Drag to draw. ← → choose an azimuth, ↑ ↓ set its height by a degree; Enter keeps, Esc does not."
+    HELP = "Drag to draw. ← → choose an azimuth, ↑ ↓ set its height by a degree; Enter keeps it."
 
     def __init__(self, mask: HorizonMask) -> None:
         super().__init__(id="sketch")
@@ -121,13 +121,14 @@ class SketchPane(Pane, can_focus=True):
 
 
 class SketchScreen(Dialog[HorizonMask | None]):
-    """Enter keeps what was drawn, Esc does not."""
+    """Enter keeps what was drawn; at rest, Esc does not."""
 
     DEFAULT_CSS = """
     SketchScreen > Vertical { width: 96%; max-width: 200; height: 1fr; margin: 0 0 1 0; }
     SketchScreen SketchPane { height: 1fr; }
     SketchScreen Static { height: auto; color: $dim; }
     """
+    KEYS = "Enter keeps"
     BINDINGS = [("enter", "keep", "keep"), ("escape", "leave", "close")]  # noqa: RUF012
 
     def __init__(self, mask: HorizonMask) -> None:
@@ -139,7 +140,6 @@ class SketchScreen(Dialog[HorizonMask | None]):
         yield TopRow()
         with Vertical() as frame:
             frame.border_title = "Draw the horizon"
-            frame.border_subtitle = "Enter keeps, Esc does not, Ctrl+C stops"
             yield Static(WORDS, markup=False)
             yield SketchPane(self._mask)
 

@@ -129,11 +129,9 @@ class ControlPage(Tabbed):
         box, focused = self.query_one(PresetsBox), self.screen.focused
         listing = focused is not None and box in focused.ancestors and not self.has_class("-roomy")
         self.set_class(listing, "-listing")
-        roomy = self.has_class("-roomy")
-        for part, words in ((self.query_one("#control-right"), "" if roomy else "p presets"),
-                            (box, "Esc back" if listing else "")):  # fmt: skip
-            if (part.border_subtitle or "") != words:  # setting it repaints, equal or not
-                part.border_subtitle = words
+        right, words = self.query_one("#control-right"), "" if self.has_class("-roomy") else "p presets"
+        if (right.border_subtitle or "") != words:  # setting it repaints, equal or not
+            right.border_subtitle = words
 
     @property
     def host(self) -> Host:

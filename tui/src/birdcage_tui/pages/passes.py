@@ -11,6 +11,7 @@ from textual.timer import Timer
 from textual.widgets import Input
 
 from birdcage_tui.control.fields import Values
+from birdcage_tui.esc_field import EscField
 from birdcage_tui.host import Host
 from birdcage_tui.pages.page import Page
 from birdcage_tui.pane import Pane
@@ -62,8 +63,7 @@ class PassesPage(Page):
     def compose(self) -> ComposeResult:
         """The parts, from the top left."""
         yield PassHead(self.desk, id="pass-head")
-        field = Input(placeholder="names, numbers, groups; Enter keeps it, Esc clears it", id="pass-filter",
-                      disabled=True)  # fmt: skip
+        field = EscField("names, numbers, groups; Enter keeps it", closes="clears it", id="pass-filter")
         field.display = False
         yield field
         with Horizontal(id="pass-upper"):

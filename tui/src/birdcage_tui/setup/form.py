@@ -99,7 +99,7 @@ class AnswerForm(Vertical):
             super().__init__()
             self.choice = choice
 
-    HELP = "Type, then Enter. Tab and the arrows go from field to field, Esc back to the steps. Ctrl+C stops."
+    HELP = "Type, then Enter. Tab and arrows go from field to field; at rest, Esc goes back to the steps. Ctrl+C stops."
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)

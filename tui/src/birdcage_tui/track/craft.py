@@ -13,6 +13,7 @@ from textual.widgets import Input
 
 from birdcage_tui.commands.table import can_release
 from birdcage_tui.control.fields import Field, FieldsScreen
+from birdcage_tui.esc_field import EscField
 from birdcage_tui.host import Host
 from birdcage_tui.pane import Pane
 from birdcage_tui.track.found import FoundList
@@ -86,8 +87,7 @@ class CraftTab(Vertical):
     def compose(self) -> ComposeResult:
         """The parts, from the top left."""
         yield TrackHead(id="craft-head")
-        field = Input(placeholder="name, number, 19.2E, moon, 180 45; Enter chooses, Esc closes", id="craft-search",
-                      disabled=True)  # fmt: skip
+        field = EscField("name, number, 19.2E, moon, 180 45; Enter chooses", closes="closes", id="craft-search")
         field.display = False
         yield field
         with Horizontal(id="craft-upper"):
