@@ -72,7 +72,7 @@ def test_stop_without_a_port_reaches_every_owner(run, pty_dish, owner) -> None:
     result = run("stop", port="")
     assert result.exit_code == 0, result.stderr
     assert pty_dish.path in result.stdout
-    assert "Held until a person releases it there." in result.stdout
+    assert "HELD until a person releases it: `birdcage release`." in result.stdout
     assert owner.station.state.held is not None
 
 
@@ -99,6 +99,8 @@ def test_stop_without_an_owner_stops_a_dish_that_moves(run, as_json, pty_dish) -
     assert as_json(result)["means"] == "retarget"
     assert not pty_dish.device.truth().moving
     assert abs(pty_dish.device.truth().az_deg - 200) > 20
+    assert as_json(result)["held"] is True
+    assert run("move", "--az", 100, "--el", 45, port=pty_dish.path).exit_code == 4
 
 
 def test_stop_of_a_dish_at_rest_says_so_and_moves_nothing(run, as_json, pty_dish) -> None:

@@ -152,7 +152,7 @@ class TestSearch:
         house.station.stop("you")
         house.run(1)
         house.choose("search", "off")
-        assert "STOP is latched by you" in house.view("search").evidence
+        assert "HELD by you since" in house.view("search").evidence
         assert house.state.held is not None
         assert not any(line.startswith("e 20") for line in house.lines())
 

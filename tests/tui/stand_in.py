@@ -54,7 +54,7 @@ class Station:
     def commands(self, menu):
         return MenuCommands(PROTOCOL).of(menu)
 
-    def stop(self, by):
+    def stop(self, by, *, leaving=False):
         self.stops.append(by)
 
     def subscribe(self, listener):

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import asyncio
 import functools
+from datetime import UTC, datetime
 
 import pytest
 from birdcage.base.clock import VirtualClock
 from birdcage.base.errors import LinkError
+from birdcage.base.held import HeldNote
 from birdcage.link.link import Link
 from birdcage.sim.port import SimPort, open_device
+from birdcage.station.held_keeper import HeldKeeper
 from birdcage.station.requests import Goto
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings
@@ -28,11 +31,11 @@ class Stepped(Session):
 
 
 class House:
-    def __init__(self, address="g2?seed=1"):
+    def __init__(self, address="g2?seed=1", **more):
         firmware = address.partition("?")[0]
         self.clock = VirtualClock()
         self.device = open_device(address, clock=self.clock)
-        settings = StationSettings(f"sim:{firmware}", firmware, self._open, beam_deg=6.3, feed_name="stock-ku")
+        settings = StationSettings(f"sim:{firmware}", firmware, self._open, beam_deg=6.3, feed_name="stock-ku", **more)
         self.station = Station(self.clock, settings)
         self.session = Stepped(self.clock, self.station)
         self.app = BirdcageApp(self.session, AppSettings(place=Place(39.1, -95.7)))
@@ -187,3 +190,47 @@ async def test_a_silent_port_is_told_and_shows_no_position():
         await house.step(2.1)
         assert "AZ ---.--" in house.text()
         assert "SILENT" in house.text() or "does not answer" in house.text()
+
+
+@played
+async def test_a_dish_that_an_earlier_program_left_held_is_released_by_enter(tmp_path, monkeypatch):
+    monkeypatch.setenv("LOGNAME", "anna")
+    keeper = HeldKeeper(tmp_path, lambda _port: "usb:0403:6001:A5")
+    keeper.meet("sim:g2")
+    keeper.latch(HeldNote("you", datetime(2026, 3, 19, 18, 20, 11, tzinfo=UTC)))
+    keeper.close(5)
+    keeper = HeldKeeper(tmp_path, lambda _port: "usb:0403:6001:A5")
+    house = House(held_keeper=keeper)
+    async with house.app.run_test(size=SIZE) as house.pilot:
+        await house.step(3)
+        assert "HELD by anna 19 Mar 18:20:11" in house.text()
+        assert "birdcage sends no motion until you press Enter." in " ".join(house.text().split())
+        await type_direction(house, 220, 40)
+        await house.step(1)
+        assert house.moves(0.0) == []
+        await press(house, "escape", "enter")
+        await house.step(1)
+        assert "HELD" not in house.text()
+        assert keeper.flush(5)
+        assert not list(tmp_path.rglob("held.json"))
+    keeper.close(5)
+
+
+@played
+async def test_where_held_cannot_be_kept_the_app_says_so_and_stop_goes_out(tmp_path):
+    (tmp_path / "dishes").write_text("in the way")
+    keeper = HeldKeeper(tmp_path, lambda _port: "usb:0403:6001:A5")
+    house = House(held_keeper=keeper)
+    async with house.app.run_test(size=(160, 48)) as house.pilot:
+        await house.step(3)
+        await type_direction(house, 220, 40)
+        await house.step(0.8)
+        before = house.clock.monotonic() - 0.001
+        await press(house, "space")
+        assert any(line.startswith("a 0") for line in house.moves(before))
+        await house.step(2)
+        assert keeper.flush(5)
+        await house.step(0.1)
+        assert "NOT KEPT" in house.text()
+        assert "HELD ends with this program" in " ".join(house.text().replace("│", " ").split())
+    keeper.close(5)

@@ -271,7 +271,7 @@ class BirdcageApp(Shell):
         # It waits for nothing. Told after STOP, the desk would take what is followed for ended, and not offer it again.
         self.track.close()
         if moving:
-            self.station.stop(by)
+            self.station.stop(by, leaving=True)
         self.sky.close()
         self.exit(return_code=status)
 

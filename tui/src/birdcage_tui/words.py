@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from datetime import datetime
+
 from birdcage.station.events import End, MoveEnded
 from birdcage.station.state import Activity, Link, Search
 
@@ -160,7 +162,9 @@ def _held(view: View) -> str:
     held = view.state.held
     assert held is not None, "asked only while held"
     why = "" if held.reason == "stop" else f" ({held.reason})"
-    words = f"■ HELD by {held.by}{why} {held.utc:%H:%M:%S}"
+    words = f"■ HELD by {held.by}{why}{_since(view, held.utc)}"
+    if held.damage:
+        words = f"■ HELD, by whom is not known{_since(view, held.utc)}"
     if held.next_holder is not None:
         aim = ""
         if held.next_az_deg is not None and held.next_el_deg is not None:
@@ -171,7 +175,15 @@ def _held(view: View) -> str:
     if held.reason == "stop" and stopped is not None:
         awaited = f"  {awaited_words(stopped)}"
         words += {True: "", False: "  STOP NOT CONFIRMED", None: awaited}[stopped.confirmed]
-    return f"{words}   Enter release"
+    kept = "  NOT KEPT on disk" if view.state.held_trouble else ""
+    return f"{words}{kept}   Enter release"
+
+
+def _since(view: View, utc: datetime | None) -> str:
+    """Return when, with the day where that was another one."""
+    if utc is None:
+        return ""
+    return f" {utc:%H:%M:%S}" if utc.date() == view.utc.date() else f" {utc:%d %b %H:%M:%S}"
 
 
 def calm(view: View, *, brief: bool = False) -> str:
@@ -184,7 +196,7 @@ def calm(view: View, *, brief: bool = False) -> str:
         detail = detail.replace(view.state.port, view.state.port.split("?")[0])
         return f"{detail[:1].upper()}{detail[1:]} …"
     told = "" if "control" in view.scopes else view.note  # the page's own last row tells it there
-    return told or view.settings.notice or _standing(view, brief=brief)
+    return view.state.held_trouble or told or view.settings.notice or _standing(view, brief=brief)
 
 
 def _standing(view: View, *, brief: bool) -> str:
@@ -247,6 +259,8 @@ def next_steps(view: View) -> list[tuple[str, str]]:
         steps.append(("text", f"Space: {stop_text(view)}."))
     if state.held is not None:
         steps.append(("text", "birdcage sends no motion until you press Enter."))
+        if told := state.held_trouble or state.held.damage:
+            steps.append(("warn", told))
     elif state.homed is False and state.activity is not Activity.HOMING:
         dish = state.dish
         if dish is not None and dish.homing_s is None:
@@ -276,7 +290,7 @@ def _doing(view: View) -> tuple[str, str]:
     state = view.state
     if state.held is not None and not view.moving:
         report = state.last_stop
-        return "warn-strong", f"Held by {state.held.by}. {report.sentence if report is not None else ''}".rstrip()
+        return "warn-strong", f"{state.held.sentence} {report.sentence if report is not None else ''}".rstrip()
     pursuit = pursuit_of(view)
     if pursuit is not None:
         word, name = PHASE[pursuit.phase].removesuffix(":"), pursuit.plan.aim.name

@@ -10,11 +10,12 @@ from dataclasses import replace
 from birdcage.antenna.alignment import Alignment
 from birdcage.antenna.config import AntennaConfig, DialectBaud
 from birdcage.antenna.foresight import foresee
+from birdcage.antenna.latch import Latch
 from birdcage.antenna.motion import STOP_LATENCY_S, DishMotion, start_motion
 from birdcage.antenna.odometer import Odometer
 from birdcage.antenna.steering import sent_to, steered
 from birdcage.base.clock import Clock
-from birdcage.base.errors import CommandRefused, MotionRefused, Stopped, WrongThread
+from birdcage.base.errors import CommandRefused, Held, MotionRefused, Stopped, WrongThread
 from birdcage.base.geometry import shortest_turn, wrap_360
 from birdcage.kinematics import rest_point
 from birdcage.leapfrog import apply_leapfrog
@@ -29,7 +30,11 @@ STILL_DEG = 0.015
 
 
 class BirdcageAntenna:
-    """One dish, in true degrees. Synchronous; once a station has adopted it, other threads get `WrongThread`."""
+    """One dish, in true degrees. Synchronous; once a station has adopted it, other threads get `WrongThread`.
+
+    A dish that a person has stopped is HELD for scripts too: `move_to` and every other motion raise `Held`, until
+    `birdcage release`. `stop` of a script stops, and holds nothing.
+    """
 
     def __init__(
         self, protocol: FirmwareProtocol, config: AntennaConfig | None = None, alignment: Alignment | None = None
@@ -46,6 +51,8 @@ class BirdcageAntenna:
         """How many motions the dish has taken, at least in one axis."""
         self.is_kept = False
         """Whether nothing of the motion as modelled was let out yet: a STOP that is latched now keeps all of it."""
+        self._latch: Latch | None = None
+        """HELD, where no station sees to it."""
         self.odometer = Odometer()
         """How far each axis was sent; for whoever counts wear."""
         self._begun_by: dict[int, float] = {}
@@ -120,11 +127,19 @@ class BirdcageAntenna:
         given = not isinstance(self._config.baudrate, DialectBaud)
         baud = self._config.baudrate if given else self._protocol.model.baud
         self._protocol.connect(self._config.port, int(baud))
+        self._honour_held(self._config.port)
 
     def attach(self, link: Link, clock: Clock) -> None:
         """Use an open link instead of `connect`."""
         self._check_thread()
         self._protocol.attach(link, clock)
+        self._honour_held(link.name)
+
+    def _honour_held(self, port: str) -> None:
+        """Let nothing move a dish that is HELD. A station has taken that over where it asks for itself."""
+        if self._protocol.permit is None or self._latch is not None:
+            self._latch = Latch(port)
+            self._protocol.permit = self._latch.check
 
     def disconnect(self) -> None:
         """Close the port; `q` goes out only from a proven submenu."""
@@ -179,6 +194,8 @@ class BirdcageAntenna:
     def aim(self, az_deg: float, el_deg: float, *, leapfrog: bool, clamp: bool) -> tuple[float, float]:
         """Read the position, and return the dish angles of a true direction that the gate lets through."""
         self._check_thread()
+        if self._latch is not None:
+            self._latch.check()
         gate = self._protocol.gate
         current = self.get_position()
         dish_az, dish_el = self.to_dish(az_deg, el_deg, clamp=clamp)
@@ -210,7 +227,7 @@ class BirdcageAntenna:
         try:
             yield
             self.odometer.take(before, planned)
-        except (Stopped, CommandRefused, MotionRefused) as error:
+        except (Stopped, CommandRefused, MotionRefused, Held) as error:
             with self._modelling:
                 if self.taken == taken and self.motion is planned and error.reason != "closing":
                     self.motion = before  # nothing of it moves: the dish does what it did

@@ -17,6 +17,8 @@ COMMANDS = {
     "pos": "Print where the dish points.",
     "move": "Point the dish, and wait until it is there.",
     "stop": "Stop the dish, whichever program drives it.",
+    "hold": "Stop the dish, and keep every program from moving it.",
+    "release": "Let programs move the dish again.",
     "home": "Find the reference by running into the stops.",
     "setup": "Go from wires to the first satellite, step by step.",
     "status": "Print all that is known of the dish.",

@@ -88,8 +88,11 @@ class _Watch:
         self._dish.look(self._hear)
         if self._desk.crash is not None:
             raise self._desk.crash
-        if self._dish.state.held is not None:
-            raise Held("STOP was called: nothing is followed any more. Start it again when the dish may move.")
+        held = self._dish.state.held
+        if held is not None and held.earlier:
+            raise Held(f"{held.sentence} Nothing is followed: `birdcage release` lets it move again.")
+        if held is not None:
+            raise Held(f"{held.sentence} Nothing is followed any more.", reason="stopped")
         now, utc = self._desk.now, self._dish.session.clock.utc()
         if now.problem != self._problem:
             self._problem = now.problem

@@ -14,13 +14,14 @@ from types import FrameType
 import click
 
 from birdcage.base.clock import Clock, RealClock
-from birdcage.base.errors import BirdcageError, ConfigError, LinkError, NoReply
+from birdcage.base.errors import BirdcageError, ConfigError, Held, LinkError, NoReply
 from birdcage.cli import exits
 from birdcage.cli.app import Ended
 from birdcage.cli.options import Wanted
 from birdcage.cli.say import Progress, say
 from birdcage.station.doorbell import Doorbell
 from birdcage.station.events import Event, StopConfirmed
+from birdcage.station.holding import find_held
 from birdcage.station.inhibitor import SleepInhibitor
 from birdcage.station.known import list_firmwares
 from birdcage.station.requests import Request, Watch
@@ -73,13 +74,15 @@ class Dish:
     def on_signal(self, number: int, _frame: FrameType | None) -> None:
         """STOP before anything else; the wait under way ends afterwards."""
         if self.moves and not self.closing:
-            self.call_stop(signal.Signals(number).name)
+            # Ctrl+C on a dish that moves is a person's STOP; any other signal ends the program, and that stops it.
+            person = number == signal.SIGINT and self.station.bar()
+            self.call_stop("Ctrl+C" if person else signal.Signals(number).name, leaving=not person)
         self._signal = number
         self._events.put(None)
 
-    def call_stop(self, by: str) -> None:
-        """STOP: its bytes are out when this returns."""
-        self.station.stop(by)
+    def call_stop(self, by: str, *, leaving: bool = False) -> None:
+        """STOP: its bytes are out when this returns. `leaving`: the dish is not held for other programs."""
+        self.station.stop(by, leaving=leaving)
         self.stop_called = True
 
     def come_up(
@@ -215,7 +218,7 @@ def open_dish(
         try:
             yield dish
         except (BirdcageError, Ended, click.ClickException) as error:
-            _leave(dish, begun, error)
+            _leave(dish, begun, error, wanted)
             if isinstance(error, NoReply) and not wanted.firmware_given:
                 error.add_note(f"{wanted.firmware} is the default of --firmware: for a Carryout G2 give --firmware g2.")
             raise
@@ -223,7 +226,7 @@ def open_dish(
             if moves:
                 dish.call_stop("a fault of birdcage")
             traceback.print_exception(crash)
-            _leave(dish, begun, crash)
+            _leave(dish, begun, crash, wanted)
             for line in crash.__notes__:
                 say(line)
             raise click.exceptions.Exit(exits.CRASH) from crash
@@ -231,17 +234,20 @@ def open_dish(
             dish.close()
 
 
-def _leave(dish: Dish, begun: float, error: BaseException) -> None:
+def _leave(dish: Dish, begun: float, error: BaseException, wanted: Wanted) -> None:
     """Stop what moves, and close. What is to be said after the error itself goes into its notes."""
     error.__notes__ = []
     if dish.moves and dish.in_motion and not dish.stop_called and dish.state.last_stop is None:
-        dish.call_stop("birdcage")
+        dish.call_stop("birdcage", leaving=True)
     stopped = dish.stop_called or dish.state.last_stop is not None
     if stopped:
         report = dish.settle(begun, leaving=True) or dish.state.last_stop
         if report is not None:
             error.add_note(report.sentence)
     farewell = dish.close()
+    held = None if isinstance(error, Held) else find_held(wanted.paths, dish.state.port or wanted.port)
+    if held is not None:
+        error.add_note(f"{held.note.sentence} `birdcage release` lets it move again.")
     if stopped or isinstance(error, Ended):
         error.add_note(farewell)
 

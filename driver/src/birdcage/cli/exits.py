@@ -15,7 +15,7 @@ USAGE = 2
 LINK = 3
 """The port is missing, busy or forbidden, or nothing answers there."""
 REFUSED = 4
-"""A limit, or an unknown position, forbids the motion: nothing was sent."""
+"""HELD, a limit, or an unknown position forbids the motion: nothing was sent."""
 CRASH = 70
 """A fault of birdcage itself."""
 SIGNAL = 128
@@ -23,7 +23,7 @@ SIGNAL = 128
 
 EPILOG = (
     "Exit status: 0 done; 1 the dish did not do it; 2 wrong command line, settings or firmware; 3 no link to the dish; "
-    "4 refused by a limit or an unknown position, nothing was sent; 70 a fault of birdcage; "
+    "4 refused by HELD, a limit or an unknown position, nothing was sent; 70 a fault of birdcage; "
     "128 + n ended by signal n (130: Ctrl+C), after STOP."
 )
 
@@ -33,10 +33,11 @@ DATA_EPILOG = "Exit status: 0 done; 1 not done, or not all of it; 2 wrong comman
 
 def code_of(error: BirdcageError) -> int:
     """Return the exit code for an error."""
-    from birdcage.base.errors import ConfigError, LinkError, MotionRefused, NoReply
+    from birdcage.base.errors import ConfigError, Held, LinkError, MotionRefused, NoReply
 
     if isinstance(error, ConfigError) or error.reason == "wrong_firmware":
         return USAGE
     if isinstance(error, LinkError | NoReply) or error.reason == "link":
         return LINK
-    return REFUSED if isinstance(error, MotionRefused) else NOT_DONE
+    refused = isinstance(error, MotionRefused) or (isinstance(error, Held) and error.reason == Held.reason)
+    return REFUSED if refused else NOT_DONE

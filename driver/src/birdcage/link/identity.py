@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import hashlib
 import re
+import shutil
 from pathlib import Path
 
 from birdcage.link.opening import is_registered
@@ -50,8 +51,23 @@ def dish_identity(port: str, list_ports: PortLister = list_ports) -> str | None:
     return f"path:{real}"
 
 
+def forget_reused(state: Path, identity: str) -> None:
+    """Remove what is remembered of earlier dishes at the same pseudo terminal: they ended with it."""
+    if not identity.startswith("pty:"):
+        return
+    here = dish_folder(state, identity)
+    alike = here.name.removesuffix(f"-{_sum(identity)}").rpartition("-")[0]
+    for folder in here.parent.glob(f"{alike}-*"):
+        if folder.name != here.name:
+            shutil.rmtree(folder, ignore_errors=True)
+
+
 def dish_folder(state: Path, identity: str) -> Path:
     """Return the folder, in the state folder, for what is remembered of a dish. Whoever writes into it makes it."""
     # The name is for people; what tells one dish from another is the sum.
     readable = re.sub(r"\W+", "-", identity).strip("-")[-40:]
-    return state / FOLDER / f"{readable}-{hashlib.sha256(identity.encode()).hexdigest()[:8]}"
+    return state / FOLDER / f"{readable}-{_sum(identity)}"
+
+
+def _sum(identity: str) -> str:
+    return hashlib.sha256(identity.encode()).hexdigest()[:8]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import fields
+from functools import partial
 
 from birdcage.base.clock import Clock
 from birdcage.base.config import Settings
@@ -11,10 +12,12 @@ from birdcage.base.journal import Journal
 from birdcage.base.paths import Paths
 from birdcage.base.version import version
 from birdcage.base.wear import WearBook
+from birdcage.link.identity import dish_identity
 from birdcage.link.link import Link
 from birdcage.link.opening import open_link
 from birdcage.link.ports import PortLister, find_again, identify, list_ports
 from birdcage.link.transcript import Transcript
+from birdcage.station.held_keeper import HeldKeeper
 from birdcage.station.record import keep_faults
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings, rules_from
@@ -46,6 +49,7 @@ def open_session(
     transcript = Transcript(paths.transcripts if settings.link.transcript else None, version=version)
     journal, wear = Journal(paths.journal), WearBook(paths.journal)
     rules = rules_from(settings)
+    held_keeper = HeldKeeper(paths.state, partial(dish_identity, list_ports=ports))
 
     def open_port(name: str, rate: int) -> Link:
         return open_link(name, baud=rate, clock=clock, transcript=transcript)
@@ -63,6 +67,7 @@ def open_session(
             reconnect=reconnect,
             backup_folder=paths.backups,
             state_folder=paths.state,
+            held_keeper=held_keeper,
             **{each.name: getattr(rules, each.name) for each in fields(rules)},
             remark=lambda text: transcript.remark(text, clock.utc()),
         ),
@@ -71,6 +76,7 @@ def open_session(
     tally = keep_wear(station, wear)
 
     def close() -> None:
+        held_keeper.close(CLOSE_S)
         tally.write()
         wear.close(CLOSE_S)
         journal.close(CLOSE_S)

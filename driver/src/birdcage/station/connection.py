@@ -36,6 +36,8 @@ class Connection:
         self._port, self._baud = settings.port, settings.baud
         self.due: float | None = None
         """When to try to open, or to wake the silent dish; None while all is well."""
+        self.on_port: Callable[[str], None] = lambda _port: None
+        """Told which port is about to be opened: its dish may be held."""
 
     @property
     def _protocol(self) -> FirmwareProtocol:
@@ -105,6 +107,7 @@ class Connection:
         if port is None:
             self._retry_later(Link.LOST, f"{self._port} is not there. Looking for it; plug it in.")
             return False
+        self.on_port(port)
         try:
             link = self._settings.open_link(port, self.baud)
         except LinkError as error:

@@ -3,19 +3,25 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from datetime import datetime
 
 from birdcage.base.errors import Held, LeaseDenied, MotionRefused
+from birdcage.base.held import HeldNote
 from birdcage.station.board import Board
 from birdcage.station.events import HeldChanged, LeaseChanged
+from birdcage.station.held_keeper import HeldKeeper
 from birdcage.station.state import HeldState
 
 
 class Control:
     """The lease and HELD. `latched` is set by STOP from any thread, before anything else happens."""
 
-    def __init__(self, board: Board) -> None:
-        self._board = board
+    def __init__(self, board: Board, keeper: HeldKeeper | None = None) -> None:
+        """`keeper` keeps HELD for the programs that come after; None where nothing lasts beyond this one."""
+        self._board, self._keeper = board, keeper
         self.latched = False
+        if keeper is not None:
+            keeper.on_trouble = lambda sentence: board.change(held_trouble=sentence)
 
     def take(self, holder: str, *, take_over: bool = False) -> None:
         """Give the lease to `holder`. LeaseDenied if another has it, unless taken over, which is told."""
@@ -47,7 +53,8 @@ class Control:
                 )
                 self._tell_held(held)
             raise Held(
-                f"STOP is latched{f' by {held.by}' if held else ''}. A person must release it before any motion."
+                f"{'HELD' if held is None else held.sentence} Nothing was sent: a person releases it, here or with "
+                "`birdcage release`."
             )
         if state.motion_refused_because is not None:
             raise MotionRefused(state.motion_refused_because, reason="settings")
@@ -60,18 +67,41 @@ class Control:
         if held is not None:
             self._board.change(held=replace(held, next_holder=holder, next_az_deg=az_deg, next_el_deg=el_deg))
 
-    def hold(self, by: str, reason: str) -> None:
-        """Latch, and take the lease away from whoever has it."""
+    def meet(self, port: str) -> None:
+        """Take in which dish it is, and hold it where an earlier program did and nobody has released it since."""
+        note = None if self._keeper is None else self._keeper.meet(port)
+        if note is None or self.latched:
+            return
+        self.latched = True
+        at, _ = self._board.stamp()
+        self._tell_held(HeldState(note.by, at, note.utc, note.reason, earlier=True, damage=note.damage))
+
+    def hold(self, by: str, reason: str, *, keep: bool = True) -> None:
+        """Latch, and take the lease away from whoever has it. `keep`: also for the programs that come after."""
         self.latched = True
         at, utc = self._board.stamp()
         if self._board.state.held is None or reason == "stop":
             self._tell_held(HeldState(by, at, utc, reason))
+            if keep:
+                self.keep(by, utc, reason)
         if self._board.state.holder is not None:
             self._pass_to(None)
+
+    def keep(self, by: str, utc: datetime, reason: str) -> None:
+        """Let HELD outlive this program. Any thread; never waits for the disk."""
+        if self._keeper is not None:
+            self._keeper.latch(HeldNote(by, utc, reason, self._board.state.port))
+
+    def expect_another_dish(self) -> None:
+        """What answers next may be another dish. HELD holds there too; a release then leaves the first one held."""
+        if self._keeper is not None:
+            self._keeper.expect_another_dish()
 
     def release(self) -> None:
         """Let go of the latch. Nothing moves by it."""
         self.latched = False
+        if self._keeper is not None:
+            self._keeper.release()
         if self._board.state.held is not None:
             self._tell_held(None)
 

@@ -1,9 +1,11 @@
-"""Lets `birdcage stop` and `birdcage status` reach the process that owns the port: only one can have it open.
+"""Lets `birdcage stop`, `hold`, `release` and `status` reach the process that owns the port: only one has it open.
 
 The owner listens on 127.0.0.1, on a TCP port that the system chooses, and leaves a file that only its user may read:
 where it listens, and a token. One JSON line in, one out:
 
     {"token": "…", "do": "stop", "by": "birdcage stop"}  ->  {"ok": true, "stop": {…}}     (`report.stop_report`)
+    {"token": "…", "do": "hold", "by": "anna"}           ->  {"ok": true, "hold": {…}}     the same, in other words
+    {"token": "…", "do": "release", "by": "anna"}        ->  {"ok": true, "release": {…}}  (`report.release_report`)
     {"token": "…", "do": "status"}                       ->  {"ok": true, "status": {…}}   (`report.status_report`)
 
 The caller's side is `ring`.
@@ -22,9 +24,11 @@ import socket
 import threading
 from pathlib import Path
 
+from birdcage.base.errors import BirdcageError
 from birdcage.base.wake import Wake
 from birdcage.station.events import Event, LinkChanged, StopConfirmed
-from birdcage.station.report import status_report, stop_report
+from birdcage.station.report import release_report, status_report, stop_report
+from birdcage.station.requests import Release
 from birdcage.station.ring import owner_file
 from birdcage.station.state import Link
 from birdcage.station.station import Station
@@ -34,6 +38,8 @@ LINE_S = 2.0
 """How long a caller may take to say what it wants."""
 CONFIRM_S = 6.0
 """How long the answer to a stop waits for the dish to confirm: five repeats, and the time to come to rest."""
+RELEASE_S = 5.0
+"""How long the answer to a release waits for the station."""
 ANSWERED_S = 0.3
 """How long closing waits for an answer that is being sent."""
 
@@ -137,9 +143,12 @@ class Doorbell:
             return {"ok": False, "error": "not a JSON line"}
         if not isinstance(asked, dict) or not hmac.compare_digest(str(asked.get("token")), self._token):
             return {"ok": False, "error": "wrong token"}
+        by = "".join(filter(str.isprintable, str(asked.get("by") or "another program")))
         match asked.get("do"):
-            case "stop":
-                return {"ok": True, "stop": self._stop(str(asked.get("by") or "another program"))}
+            case "stop" | "hold" as do:
+                return {"ok": True, do: self._stop(by)}
+            case "release":
+                return {"ok": True, "release": self._release(by)}
             case "status":
                 station = self._station
                 return {"ok": True, "status": status_report(station.state, station.clock.monotonic())}
@@ -164,3 +173,15 @@ class Doorbell:
         if last is None or last.at < called:
             return {"by": by, "means": "sent", "confirmed": None, "sentence": "STOP was called; nothing came of it."}
         return dict(stop_report(last))
+
+    def _release(self, by: str) -> dict[str, object]:
+        before = self._station.state.held
+        try:
+            self._station.submit(Release(by)).result(RELEASE_S)
+        except TimeoutError:
+            problem = f"The program did not do it within {RELEASE_S:.0f} s."
+        except BirdcageError as error:
+            problem = str(error)
+        else:
+            problem = ""
+        return dict(release_report(before, self._station.state, problem))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from birdcage.protocol.model import Turn
-from birdcage.station.state import Activity, Link, Search, StationState, StopReport
+from birdcage.station.state import Activity, HeldState, Link, Search, StationState, StopReport
 
 Value = str | float | bool | None
 
@@ -39,8 +39,10 @@ def status_report(state: StationState, now: float) -> dict[str, Value | dict[str
         "activity": None if state.activity is Activity.UNKNOWN else state.activity.value,
         "holder": state.holder,
         "held": held is not None,
-        "held_by": held.by if held else None,
+        "held_by": held.by or None if held else None,
+        "held_since": held.utc.isoformat(timespec="seconds") if held and held.utc else None,
         "held_reason": held.reason if held else None,
+        "held_trouble": state.held_trouble or (held.damage if held else "") or None,
         "fault": state.fault.what if state.fault else None,
         "motion_refused_because": state.motion_refused_because,
         "search": None if state.search is Search.UNKNOWN else state.search.value,
@@ -57,6 +59,17 @@ def status_report(state: StationState, now: float) -> dict[str, Value | dict[str
 def stop_report(report: StopReport) -> dict[str, Value]:
     """Return what a STOP really did; `confirmed` is None while, or where, that is not known."""
     return {"by": report.by, "means": report.means, "confirmed": report.confirmed, "sentence": report.sentence}
+
+
+def release_report(before: HeldState | None, after: StationState, problem: str) -> dict[str, Value]:
+    """Return what a release did: who held it until then, who moves first, and what still keeps it from moving."""
+    waits = problem or (f"A fault still waits to be acknowledged: {after.fault.what}." if after.fault else "")
+    return {
+        "held": after.held is not None,
+        "was": before.sentence if before else None,
+        "next_holder": before.next_holder if before else None,
+        "trouble": " ".join(filter(None, (waits, after.held_trouble))) or None,
+    }
 
 
 def _age(at: float | None, now: float) -> float | None:

@@ -71,7 +71,7 @@ def find_owners(folder: Path) -> list[Owner]:
 
 
 def ring(owner: Owner, do: str, by: str) -> dict[str, Any]:
-    """Ask the owner to `stop` or for its `status`, and return what it tells; `by` says who asks.
+    """Ask the owner to `stop`, `hold`, `release` or for its `status`, and return what it tells; `by` says who asks.
 
     NobodyThere when it has ended, or ends before it answers; a file left behind by it is then removed. NoAnswer when
     it lives and keeps silent.

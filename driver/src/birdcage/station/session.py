@@ -84,7 +84,7 @@ class Session:
         """
         moving = not leave_moving and self.station.bar()
         if moving and self.crash is None:  # else STOP was called when it happened
-            self.station.stop("quit")
+            self.station.stop("quit", leaving=True)
             self._await_stop()
         self.station.end()
         if self._thread is None:

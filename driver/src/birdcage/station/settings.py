@@ -10,6 +10,7 @@ from birdcage.antenna.alignment import Alignment
 from birdcage.base.config import Settings
 from birdcage.base.config.sections import NoGoSector
 from birdcage.link.link import Link
+from birdcage.station.held_keeper import HeldKeeper
 
 OpenLink = Callable[[str, int], Link]
 """Opens a port by its name at a baud rate. LinkError says what is wrong."""
@@ -79,5 +80,7 @@ class StationSettings(Rules):
     """Where tables are kept before the dish's settings are written."""
     state_folder: Path | None = None
     """Where speeds that a pursuit changes are kept until they are put back."""
+    held_keeper: HeldKeeper | None = None
+    """Keeps HELD for the programs that come after; None where it ends with this one."""
     remark: Callable[[str], None] = lambda _text: None
     """Puts a remark into the transcript."""

@@ -10,6 +10,7 @@ from types import MappingProxyType
 
 from birdcage.antenna.alignment import Alignment
 from birdcage.base.config.sections import NoGoSector
+from birdcage.base.held import HeldNote
 from birdcage.protocol.model import DishModel, Turn
 from birdcage.station.pursuit import Pursuit
 
@@ -160,8 +161,11 @@ class HeldState:
     """STOP is latched."""
 
     by: str
+    """Empty where that is not known."""
     since: float
-    utc: datetime
+    """Monotonic seconds since when this program knows."""
+    utc: datetime | None
+    """When it was latched; None where that is not known."""
     reason: str
     """`stop`, `link`, `suspend`, `clock step`, `fault`, `restart`."""
     next_holder: str | None = None
@@ -170,6 +174,15 @@ class HeldState:
     next_el_deg: float | None = None
     ignored: int = 0
     """How many motions were asked for and ignored since."""
+    earlier: bool = False
+    """Whether an earlier program latched it, which has ended since."""
+    damage: str = ""
+    """Why who and when are not known, as a sentence; empty normally."""
+
+    @property
+    def sentence(self) -> str:
+        """Who holds it, since when and why."""
+        return HeldNote(self.by, self.utc, self.reason, damage=self.damage).sentence
 
 
 @dataclass(frozen=True, slots=True)
@@ -232,6 +245,8 @@ class StationState:
     """More about it: a boot line, the axis being homed."""
     holder: str | None = None
     held: HeldState | None = None
+    held_trouble: str = ""
+    """Why HELD, or its release, is not kept for the programs that come after; empty where it is."""
     fault: Fault | None = None
     last_stop: StopReport | None = None
     homed: bool | None = None

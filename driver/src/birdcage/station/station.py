@@ -65,7 +65,7 @@ class Station:
         self._closing = threading.Event()
         self._shutting = False
         """Whether what is said to the dish now is what has to be said before the end."""
-        self._control = Control(board)
+        self._control = Control(board, settings.held_keeper)
         self._look = look = Look(board, antenna, settings)
         queues = protocol.model.second_move is SecondMove.QUEUE
         self._mover = QueuedMover(board, antenna, look) if queues else RetargetMover(board, antenna, look)
@@ -84,6 +84,7 @@ class Station:
         self._pursued = False
         """Whether the last piece of work was the pursuit's: then a request has its turn."""
         self._connection = Connection(board, antenna, settings, look, self._wake, self._on_wake, self._vigil.on_line)
+        self._connection.on_port = self._control.meet
         rewire = Rewire(
             board, antenna, settings, self._connection, self._stopper, look, self._vigil, self._wake, self._on_wake
         )
@@ -135,9 +136,12 @@ class Station:
         """Return the commands of a menu: the documented ones, and what the dish has told. Any thread."""
         return self._talk.menus.of(menu)
 
-    def stop(self, by: str) -> None:
-        """STOP: its first bytes are on their way when this returns. Any thread; never waits for the dish."""
-        self._stopper.call(by)
+    def stop(self, by: str, *, leaving: bool = False) -> None:
+        """STOP: its first bytes are on their way when this returns. Any thread; never waits for the dish.
+
+        A program that is `leaving` does not hold the dish for those that come after.
+        """
+        self._stopper.call(by, leaving=leaving)
         self._wake.set()
 
     @property

@@ -63,8 +63,11 @@ class Stopper:
         """Whether the dish is still being followed to its rest."""
         return self._pending is not None
 
-    def call(self, by: str, reason: str = "stop") -> None:
-        """Latch, and write the first bytes. Any thread; never waits for the dish."""
+    def call(self, by: str, reason: str = "stop", *, leaving: bool = False) -> None:
+        """Latch, and write the first bytes. Any thread; never waits for the dish, or for a disk.
+
+        A program that is `leaving` stops what moves; it does not hold the dish for those that come after.
+        """
         with self._lock:
             self._control.latched = True
             self.count += 1
@@ -80,6 +83,8 @@ class Stopper:
                 grip = Grip("no link", str(error))
             self.reach = self._reach(grip)
             self._calls.append((StopReport(by, now, grip.means, None, grip.sentence), grip.lines, reason))
+            if not leaving:
+                self._control.keep(by, self._board.clock.utc(), reason)
 
     def _grip(self) -> Grip:
         """Return what to do at once, by what is known of the dish."""
@@ -122,7 +127,7 @@ class Stopper:
         """Publish the STOPs that were called since, on the station's thread."""
         while self._calls:
             report, lines, reason = self._calls.popleft()
-            self._control.hold(report.by, reason)
+            self._control.hold(report.by, reason, keep=False)  # the call has done that
             self._mover.fail(End.STOPPED, f"STOP by {report.by}", Stopped(f"STOP by {report.by} ended the motion."))
             self._publish(report, sent=True)
             if report.means == "no link":

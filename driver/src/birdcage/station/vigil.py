@@ -268,6 +268,7 @@ class Vigil:
         """What answers next may be another dish: drop what is known of this one."""
         self._met, self._doubted = False, None
         self._mover.forget_target()
+        self._control.expect_another_dish()
         self.forget("link")
 
     def interrupted(self, reason: str) -> None:

@@ -182,9 +182,13 @@ def _end_search(dish: Dish, *, booted: bool) -> None:
 
 
 def _release(dish: Dish) -> None:
-    """Let go of what a restart has latched: here it was waited for."""
+    """Let go of what a restart has latched: here it was waited for. Held where somebody stopped the dish."""
+    from birdcage.base.errors import Held
     from birdcage.station.requests import AcknowledgeFault, Release
 
+    held = dish.state.held
+    if held is not None and (held.earlier or held.reason == "stop"):
+        raise Held(f"{held.sentence} Nothing was sent: `birdcage release` lets it move again.")
     dish.ask(AcknowledgeFault(HOLDER), 5.0)
     dish.ask(Release(HOLDER), 5.0)
 

@@ -21,8 +21,9 @@ BY = "birdcage stop"
 def command(context: click.Context) -> None:
     """Stop the dish, and say what was really done.
 
-    If another birdcage program has the port, that one stops the dish and holds it until a person releases it there.
-    When no port is named anywhere, every birdcage program that has one is stopped. If none has, the port is opened.
+    If another birdcage program has the port, that one stops the dish. When no port is named anywhere, every birdcage
+    program that has one is stopped. If none has, the port is opened. The dish is HELD afterwards: no birdcage program
+    moves it before a person releases it, there or with `birdcage release`.
     """
     from birdcage.base.errors import LinkError
 
@@ -47,7 +48,7 @@ def _ring(dish: Wanted) -> list[dict[str, Any]]:
     for owner in _owners(dish):
         stop = _ring_one(owner)
         if stop is not None:
-            done.append(stop | {"port": owner.port, "pid": owner.pid})
+            done.append(stop | {"port": owner.port, "pid": owner.pid, "held": True})
     return done
 
 
@@ -79,11 +80,11 @@ def _stop_ourselves(wanted: Wanted) -> dict[str, Any]:
     with open_dish(wanted, survey=False) as dish:
         dish.come_up(15.0, patient=True)
         report = dish.stop(BY)
-        port = dish.state.port
+        port, demo = dish.state.port, dish.state.demo
     if report is None:
         sentence = "STOP was sent; whether the dish stands still is not known."
-        return {"by": BY, "means": "sent", "confirmed": None, "sentence": sentence, "port": port}
-    return stop_report(report) | {"port": port}
+        return {"by": BY, "means": "sent", "confirmed": None, "sentence": sentence, "port": port, "held": not demo}
+    return stop_report(report) | {"port": port, "held": not demo}
 
 
 def _tell(done: list[dict[str, Any]]) -> None:
@@ -94,5 +95,5 @@ def _tell(done: list[dict[str, Any]]) -> None:
             tell_json(stop)
             continue
         whose = f" ({stop['port']}, process {stop['pid']})" if "pid" in stop else ""
-        held = " Held until a person releases it there." if "pid" in stop else ""
+        held = " HELD until a person releases it: `birdcage release`." if stop["held"] else ""
         tell(f"{stop['sentence']}{held}{whose}")

@@ -156,7 +156,9 @@ class Step:
         fault, held = self.bench.state.fault, self.bench.state.held
         if fault is not None:
             return (Choice("release", "r", f"I have read it, go on: {fault.what}"),)
-        return (Choice("release", "r", f"Release ({held.reason} by {held.by})"),) if held is not None else ()
+        return (
+            (Choice("release", "r", f"Release ({held.reason} by {held.by or 'somebody'})"),) if held is not None else ()
+        )
 
     def trouble(self) -> tuple[str, ...]:
         """Say what keeps the dish from moving."""
@@ -164,7 +166,7 @@ class Step:
         if state.fault is not None:
             return (f"{state.fault.what}. {state.fault.meaning} {state.fault.remedy}",)
         if state.held is not None:
-            return (f"HELD by {state.held.by} ({state.held.reason}): nothing moves until you release it.",)
+            return (f"{state.held.sentence} Nothing moves until you release it.",)
         if state.motion_refused_because is not None:
             return (state.motion_refused_because,)
         return () if self.bench.is_up else (f"The dish does not answer: {state.link.detail or 'no link'}. See step 1.",)
@@ -177,8 +179,8 @@ class Step:
     def release_after_restart(self) -> Plan:
         """Let go of what the dish's own search or a restart has latched; a person's STOP holds."""
         state = self.bench.state
-        if state.held is not None and state.held.reason == "stop":
-            raise Held(f"STOP is latched by {state.held.by}: release it first.")
+        if state.held is not None and (state.held.reason == "stop" or state.held.earlier):
+            raise Held(f"{state.held.sentence} Release it first.")
         if state.fault is not None and state.fault.reason not in ("moved", "reboot", "unhomed"):
             raise Held(f"A fault waits to be acknowledged: {state.fault.what}.", reason="fault")
         yield from self.release()

@@ -1,0 +1,58 @@
+"""`birdcage release`."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import click
+
+from birdcage.cli import exits
+from birdcage.cli.options import Wanted, flags, global_options, wanted
+
+
+@click.command("release", epilog=exits.EPILOG)
+@global_options()
+@click.pass_context
+def command(context: click.Context) -> None:
+    """Let programs move the dish again, and say who held it since when.
+
+    Nothing moves by it, though a program that waits may move the dish next: it is named. When no port is named
+    anywhere, the one dish that is held is released.
+    """
+    from birdcage.base.held import user_name
+    from birdcage.cli.owners import ring_owners
+    from birdcage.cli.say import tell, tell_json
+
+    dish = wanted()
+    told = ring_owners(dish, "release", f"{user_name()} (birdcage release)") or [_release(dish)]
+    for each in told:
+        if flags().json:
+            tell_json(each)
+            continue
+        words = f"{each['port']}: nobody holds the dish." if each["was"] is None else f"{each['was']} Released."
+        if each["was"] is not None and each["held"]:
+            words = f"{each['was']} Not released."
+        if each["next_holder"]:
+            words += f" {each['next_holder']} wanted to move it meanwhile."
+        tell(" ".join(filter(None, (words, each["trouble"]))))
+    if any(each["held"] for each in told):
+        context.exit(exits.NOT_DONE)
+
+
+def _release(dish: Wanted) -> dict[str, Any]:
+    """Release a dish that no program of ours drives now."""
+    from birdcage.base.errors import ConfigError
+    from birdcage.station.holding import find_held, list_held
+
+    held = find_held(dish.paths, dish.port)
+    if held is None and not dish.port_given:
+        others = list_held(dish.paths)
+        if len(others) > 1:
+            ports = ", ".join(other.note.port or str(other.file.path) for other in others)
+            raise ConfigError(f"{len(others)} dishes are held: {ports}. Name one with --port.")
+        held = others[0] if others else None
+    if held is None:
+        return {"port": dish.port, "held": False, "was": None, "next_holder": None, "trouble": None}
+    held.release()
+    port = held.note.port or dish.port
+    return {"port": port, "held": False, "was": held.note.sentence, "next_holder": None, "trouble": None}

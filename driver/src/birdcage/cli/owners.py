@@ -1,0 +1,30 @@
+"""Asking the birdcage programs that have the port."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from birdcage.cli.options import Wanted
+
+
+def ring_owners(dish: Wanted, do: str, by: str) -> list[dict[str, Any]]:
+    """Have the owner of the port do it, or every owner when no port is named anywhere; empty if there is none.
+
+    NoReply where one lives and does not answer.
+    """
+    from birdcage.base.errors import NoReply
+    from birdcage.station.ring import NoAnswer, NobodyThere, find_owner, find_owners, owners_folder, ring
+
+    folder = owners_folder(dish.paths)
+    one = find_owner(folder, dish.port) if dish.port_given else None
+    owners = find_owners(folder) if not dish.port_given else [one] if one is not None else []
+    told = []
+    for owner in owners:
+        try:
+            told.append(ring(owner, do, by) | {"port": owner.port, "pid": owner.pid})
+        except NobodyThere:
+            continue
+        except NoAnswer as error:
+            raise NoReply(f"{error}: cut the power of the dish.") from error
+    return told

@@ -1,0 +1,137 @@
+"""HELD across programs: `birdcage hold` and `release`, beside a program that has the port and without one."""
+
+from __future__ import annotations
+
+import signal
+
+import pytest
+from birdcage.base.clock import RealClock
+from birdcage.base.config import load
+from birdcage.base.paths import Paths
+from birdcage.station.build import open_session
+from birdcage.station.doorbell import Doorbell
+from birdcage.station.requests import Goto
+from birdcage.station.ring import owners_folder
+from birdcage.station.state import Link
+
+from .conftest import PtyDish
+
+
+@pytest.fixture(autouse=True)
+def _anna(monkeypatch):
+    monkeypatch.setenv("LOGNAME", "anna")
+
+
+@pytest.fixture
+def owner(pty_dish):
+    """A program that has the port, as the app is one."""
+    paths = Paths.default()
+    session = open_session(
+        port=pty_dish.path, firmware="g2", baud=None, settings=load(None), paths=paths, clock=RealClock(), survey=False
+    )
+    doorbell = Doorbell(session.station, owners_folder(paths))
+    session.start()
+    pty_dish.wait_for(lambda _truth: session.station.state.link.state is Link.UP)
+    yield session
+    session.close()
+    doorbell.close()
+
+
+def moved(pty_dish):
+    return [line for line in pty_dish.moves() if line != "a"]
+
+
+def test_a_dish_that_nobody_drives_is_held_and_released(run, as_json, pty_dish):
+    held = run("hold", port=pty_dish.path)
+    assert held.exit_code == 0, held.stderr
+    assert "HELD by anna (birdcage hold) since " in held.stdout
+    assert "Nothing was sent" in held.stdout
+    for words in (("move", "--az", 200, "--el", 45), ("home", "--yes")):
+        refused = run(*words, port=pty_dish.path)
+        assert refused.exit_code == 4
+        assert "HELD by anna (birdcage hold) since " in refused.stderr
+        assert "`birdcage release`" in refused.stderr
+    assert moved(pty_dish) == []
+    status = as_json(run("status", "--quick", "--json", port=pty_dish.path))
+    assert (status["held"], status["held_by"]) == (True, "anna (birdcage hold)")
+    released = run("release", port=pty_dish.path)
+    assert released.exit_code == 0, released.stderr
+    assert released.stdout.startswith("HELD by anna (birdcage hold) since ")
+    assert "Released." in released.stdout
+    assert run("move", "--az", 10, "--el", 45, port=pty_dish.path).exit_code == 0
+    assert "nobody holds the dish" in run("release", port=pty_dish.path).stdout
+
+
+def test_the_one_dish_that_is_held_needs_no_name(run, pty_dish, tmp_path):
+    assert run("hold", port=pty_dish.path).exit_code == 0
+    assert pty_dish.path in str(run("release", "--json", port="").stdout)
+    assert run("hold", port=pty_dish.path).exit_code == 0
+    other = tmp_path / "ttyUSB7"
+    other.touch()
+    assert run("hold", port=str(other)).exit_code == 0
+    several = run("release", port="")
+    assert several.exit_code == 2
+    assert "2 dishes are held" in several.stderr
+    assert str(other) in several.stderr
+
+
+def test_a_port_that_is_not_there_is_not_held_by_guess(run):
+    result = run("hold", port="/dev/ttyUSB99")
+    assert result.exit_code == 1
+    assert "is not there" in result.stderr
+
+
+def test_an_owner_stops_holds_and_releases(run, as_json, pty_dish, owner):
+    owner.station.submit(Goto(200.0, 45.0, "you"))
+    pty_dish.wait_for_motion()
+    held = as_json(run("hold", "--json", port=pty_dish.path))
+    assert (held["confirmed"], held["held"]) == (True, True)
+    assert not pty_dish.device.truth().moving
+    assert owner.station.state.held.by == "anna (birdcage hold)"
+    owner.station.submit(Goto(200.0, 45.0, "Gpredict")).exception(5)
+    released = run("release", port=pty_dish.path)
+    assert released.exit_code == 0, released.stderr
+    assert "HELD by anna (birdcage hold) since " in released.stdout
+    assert "Gpredict wanted to move it meanwhile." in released.stdout
+    assert owner.station.state.held is None
+    assert "nobody holds the dish" in run("release", port=pty_dish.path).stdout
+
+
+def test_it_is_held_after_its_program_was_killed(run, start, pty_dish):
+    process = start("move", "--port", pty_dish.path, "--firmware", "g2", "--az", 200, "--el", 45)
+    pty_dish.wait_for_motion()
+    assert run("stop", port=pty_dish.path).exit_code == 0
+    process.kill()
+    process.wait(5)
+    refused = run("move", "--az", 200, "--el", 45, port=pty_dish.path)
+    assert refused.exit_code == 4
+    assert "HELD by anna (birdcage stop) since " in refused.stderr
+
+
+@pytest.mark.parametrize(("number", "code"), [(signal.SIGINT, 4), (signal.SIGTERM, 0)])
+def test_ctrl_c_on_a_dish_that_moves_holds_it_and_the_end_of_a_program_does_not(run, start, pty_dish, number, code):
+    process = start("move", "--port", pty_dish.path, "--firmware", "g2", "--az", 200, "--el", 45)
+    pty_dish.wait_for_motion()
+    process.send_signal(number)
+    _out, err = process.communicate(timeout=15)
+    assert process.returncode == 128 + number
+    assert ("`birdcage release` lets it move again" in err) is (code == 4)
+    position = pty_dish.device.truth()
+    result = run("move", "--az", f"{position.az_deg:.2f}", "--el", 44, port=pty_dish.path)
+    assert result.exit_code == code, result.stderr
+
+
+def test_another_simulator_at_the_same_pseudo_terminal_starts_free(run):
+    first = PtyDish()
+    assert run("hold", port=first.path).exit_code == 0
+    assert run("move", "--az", 10, "--el", 45, port=first.path).exit_code == 4
+    first.close()
+    others = [PtyDish()]
+    try:
+        while others[-1].path != first.path and len(others) < 50:  # another test may have taken the name
+            others.append(PtyDish())
+        result = run("move", "--az", 10, "--el", 45, port=first.path)
+        assert result.exit_code == 0, result.stderr
+    finally:
+        for dish in others:
+            dish.close()
