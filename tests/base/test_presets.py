@@ -1,6 +1,7 @@
 """Presets: kept as they were, whatever the file holds; a damaged file is shown and never written."""
 
 import contextlib
+from dataclasses import replace
 
 import pytest
 from birdcage.base.errors import ConfigError
@@ -99,7 +100,7 @@ DAMAGE = [
     (b"[[preset]]\nname = 'x'\naz_deg = 1" + b"0" * 400 + b"\nel_deg = 1", "no number of degrees"),
     (b"[[preset]]\naz_deg = 1\nel_deg = 1", "has a name"),
     (b"[[preset]]\nname = ''\naz_deg = 1\nel_deg = 1", "1 to 40 characters"),
-    (b'[[preset]]\nname = "a\\u0007b"\naz_deg = 1\nel_deg = 1', "can be seen"),
+    (b'[[preset]]\nname = "\\u0007"\naz_deg = 1\nel_deg = 1', "can be seen"),
     (b"preset = 3", "must be tables"),
     (b"preset = [1, 2]", "a preset is a table"),
     (b"[preset]\nname = 'x'", "must be tables"),
@@ -161,3 +162,11 @@ def test_angles_and_spaces_are_put_in_order():
     assert checked("  two   words ", -10.0, 45.0) == Preset("two words", 350.0, 45.0)
     with pytest.raises(ValueError, match="1 to 40"):
         checked("x" * 41, 1.0, 2.0)
+
+
+def test_control_characters_of_a_name_are_lost_as_it_comes_in(tmp_path):
+    path = tmp_path / "presets.toml"
+    path.write_text('[[preset]]\nname = "a\\u001B[2J"\naz_deg = 1\nel_deg = 1\nnote = "\\u202Eb"\n')
+    (preset,) = load_presets(path).entries
+    assert (preset.name, preset.note) == ("a[2J", "b")
+    assert add_preset(path, replace(preset, name="other")).problems == ()

@@ -151,6 +151,25 @@ def test_events_that_do_not_fit_are_counted(tmp_path):
     assert lines == ["# head", r"< a\n", "# 3 events are missing here: the disk was too slow", r"< z\n"]
 
 
+def test_what_waits_for_a_slow_disk_is_bounded_in_bytes(tmp_path, monkeypatch):
+    """Chunks are as large as the system hands them out: so many of them say nothing of the memory they take."""
+    disk, written = threading.Event(), []
+
+    def slow(self, items, dropped):
+        disk.wait(10)
+        written.append((sum(len(item.data) for item in items), dropped))
+
+    monkeypatch.setattr(TranscriptFiles, "write", slow)
+    transcript = Transcript(tmp_path, version="0.1.0", queue_bytes=100_000)
+    for _ in range(50):
+        transcript.record("<", bytes(30_000), NOON)
+    transcript.record("<", b"small", NOON)
+    disk.set()
+    transcript.close(10)
+    assert max(size for size, _dropped in written) <= 100_000
+    assert sum(dropped for _size, dropped in written) >= 44
+
+
 def test_a_folder_that_cannot_be_written_is_a_problem_not_a_crash(tmp_path):
     (tmp_path / "wire").write_text("in the way")
     transcript = Transcript(tmp_path / "wire", version="0.1.0")

@@ -182,3 +182,16 @@ def test_a_file_that_loses_its_tables_is_told_in_a_sentence(path, catalogue, sat
         catalogue.all()
     with pytest.raises(StoreError, match="can't be used"):
         catalogue.add([sat()])
+
+
+def test_elements_dated_in_the_future_give_way_to_any_others_and_are_kept_where_there_are_none(catalogue, sat):
+    def add(*days):
+        catalogue.add([sat(days=each) for each in days], fetched=sat().epoch)
+        return (catalogue.get(43013).epoch - sat().epoch).days
+
+    assert add(2000) == 2000, "nothing is thrown away: it may be the clock that is wrong"
+    assert add(3000) == 3000
+    assert add(-5) == -5, "one that was kept before is healed by the next good one"
+    assert add(400, 7) == 7
+    assert add(400) == 7
+    assert add(6) == 7

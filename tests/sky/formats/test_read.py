@@ -180,3 +180,27 @@ def test_any_cut_anywhere_raises_nothing_and_is_told(kind: str) -> None:
             assert one == right or kind in ("csv", "kvn"), text[:end][-80:]
         lost = len(written("ONE")[kind]) + 20 < end < len(text) - 80
         assert harvest.complaints or not lost or kind == "kvn", text[:end][-80:]
+
+
+def test_a_few_binary_bytes_cost_their_own_lines_only(tmp_path):
+    good = f"GOOD\n{LINE_1}\n{LINE_2}\n"
+    damaged = good.replace("GOOD", "TORN").replace("51.6424", "51.\x0024").replace("25544", "25545")
+    named = good.replace("GOOD", "NA\x01ME")
+    path = tmp_path / "some.tle"
+    path.write_bytes((good + damaged + named).encode() + b"B\x80D \xe9\n" + f"{LINE_1}\n{LINE_2}\n".encode())
+    harvest = read_path(path)
+    assert [each.name for each in harvest.elements] == ["GOOD", "NA\ufffdME", "BD é"]
+    lines = [each.line for each in harvest.complaints]
+    assert {6, 7} <= set(lines) <= {5, 6, 7}
+    assert "binary in this line: 1 byte of no text" in [each.why for each in harvest.complaints]
+
+
+PICTURE = bytes(range(256)) * 4 + bytes(99)
+
+
+@pytest.mark.parametrize("body", [b"\x1f\x8b\x08" + b"x" * 99, b"PK\x03\x04" + b"x" * 99, PICTURE])
+def test_what_is_packed_or_a_picture_is_no_list(tmp_path, body):
+    path = tmp_path / "some.tle"
+    path.write_bytes(body)
+    (complaint,) = read_path(path).complaints
+    assert "not a text file" in str(complaint)

@@ -5,10 +5,13 @@ from __future__ import annotations
 import gzip
 import socket
 import time
+import tracemalloc
+import zlib
 
 import pytest
 from birdcage.sky.update.errors import FetchError
 from birdcage.sky.update.fetch import _Request, check_url, fetch
+from birdcage.sky.update.unpack import unpack
 
 
 def refused(url, **more):
@@ -73,6 +76,27 @@ def test_what_unpacks_to_too_much_is_refused(server):
     assert refused(server.url("/bomb"), largest=100_000).reason == "too_large"
     assert refused(server.url("/long"), largest=100_000).reason == "too_large"
     assert len(fetch(server.url("/long"), largest=300_000).body) == 300_000
+
+
+def test_a_bomb_is_unpacked_no_further_than_the_bound():
+    """The whole is never in memory: 200 MB in 200 kB."""
+    packer = zlib.compressobj(9, wbits=31)
+    bomb = b"".join([packer.compress(bytes(1_000_000)) for _ in range(200)]) + packer.flush()
+    tracemalloc.start()
+    try:
+        with pytest.raises(FetchError) as error:
+            unpack(bomb, "gzip", 1_000_000, "http://server/bomb")
+        peak = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    assert error.value.reason == "too_large"
+    assert peak < 5_000_000
+
+
+def test_a_file_of_endless_empty_parts_is_refused():
+    assert unpack(gzip.compress(b"ab") + gzip.compress(b"c"), "", 100, "url") == b"abc"
+    with pytest.raises(FetchError, match="parts"):
+        unpack(gzip.compress(b"") * 1000, "gzip", 1_000_000, "url")
 
 
 def test_a_body_shorter_than_promised_is_refused(server):

@@ -23,10 +23,13 @@ class BackgroundWriter(Generic[Item]):
         handle: Callable[[list[Item], int], None],
         *,
         size: int = 4096,
+        weigh: Callable[[Item], int] = lambda _item: 1,
         quiet_s: float | None = None,
     ) -> None:
+        """Begin. `size` is how much may wait, in what `weigh` says of each item: items, or bytes."""
         self._handle = handle
-        self._size = size
+        self._size, self._weigh = size, weigh
+        self._weight = 0
         self._quiet_s = quiet_s
         self._waiting: deque[Item] = deque()
         self._dropped = 0
@@ -38,11 +41,13 @@ class BackgroundWriter(Generic[Item]):
 
     def offer(self, item: Item) -> bool:
         """Queue `item` without waiting; False if there was no room, or the writer is closed."""
+        weight = self._weigh(item)
         with self._changed:
-            if self._closing or len(self._waiting) >= self._size:
+            if self._closing or self._weight + weight > self._size:
                 self._dropped += 1
                 return False
             self._waiting.append(item)
+            self._weight += weight
             self._changed.notify_all()
             return True
 
@@ -67,7 +72,7 @@ class BackgroundWriter(Generic[Item]):
                 self._changed.wait_for(lambda: bool(self._waiting or self._closing), timeout_s)
                 items, dropped = list(self._waiting), self._dropped
                 self._waiting.clear()
-                self._dropped = 0
+                self._weight = self._dropped = 0
                 self._busy = True
                 ending = self._closing
             self._handle(items, dropped)

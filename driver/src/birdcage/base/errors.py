@@ -23,14 +23,16 @@ the dish, what to do.
 
 from __future__ import annotations
 
+from birdcage.base.text import clean
+
 
 class BirdcageError(Exception):
-    """Base of all. `reason` is a stable word; the message is for people."""
+    """Base of all. `reason` is a stable word; the message is for people, whatever it quotes (`base.text`)."""
 
     reason = "error"
 
     def __init__(self, message: str, *, reason: str | None = None) -> None:
-        super().__init__(message)
+        super().__init__(clean(message))
         if reason is not None:
             self.reason = reason
 

@@ -41,5 +41,16 @@ PASSES = (
     "CREATE INDEX pass_remark_by_pass ON pass_remark (pass)",
 )
 
-MIGRATIONS = (FAULTS, WEAR, PASSES)
+CLEAN = tuple(
+    f"UPDATE {table} SET {column} = clean({column}) WHERE {column} != clean({column})"  # noqa: S608 - our own names
+    for table, columns in (
+        ("fault", ("kind", "reason", "sentence")),
+        ("pass", ("name", "kind", "site", "outcome", "csv")),
+        ("pass_remark", ("text",)),
+    )
+    for column in columns
+)
+"""Names used to be kept as they came, control characters and all."""
+
+MIGRATIONS = (FAULTS, WEAR, PASSES, CLEAN)
 """Of the whole file. Whoever opens it passes this, so that nobody takes the others' tables for a newer program's."""

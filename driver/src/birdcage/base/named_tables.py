@@ -15,6 +15,8 @@ from typing import Any, Generic, Protocol, TypeVar
 
 from birdcage.base.errors import ConfigError
 from birdcage.base.paths import write_aside_and_rename
+from birdcage.base.text import clean_all
+from birdcage.base.user_file import read_user_file
 
 MOST_BYTES = 1_000_000
 """A larger file is not written by a person."""
@@ -83,7 +85,7 @@ class NamedTables(Generic[Entry]):
     def load(self, path: Path) -> Found[Entry]:
         """Read the file; one that is absent is empty. Nothing is raised: what is wrong stands in `problems`."""
         try:
-            raw = path.read_bytes()
+            raw = read_user_file(path, MOST_BYTES)
         except FileNotFoundError:
             return Found()
         except OSError as error:
@@ -121,15 +123,13 @@ class NamedTables(Generic[Entry]):
         return found
 
     def _parse(self, path: Path, raw: bytes) -> Found[Entry]:
-        if len(raw) > MOST_BYTES:
-            return Found((), (f"{path} is larger than a list of {self.plural} can be.",))
         try:
             text = raw.decode("utf-8-sig")
         except UnicodeDecodeError as error:
             line = raw.count(b"\n", 0, error.start) + 1
             return Found((), (f"{path} line {line} is no UTF-8 text.",))
         try:
-            data = tomllib.loads(text)
+            data = clean_all(tomllib.loads(text))
         except tomllib.TOMLDecodeError as error:
             return Found((), (f"{path} is no valid TOML: {error}.",))
         except (RecursionError, ValueError) as error:
@@ -187,7 +187,7 @@ class NamedTables(Generic[Entry]):
         from tomlkit.exceptions import TOMLKitError
 
         try:
-            text = path.read_bytes().decode("utf-8-sig")
+            text = read_user_file(path, MOST_BYTES).decode("utf-8-sig")
         except FileNotFoundError:
             text = self.header
         try:

@@ -7,6 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from birdcage.base.errors import StoreError
+from birdcage.base.text import clean
+from birdcage.base.user_file import check_regular
 
 if TYPE_CHECKING:
     import sqlite3
@@ -15,7 +17,7 @@ BUSY_TIMEOUT_S = 5.0
 """How long to wait for another program that is writing."""
 
 Migration = Sequence[str]
-"""The SQL statements that lead from one version to the next."""
+"""The SQL statements that lead from one version to the next; they may call `clean` of `base.text`."""
 
 
 def open_database(path: Path, migrations: Sequence[Migration]) -> sqlite3.Connection:
@@ -29,6 +31,8 @@ def open_database(path: Path, migrations: Sequence[Migration]) -> sqlite3.Connec
 
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
+        if path.exists():
+            check_regular(path)
         connection = sqlite3.connect(path, timeout=BUSY_TIMEOUT_S, isolation_level=None)
     except (OSError, sqlite3.Error) as error:
         raise StoreError(f"{path} cannot be opened: {error}. Check the folder and its permissions.") from error
@@ -36,6 +40,7 @@ def open_database(path: Path, migrations: Sequence[Migration]) -> sqlite3.Connec
         connection.execute("PRAGMA journal_mode = WAL")
         connection.execute("PRAGMA synchronous = NORMAL")
         connection.execute("PRAGMA foreign_keys = ON")
+        connection.create_function("clean", 1, _clean, deterministic=True)
         _migrate(connection, path, migrations)
     except sqlite3.OperationalError as error:
         connection.close()
@@ -49,6 +54,11 @@ def open_database(path: Path, migrations: Sequence[Migration]) -> sqlite3.Connec
         connection.close()
         raise
     return connection
+
+
+def _clean(value: str | bytes | float | None) -> str | bytes | float | None:
+    """Return a value of any column, clean where it is text: what SQL calls `clean`."""
+    return clean(value) if isinstance(value, str) else value
 
 
 def fingerprint(path: Path) -> tuple[object, ...]:

@@ -14,8 +14,11 @@ from pathlib import Path
 
 from birdcage.base.errors import StoreError
 from birdcage.base.paths import Paths, write_aside_and_rename
+from birdcage.base.text import clean_all
+from birdcage.base.user_file import check_regular, read_user_file
 from birdcage.calibration.peak import Peak
 
+MOST_BYTES = 20_000_000
 _ANGLES = ("true_az_deg", "true_el_deg", "dish_az_deg", "dish_el_deg", "sigma_deg")
 
 
@@ -36,7 +39,7 @@ def peaks_file(paths: Paths) -> Path:
 def load_peaks(path: Path) -> Peaks:
     """Read the file; one that is absent is empty. Nothing is raised: what is wrong stands in `problems`."""
     try:
-        lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
+        lines = _lines(path)
     except FileNotFoundError:
         return Peaks()
     except OSError as error:
@@ -58,6 +61,8 @@ def add_peak(path: Path, peak: Peak) -> Peak:
     line = json.dumps({**asdict(kept), "utc": kept.utc.astimezone(UTC).isoformat(timespec="milliseconds")}) + "\n"
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
+        if path.exists():
+            check_regular(path)
         with path.open("ab") as file:
             if file.tell() and not _ends_line(path):
                 file.write(b"\n")  # the last line was cut off by a crash: this one is not to be lost with it
@@ -78,13 +83,17 @@ def remove_peaks(path: Path, *numbers: int) -> Peaks:
     missing = set(numbers) - {peak.number for peak in kept.entries}
     if missing:
         raise StoreError(f"There is no peak {min(missing)}. Nothing was removed.", reason="missing")
-    lines = path.read_text(encoding="utf-8", errors="replace").splitlines() if numbers else []
+    lines = _lines(path) if numbers else []
     left = [line for line in lines if not _is_one_of(line, numbers)]
     try:
         write_aside_and_rename(path, "".join(f"{line}\n" for line in left).encode())
     except OSError as error:
         raise StoreError(f"{path} can't be written ({error.strerror or error}): nothing was removed.") from error
     return load_peaks(path)
+
+
+def _lines(path: Path) -> list[str]:
+    return read_user_file(path, MOST_BYTES).decode("utf-8", "replace").splitlines()
 
 
 def _ends_line(path: Path) -> bool:
@@ -102,7 +111,7 @@ def _is_one_of(line: str, numbers: tuple[int, ...]) -> bool:
 
 def _peak(line: str) -> Peak:
     """Read one line. ValueError, TypeError or KeyError for what is no peak."""
-    row = json.loads(line)
+    row = clean_all(json.loads(line))
     utc = datetime.fromisoformat(row["utc"])
     if utc.tzinfo is None:
         raise ValueError("its time has no zone")

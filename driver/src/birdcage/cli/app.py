@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from importlib import import_module
 from keyword import iskeyword
 from typing import Any
 
 import click
 
+from birdcage.base.text import clean
 from birdcage.cli import exits
 from birdcage.cli.options import global_options
 from birdcage.cli.say import say
@@ -74,6 +76,10 @@ class Birdcage(click.Group):
         with formatter.section("Commands"):
             formatter.write_dl(list(COMMANDS.items()))
 
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Take the whole command line. Errors say its words again, so they come in clean."""
+        return super().parse_args(ctx, [_printable(each) for each in args])
+
     def invoke(self, ctx: click.Context) -> Any:  # noqa: ANN401 - click's signature
         """Run the command. Expected errors are one sentence on stderr, never a traceback."""
         from birdcage.base.errors import BirdcageError
@@ -90,6 +96,11 @@ class Birdcage(click.Group):
             say(str(error))
             _say_notes(error)
             ctx.exit(exits.code_of(error))
+
+
+def _printable(argument: str) -> str:
+    """Return an argument clean, unless it is the name of a file that is called so."""
+    return argument if argument.isprintable() or os.path.lexists(argument.replace("\0", "")) else clean(argument)
 
 
 def _say_notes(error: Exception) -> None:

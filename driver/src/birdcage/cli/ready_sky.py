@@ -32,6 +32,7 @@ def clock(paths: Paths, now: datetime) -> Check:
 def elements(paths: Paths, now: datetime) -> Iterator[Check]:
     """Whether there are elements, how old they are, and what that means for the favourites."""
     from birdcage.base.errors import StoreError
+    from birdcage.sky.ahead import ahead_words
     from birdcage.sky.catalogue import Catalogue
     from birdcage.sky.catalogue.words import span
 
@@ -54,6 +55,9 @@ def elements(paths: Paths, now: datetime) -> Iterator[Check]:
         words = f"one satellite, {span(middle)} old"
     old = middle > OLD_DAYS * 86400.0
     yield Check("elements", "look" if old else "good", words, "birdcage elements update" if old else "")
+    ahead = ahead_words([each.elements for each in entries], now)
+    if ahead:
+        yield Check("epochs", "look", ahead, "birdcage elements update")
     if not favourites:
         yield Check("favourites", "look", "none is named", "birdcage elements favourite NAME")
     for entry in favourites:

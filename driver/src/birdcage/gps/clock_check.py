@@ -8,6 +8,8 @@ from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 from birdcage.base.paths import write_aside_and_rename
+from birdcage.base.text import clean_all
+from birdcage.base.user_file import read_user_file
 from birdcage.gps.system_time import RunTool, by_system, run_tool
 from birdcage.gps.verdict import DOUBTFUL_S, ClockVerdict
 
@@ -58,7 +60,7 @@ def remember(state_folder: Path, verdict: ClockVerdict) -> bool:
 def recall(state_folder: Path) -> ClockVerdict | None:
     """Return the last good verdict as it was; None when there is none, or what is kept makes no sense."""
     try:
-        kept = json.loads((state_folder / FILE).read_bytes())
+        kept = clean_all(json.loads(read_user_file(state_folder / FILE)))
         at = datetime.fromisoformat(kept["checked_at"])
         offset_s, precision_s = kept["offset_s"], float(kept["precision_s"])
         found = ClockVerdict(

@@ -9,6 +9,7 @@ from typing import Any
 
 from birdcage.base.clock import Clock
 from birdcage.base.errors import LinkError
+from birdcage.base.text import clean
 from birdcage.base.wake import Wake
 from birdcage.gps.fix import GpsFix, NoFix
 from birdcage.gps.wire import Lines, OpenLink, opener
@@ -44,7 +45,7 @@ class GpsdReader:
             return None
         match report.get("class"):
             case "VERSION":
-                self.version = str(report.get("release", "?"))
+                self.version = clean(str(report.get("release", "?")))
             case "DEVICES":
                 devices = report.get("devices")
                 self.devices = len(devices) if isinstance(devices, list) else None

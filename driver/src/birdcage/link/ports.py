@@ -7,6 +7,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+from birdcage.base.text import clean
+
 BY_ID = Path("/dev/serial/by-id")
 _INTERFACE = re.compile(r":[\dx]+\.(\d+)$")
 
@@ -105,4 +107,4 @@ def _links(folder: Path) -> dict[str, str]:
 
 
 def _known(text: str | None) -> str | None:
-    return None if not text or text == "n/a" else text
+    return None if not text or text == "n/a" else clean(text)

@@ -10,7 +10,10 @@ from birdcage.base.background import BackgroundWriter
 from birdcage.link.transcript_file import FILE_LIMIT, TOTAL_LIMIT, TranscriptFiles
 from birdcage.link.transcript_line import Direction, Entry, Header
 
-QUEUE_SIZE = 8192
+QUEUE_BYTES = 4_000_000
+"""What may wait for the disk, with what the program needs to keep it; the largest dump of a dish is a tenth of this."""
+EVENT_BYTES = 200
+"""What an event takes beside its bytes."""
 QUIET_S = 0.05
 """After this long without a byte, an unfinished line is written as it is (a prompt has no line end)."""
 
@@ -32,7 +35,7 @@ class Transcript:
         version: str | Callable[[], str],
         file_limit: int = FILE_LIMIT,
         total_limit: int = TOTAL_LIMIT,
-        queue_size: int = QUEUE_SIZE,
+        queue_bytes: int = QUEUE_BYTES,
     ) -> None:
         self._listeners: tuple[Listener, ...] = ()
         self._files: TranscriptFiles | None = None
@@ -40,7 +43,9 @@ class Transcript:
         self._version = version
         if folder is not None:
             self._files = TranscriptFiles(folder, file_limit=file_limit, total_limit=total_limit)
-            self._writer = BackgroundWriter("transcript", self._files.write, size=queue_size, quiet_s=QUIET_S)
+            self._writer = BackgroundWriter(
+                "transcript", self._files.write, size=queue_bytes, weigh=_weight, quiet_s=QUIET_S
+            )
 
     @property
     def path(self) -> Path | None:
@@ -92,3 +97,7 @@ class Transcript:
             self._writer.offer(entry)
         for listener in self._listeners:
             listener(entry)
+
+
+def _weight(entry: Entry) -> int:
+    return EVENT_BYTES + len(entry.data)

@@ -9,6 +9,7 @@ import re
 from pathlib import Path
 
 from birdcage.base.errors import LinkError
+from birdcage.base.text import clean
 from birdcage.link.ports import list_ports
 
 PROC = Path("/proc")
@@ -105,7 +106,7 @@ def _holder_pid(url: str, proc: Path, *, but: int | None = None) -> int | None:
 
 def _program(pid: int, proc: Path) -> str:
     try:
-        return f"{(proc / str(pid) / 'comm').read_text().strip()} (process {pid})"
+        return f"{clean((proc / str(pid) / 'comm').read_text(errors='replace')).strip()} (process {pid})"
     except OSError:
         return f"process {pid}"
 

@@ -10,6 +10,8 @@ from pathlib import Path
 from typing import TypeVar
 
 from birdcage.base.paths import write_aside_and_rename
+from birdcage.base.text import clean_all
+from birdcage.base.user_file import read_user_file
 
 FILE = "pursuit.json"
 _T = TypeVar("_T")
@@ -69,7 +71,7 @@ class Memory:
     def read(self) -> Kept | None:
         """Return what was being followed; None for nothing, and for a file that nobody here has written."""
         try:
-            values = json.loads(self._path.read_bytes())
+            values = clean_all(json.loads(read_user_file(self._path)))
         except (OSError, ValueError):
             return None
         try:

@@ -12,6 +12,7 @@ import re
 from collections.abc import Callable
 from typing import Literal
 
+from birdcage.base.text import clean
 from birdcage.radio.errors import RadioLost, RadioRefused
 from birdcage.radio.wire import Wire
 
@@ -108,7 +109,7 @@ class Rig:
             if end:
                 self._buffer = rest
                 if line.strip():
-                    return line.decode("utf-8", "replace").strip()
+                    return clean(line.decode("utf-8", "replace")).strip()
                 continue
             if len(self._buffer) > LONGEST:
                 raise _garbage(command, self._buffer[:40].decode("utf-8", "replace"))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
+from birdcage.sky.ahead import AHEAD
 from birdcage.sky.catalogue.words import span
 
 Grade = Literal["fresh", "usable", "doubtful", "useless"]
@@ -45,6 +46,8 @@ def words_of(
 ) -> str:
     """Return age and error in words; of what is older than `longest_s` the error is that of then."""
     age = f"{span(age_s)} old" if age_s >= 0 else f"epoch {span(-age_s)} ahead"
+    if -age_s > AHEAD.total_seconds():
+        return f"{age}, its date or this computer's clock is wrong"
     if error_deg is None:
         return f"{age}, falling too fast for its error to be known"
     figures = f"{degrees(error_deg[0])} off{' at closest' if closest else ''}, one in ten {degrees(error_deg[1])}"

@@ -8,6 +8,8 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from birdcage.base.config.value import did_you_mean
+from birdcage.base.text import clean_all
+from birdcage.base.user_file import read_user_file
 from birdcage.sky.downlinks import POLARIZATIONS, Downlink
 
 KEYS = ("satellite", "freq_mhz", "mode", "polarization", "alive", "source", "date", "norad_id", "longitude_deg",
@@ -23,9 +25,7 @@ Read = tuple[tuple[Downlink, ...], tuple[str, ...]]
 def read_file(path: Path) -> Read:
     """Return the entries of the user's file and its problems. One that is absent is empty."""
     try:
-        if path.stat().st_size > MOST_BYTES:
-            return (), (f"{path} is larger than a list of downlinks can be.",)
-        text = path.read_bytes().decode("utf-8-sig")
+        text = read_user_file(path, MOST_BYTES).decode("utf-8-sig")
     except FileNotFoundError:
         return (), ()
     except OSError as error:
@@ -38,7 +38,7 @@ def read_file(path: Path) -> Read:
 def read_table(text: str, where: str, *, own: bool = False) -> Read:
     """Return the entries of a text and what is wrong with it; `own` entries need neither source nor date."""
     try:
-        data = tomllib.loads(text)
+        data = clean_all(tomllib.loads(text))
     except tomllib.TOMLDecodeError as error:
         return (), (f"{where} is no valid TOML: {error}.",)
     except (RecursionError, ValueError) as error:

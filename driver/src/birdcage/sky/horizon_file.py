@@ -12,6 +12,7 @@ import math
 import re
 from pathlib import Path
 
+from birdcage.base.user_file import read_user_file
 from birdcage.sky.horizon import HorizonMask
 
 MOST_POINTS = 3600
@@ -47,7 +48,7 @@ def read_horizon(text: str, source: str = "") -> HorizonMask:
 def read_horizon_file(path: Path) -> HorizonMask:
     """Return the horizon in a file. ValueError with file and line for what is none; OSError if it can't be read."""
     try:
-        text = path.read_text(encoding="utf-8-sig")
+        text = read_user_file(path).decode("utf-8-sig")
     except UnicodeDecodeError:
         raise ValueError(f"{path} is no text.") from None
     return read_horizon(text, str(path))

@@ -9,6 +9,8 @@ from pathlib import Path
 
 from birdcage.base.errors import MotionRefused
 from birdcage.base.paths import write_aside_and_rename
+from birdcage.base.text import clean_all
+from birdcage.base.user_file import read_user_file
 
 FILE = "speeds.json"
 
@@ -23,7 +25,7 @@ class LentSpeeds:
     def read(self) -> dict[int, float]:
         """Return the speeds to be put back (motor number to deg/s): none of another dish, or of a damaged file."""
         try:
-            values = json.loads(self._path.read_bytes())
+            values = clean_all(json.loads(read_user_file(self._path)))
             if {key: values[key] for key in self._dish} != self._dish:
                 return {}
             speeds = {int(motor): float(speed) for motor, speed in values["speeds_deg_s"].items()}

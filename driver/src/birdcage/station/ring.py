@@ -13,6 +13,8 @@ from pathlib import Path
 from typing import Any
 
 from birdcage.base.paths import Paths
+from birdcage.base.text import clean_all
+from birdcage.base.user_file import read_user_file
 
 CONNECT_S = 1.0
 ANSWER_S = 10.0
@@ -82,7 +84,7 @@ def ring(owner: Owner, do: str, by: str) -> dict[str, Any]:
             line.settimeout(ANSWER_S)
             line.sendall(asked)
             with line.makefile("rb") as lines:
-                reply = json.loads(lines.readline())
+                reply = clean_all(json.loads(lines.readline()))
     except TimeoutError:
         raise NoAnswer(f"Process {owner.pid} has {owner.port} and does not answer") from None
     except (OSError, ValueError):
@@ -98,7 +100,7 @@ def ring(owner: Owner, do: str, by: str) -> dict[str, Any]:
 
 def _read(path: Path) -> Owner | None:
     try:
-        told = json.loads(path.read_text(encoding="utf-8"))
+        told = clean_all(json.loads(read_user_file(path)))
         return Owner(
             pid=int(told["pid"]),
             port=str(told["port"]),

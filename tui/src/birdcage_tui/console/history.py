@@ -5,10 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 
 from birdcage.base.paths import write_aside_and_rename
+from birdcage.base.text import clean
+from birdcage.base.user_file import check_regular, read_user_file
 
 KEPT = 1000
 SLACK = 200
 """The file may grow by so many lines before it is cut."""
+MOST_BYTES = 10_000_000
 
 
 class History:
@@ -33,6 +36,8 @@ class History:
             return
         try:
             self._path.parent.mkdir(parents=True, exist_ok=True)
+            if self._path.exists():
+                check_regular(self._path)
             with self._path.open("a", encoding="utf-8") as file:
                 file.write(f"{line}\n")
                 file.flush()
@@ -65,7 +70,8 @@ class History:
         if self._path is None or not self._path.exists():
             return []
         try:
-            lines = [line for line in self._path.read_text("utf-8", "replace").splitlines() if line.strip()]
+            text = read_user_file(self._path, MOST_BYTES).decode("utf-8", "replace")
+            lines = [clean(line) for line in text.splitlines() if line.strip()]
             if len(lines) > KEPT + SLACK:
                 lines = lines[-KEPT:]
                 write_aside_and_rename(self._path, "".join(f"{line}\n" for line in lines).encode())

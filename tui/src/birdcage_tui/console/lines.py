@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from enum import Enum
 
+from birdcage.base.text import clean
 from birdcage.station.raw import Direction, printable
 
 HEX_WIDTHS = (16, 12, 8, 4)
@@ -58,7 +59,7 @@ class Line:
     def text(self) -> str:
         """What a person reads: without the line end, with everything unprintable escaped as in the transcript."""
         if self.direction == "#":
-            return self.data.decode("utf-8", "replace")
+            return clean(self.data.decode("utf-8", "replace"))
         bare = self.data.rstrip(b"\r\n")
         return printable(bare or self.data)
 

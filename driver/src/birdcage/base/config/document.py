@@ -10,6 +10,8 @@ from typing import Any
 
 from birdcage.base.config.lines import find_lines, line_of
 from birdcage.base.config.settings import Problem
+from birdcage.base.text import clean, clean_all
+from birdcage.base.user_file import read_user_file
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,18 +33,18 @@ def read_document(path: Path | None) -> Document:
     if path is None:
         return Document(None)
     try:
-        raw = path.read_bytes()
+        raw = read_user_file(path)
     except FileNotFoundError:
         return Document(path)
     except OSError as error:
-        return _unreadable(path, None, f"The file cannot be read ({error.strerror}).")
+        return _unreadable(path, None, f"The file cannot be read: {error.strerror}.")
     try:
         text = raw.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = raw.count(b"\n", 0, error.start) + 1
         return _unreadable(path, line, "The file is damaged here: this is no UTF-8 text.")
     try:
-        return Document(path, tomllib.loads(text), (), find_lines(text))
+        return Document(path, clean_all(tomllib.loads(text)), (), find_lines(text))
     except tomllib.TOMLDecodeError as error:
         found = re.search(r"\(at line (\d+)", str(error))
         line = int(found.group(1)) if found else len(text.rstrip().splitlines())
@@ -58,5 +60,5 @@ def _unreadable(path: Path, line: int | None, what: str) -> Document:
 
 def _key_in(text: str, line: int) -> str:
     lines = text.splitlines()
-    content = lines[line - 1].strip() if 0 < line <= len(lines) else ""
+    content = clean(lines[line - 1]).strip() if 0 < line <= len(lines) else ""
     return f" The line is: {content[:60]}." if content else ""

@@ -13,6 +13,7 @@ from birdcage.base.config.schema import Row, rows
 from birdcage.base.config.value import BadValue, did_you_mean, from_toml
 from birdcage.base.errors import ConfigError
 from birdcage.base.paths import write_aside_and_rename
+from birdcage.base.user_file import read_user_file
 
 if TYPE_CHECKING:
     from tomlkit import TOMLDocument
@@ -85,7 +86,7 @@ def _changed(path: Path, changes: Mapping[str, Value]) -> str:
     from tomlkit.exceptions import TOMLKitError
 
     try:
-        text = path.read_bytes().decode("utf-8-sig")
+        text = read_user_file(path).decode("utf-8-sig")
     except FileNotFoundError:
         text = ""
     before = tomllib.loads(text)

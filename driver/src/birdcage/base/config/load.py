@@ -26,6 +26,7 @@ from birdcage.base.config.settings import Problem, Settings, Source
 from birdcage.base.config.sky_sections import ElementsSettings
 from birdcage.base.config.tracking_sections import AutotrackSettings, HookSettings, RadioSettings, TrackingSettings
 from birdcage.base.config.value import BadValue, did_you_mean, from_text, from_toml, nearest
+from birdcage.base.text import clean, clean_all
 
 S = TypeVar("S", bound=Section)
 
@@ -43,7 +44,7 @@ def load(
     reader = _Reader(
         read_document(path),
         os.environ if environ is None else environ,
-        {key: value for key, value in (flags or {}).items() if value is not None},
+        {key: clean_all(value) for key, value in (flags or {}).items() if value is not None},
     )
     return reader.settings()
 
@@ -146,7 +147,7 @@ class _Reader:
         return read
 
     def _override(self, row: Row, dotted: str, values: dict[str, object], limits_motion: bool) -> None:
-        text = self._environ.get(row.env) if row.env else None
+        text = clean(self._environ.get(row.env, "")) if row.env else None
         culprit = row.env
         try:
             if text:

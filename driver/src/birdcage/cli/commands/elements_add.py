@@ -27,12 +27,13 @@ def add(context: click.Context, paths: tuple[str, ...], group: str | None) -> No
     TLE, OMM in JSON, CSV, XML or KVN, Gpredict's files: the format is found by itself. Of each satellite the newest
     elements stay. Damaged lines are named and skipped.
     """
-    from birdcage.cli.commands.elements_common import complaint_values, open_catalogue
+    from birdcage.cli.commands.elements_common import complaint_values, open_catalogue, say_ahead
     from birdcage.cli.say import say, tell, tell_json
 
     harvest = read_all(paths)
     for complaint in harvest.complaints:
         say(str(complaint))
+    say_ahead(harvest.elements)
     with open_catalogue() as catalogue:
         added = catalogue.add(harvest.elements, group=group)
         for each in harvest.groups:
@@ -57,6 +58,7 @@ def read_all(paths: tuple[str, ...]) -> Harvest:
 
     from birdcage.cli.say import say
     from birdcage.sky.formats import Harvest, read_path, read_text
+    from birdcage.sky.formats.read import LARGEST_FILE
 
     harvests = []
     for path in paths:
@@ -65,7 +67,9 @@ def read_all(paths: tuple[str, ...]) -> Harvest:
             continue
         if sys.stdin.isatty():
             say("Paste the elements, then Ctrl+D on a line of its own.")
-        pasted: bytes = sys.stdin.buffer.read()
+        pasted: bytes = sys.stdin.buffer.read(LARGEST_FILE + 1)
+        if len(pasted) > LARGEST_FILE:
+            raise click.UsageError(f"That is more than {LARGEST_FILE / 1e6:.0f} MB: no list of elements.")
         harvests.append(read_text(pasted.decode("utf-8-sig", "replace"), PASTED))
     return Harvest(
         tuple(each for harvest in harvests for each in harvest.elements),

@@ -32,7 +32,7 @@ def check(context: click.Context, paths: tuple[str, ...], older_than: float | No
     What cannot be read in a file is told with its line and why; the exit status is then 1.
     """
     from birdcage.cli.commands.elements_add import read_all
-    from birdcage.cli.commands.elements_common import EMPTY, complaint_values, entry_values, open_catalogue
+    from birdcage.cli.commands.elements_common import EMPTY, complaint_values, entry_values, open_catalogue, say_ahead
     from birdcage.cli.say import say, tell_json
     from birdcage.sky.age import error_values, expected_error
     from birdcage.sky.catalogue import Entry
@@ -48,6 +48,7 @@ def check(context: click.Context, paths: tuple[str, ...], older_than: float | No
             entries = catalogue.entries()
     for complaint in complaints:
         say(str(complaint))
+    say_ahead([each.elements for each in entries])
     shown = sorted(entries, key=lambda each: each.elements.epoch)
     if older_than is not None:
         shown = [each for each in shown if (now - each.elements.epoch).total_seconds() > older_than * 86400]

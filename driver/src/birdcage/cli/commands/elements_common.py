@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from datetime import datetime
+from datetime import UTC, datetime
 from typing import TYPE_CHECKING
 
 from birdcage.cli.say import iso
@@ -12,6 +12,7 @@ from birdcage.cli.say import iso
 if TYPE_CHECKING:
     from birdcage.base.config import ElementsSettings
     from birdcage.sky.catalogue import Catalogue, Entry
+    from birdcage.sky.elements import ElementSet
     from birdcage.sky.formats import Complaint
 
 EMPTY = (
@@ -27,6 +28,16 @@ def open_catalogue() -> Iterator[Catalogue]:
 
     with Catalogue(find_paths().catalogue) as catalogue:
         yield catalogue
+
+
+def say_ahead(elements: Sequence[ElementSet]) -> None:
+    """Say which elements are dated too far in the future, if any are."""
+    from birdcage.cli.say import say
+    from birdcage.sky.ahead import ahead_words
+
+    words = ahead_words(elements, datetime.now(UTC))
+    if words:
+        say(words)
 
 
 def elements_settings() -> ElementsSettings:

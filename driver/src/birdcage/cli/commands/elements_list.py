@@ -27,7 +27,7 @@ def list_(
     context: click.Context, group: str | None, everything: bool, favourites: bool, fetchable: bool
 ) -> None:  # fmt: skip
     """List the groups and how old they are; with the name of a group its satellites."""
-    from birdcage.cli.commands.elements_common import EMPTY, open_catalogue
+    from birdcage.cli.commands.elements_common import EMPTY, open_catalogue, say_ahead
     from birdcage.cli.say import say
 
     now = datetime.now(UTC)
@@ -35,6 +35,7 @@ def list_(
         groups, entries = catalogue.groups.all(), catalogue.entries()
     if not entries:
         say(EMPTY)
+    say_ahead([each.elements for each in entries])
     if group is not None:
         wanted = next((each.name for each in groups if each.name.casefold() == group.casefold()), None)
         if wanted is None:

@@ -12,6 +12,8 @@ from typing import NamedTuple, Self
 
 from birdcage.base.errors import BirdcageError
 from birdcage.base.store import open_database
+from birdcage.base.text import clean
+from birdcage.sky.ahead import is_ahead
 from birdcage.sky.catalogue.entry import Entry, key_of
 from birdcage.sky.catalogue.groups import Groups, stamp
 from birdcage.sky.catalogue.rows import COLUMNS, ELEMENTS, elements_of, read_entries, row_of
@@ -71,21 +73,28 @@ class Catalogue:
     ) -> Added:
         """Take in elements; of each satellite those with the newest epoch stay. All of it happens or nothing.
 
+        An epoch that is too far ahead of `fetched` counts as older than every other (`birdcage.sky.ahead`).
         `group`: the satellites belong to it from now on, and with `whole_group` nobody else does. Elements without a
         name take the one that is known. `fetched` is when they came, UTC; now if not given.
         """
+        group = None if group is None else clean(group)
+        now = fetched or datetime.now(UTC)
+
+        def rank(epoch: datetime) -> tuple[bool, datetime]:
+            return not is_ahead(epoch, now), epoch
+
         best: dict[str, ElementSet] = {}
         for each in elements:
             known = best.get(key_of(each))
-            if known is None or each.epoch > known.epoch:
+            if known is None or rank(each.epoch) > rank(known.epoch):
                 best[key_of(each)] = each
         with self._change():
             old = dict(self._connection.execute("SELECT key, epoch FROM satellite"))
             names = dict(self._connection.execute("SELECT key, name FROM satellite"))
             rows, new, newer = [], 0, 0
-            stamped = stamp(fetched or datetime.now(UTC))
+            stamped = stamp(now)
             for key, each in best.items():
-                if key in old and datetime.fromisoformat(old[key]) >= each.epoch:
+                if key in old and rank(datetime.fromisoformat(old[key])) >= rank(each.epoch):
                     continue
                 new, newer = (new, newer + 1) if key in old else (new + 1, newer)
                 rows.append((key, *row_of(_named(each, names.get(key))), stamped))
@@ -102,7 +111,7 @@ class Catalogue:
 
     def add_to_group(self, group: str, satellites: Iterable[int | str]) -> None:
         """Let satellites belong to a group; numbers of which nothing is known yet will, once their elements come."""
-        rows = [(group, self._key(each)) for each in satellites]
+        rows = [(clean(group), self._key(each)) for each in satellites]
         with self._change():
             self._connection.executemany("INSERT OR IGNORE INTO membership (group_name, key) VALUES (?, ?)", rows)
 
@@ -206,7 +215,7 @@ class Catalogue:
         key = self._known(satellite)
         with self._change():
             self._connection.execute("DELETE FROM tag WHERE key = ?", (key,))
-            rows = [(key, tag.strip()) for tag in tags if tag.strip()]
+            rows = [(key, tag) for tag in (clean(each).strip() for each in tags) if tag]
             self._connection.executemany("INSERT OR IGNORE INTO tag VALUES (?, ?)", rows)
 
     def _note(self, satellite: int | str, column: str, value: object) -> None:
@@ -222,7 +231,7 @@ class Catalogue:
         return entry.key
 
     def _key(self, satellite: int | str) -> str:
-        text = str(satellite).strip()
+        text = clean(str(satellite)).strip()
         if text.isdigit():
             return str(int(text))
         with told():

@@ -39,6 +39,21 @@ MIGRATIONS: tuple[Migration, ...] = (
         ) WITHOUT ROWID""",
         "CREATE TABLE host (name TEXT PRIMARY KEY, paused_until TEXT NOT NULL, problem TEXT NOT NULL) WITHOUT ROWID",
     ),
+    # Names used to be kept as they came, control characters and all.
+    (
+        *(
+            f"UPDATE OR REPLACE {table} SET {column} = clean({column}) WHERE {column} != clean({column})"  # noqa: S608 - our own names
+            for table, columns in (
+                ("satellite", ("key", "name", "international_designator", "source")),
+                ("membership", ("key", "group_name")),
+                ("note", ("key",)),
+                ("tag", ("key", "tag")),
+                ("source", ("name", "problem")),
+                ("host", ("problem",)),
+            )
+            for column in columns
+        ),
+    ),
 )
 
 

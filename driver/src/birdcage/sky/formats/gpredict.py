@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 
+from birdcage.base.text import clean
 from birdcage.sky.formats import lines as text_lines
 from birdcage.sky.formats import tle
 from birdcage.sky.formats.harvest import Basket, Group, Unreadable
@@ -70,6 +71,6 @@ def read_group(lines: Lines, basket: Basket) -> None:
         else:
             basket.complain(at, f"{text[:40]!r} is no catalogue number")
     if title:
-        basket.groups.append(Group(title, tuple(numbers), basket.source))
+        basket.groups.append(Group(clean(title), tuple(numbers), basket.source))
     else:
         basket.complain(0, "the group has no title: the file is empty")

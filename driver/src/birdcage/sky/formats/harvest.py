@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from birdcage.base.text import clean
 from birdcage.sky.elements import ElementSet
 
 
@@ -60,9 +61,13 @@ class Basket:
     complaints: list[Complaint] = field(default_factory=list)
     groups: list[Group] = field(default_factory=list)
 
+    def __post_init__(self) -> None:
+        """Take the name of the source, which may be a file's, as it may be shown."""
+        self.source = clean(self.source)
+
     def complain(self, line: int, why: str) -> None:
         """Note that something at this line, counted from 1, was skipped."""
-        self.complaints.append(Complaint(self.source, line, why))
+        self.complaints.append(Complaint(self.source, line, clean(why)))
 
     def harvest(self) -> Harvest:
         """Return all of it; complaints in the order of their lines."""

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
+from birdcage.base.text import clean
 from birdcage.sky.elements import ElementSet
 from birdcage.sky.formats.harvest import Unreadable
 
@@ -15,7 +17,7 @@ LARGEST_ID = 999_999_999
 
 
 def checked(elements: ElementSet) -> ElementSet:
-    """Return the elements. Raise Unreadable, naming the OMM keyword, where a value cannot belong to an orbit."""
+    """Return the elements, their texts clean. Raise Unreadable, naming the OMM keyword, for what is of no orbit."""
     if not 0 <= elements.norad_id <= LARGEST_ID:
         raise Unreadable(f"catalogue number {elements.norad_id} has more than nine digits", "NORAD_CAT_ID")
     if not 0.0 <= elements.eccentricity < 1.0:
@@ -41,4 +43,5 @@ def checked(elements: ElementSet) -> ElementSet:
     ):
         if not math.isfinite(value):
             raise Unreadable(f"{what} is not a number", keyword)
-    return elements
+    name = " ".join(clean(elements.name).split()) or str(elements.norad_id)
+    return replace(elements, name=name, international_designator=clean(elements.international_designator))

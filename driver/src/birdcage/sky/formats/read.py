@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import codecs
+import re
 from collections.abc import Callable
 from pathlib import Path
 
+from birdcage.base.text import clean
+from birdcage.base.user_file import read_user_file
 from birdcage.sky.formats import gpredict, omm_json, omm_kvn, omm_table, omm_xml, tle_text
 from birdcage.sky.formats.harvest import Basket, Complaint, Harvest
 from birdcage.sky.formats.lines import Lines, kind, split
@@ -17,6 +20,12 @@ FOLDER_SUFFIXES = frozenset(
     (".sat", ".dat", ".cat", ".tle", ".2le", ".3le", ".txt", ".json", ".csv", ".xml", ".kvn", ".omm")
 )
 """What is read of a folder; a file that is named itself may be called anything."""
+
+MOST_BINARY = 20
+"""With more than one byte in so many that is a NUL it is no text, but an archive or a picture."""
+_PACKED = (b"\x1f\x8b", b"PK\x03\x04", b"BZh", b"\xfd7zXZ\0")
+_BINARY = re.compile(r"[\x00-\x08\x0e-\x19\x1c-\x1f\x7f]")
+"""What no text holds. Escape sequences in a name are somebody's joke: they go, and the line is good."""
 
 _READERS: dict[str, Callable[[Lines, int, Basket], int]] = {
     "tle": tle_text.read,
@@ -30,7 +39,7 @@ _READERS: dict[str, Callable[[Lines, int, Basket], int]] = {
 
 def read_text(text: str, source: str) -> Harvest:
     """Return what a text holds, one format or several one after another. `source` is what complaints call it."""
-    return _read(split(text), source, group=False)
+    return _read(text, source, group=False)
 
 
 def read_path(path: Path) -> Harvest:
@@ -54,8 +63,10 @@ def read_path(path: Path) -> Harvest:
     )
 
 
-def _read(lines: Lines, source: str, *, group: bool) -> Harvest:
-    basket = Basket(source)
+def _read(text: str, source: str, *, group: bool) -> Harvest:
+    basket, lines = Basket(source), split(text)
+    if _BINARY.search(text):
+        _name_binary(lines, basket)
     if group or gpredict.is_group(lines):
         gpredict.read_group(lines, basket)
         return basket.harvest()
@@ -72,19 +83,26 @@ def _read(lines: Lines, source: str, *, group: bool) -> Harvest:
 
 def _read_file(path: Path) -> Harvest:
     try:
-        if path.stat().st_size > LARGEST_FILE:
-            return _nothing(path, f"larger than {LARGEST_FILE // 1_000_000} MB: this is no list of elements")
-        raw = path.read_bytes()
+        raw = read_user_file(path, LARGEST_FILE)
     except OSError as error:
         return _nothing(path, f"cannot be read: {error.strerror}")
     text = _decoded(raw)
     if text is None:
         return _nothing(path, "not a text file; unpack it first if it is an archive")
-    return _read(split(text), str(path), group=path.suffix.lower() == ".cat")
+    return _read(text, str(path), group=path.suffix.lower() == ".cat")
+
+
+def _name_binary(lines: list[str], basket: Basket) -> None:
+    """Name the lines that hold bytes of no text. They are not taken out: `1.0` and `5` around one are no `1.05`."""
+    for number, line in enumerate(lines, 1):
+        count = len(_BINARY.findall(line))
+        if count:
+            basket.complain(number, f"binary in this line: {count} {'byte' if count == 1 else 'bytes'} of no text")
+            lines[number - 1] = _BINARY.sub("\ufffd", line)
 
 
 def _nothing(path: Path, why: str) -> Harvest:
-    return Harvest(complaints=(Complaint(str(path), 0, why),))
+    return Harvest(complaints=(Complaint(clean(str(path)), 0, clean(why)),))
 
 
 def _decoded(raw: bytes) -> str | None:
@@ -94,10 +112,17 @@ def _decoded(raw: bytes) -> str | None:
             return raw.decode("utf-16")
         except UnicodeDecodeError:
             return None
-    if b"\0" in raw:
+    if raw.startswith(_PACKED) or raw.count(b"\0") * MOST_BINARY > len(raw):
         return None
     try:
         return raw.decode("utf-8-sig")
     except UnicodeDecodeError:
-        # Only names hold letters outside ASCII, and every byte is one in Latin-1.
-        return None if raw[:2] == b"\x1f\x8b" else raw.decode("latin-1")
+        return "\n".join(map(_line_of, raw.split(b"\n")))
+
+
+def _line_of(raw: bytes) -> str:
+    """Return one line: only names hold letters outside ASCII, and every byte is one in Latin-1."""
+    try:
+        return raw.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return raw.decode("latin-1")

@@ -17,6 +17,7 @@ from datetime import UTC, datetime
 from typing import TypeVar
 from urllib.parse import urlencode
 
+from birdcage.base.text import clean_all
 from birdcage.sky.update.errors import FetchError
 from birdcage.sky.update.fetch import check_url, fetch
 from birdcage.sky.update.refresh import Fetch
@@ -100,7 +101,7 @@ class Craft:
         if reply.status != 200:
             raise FetchError(f"{self._host} answers {reply.status}.", reason="http", status=reply.status)
         try:
-            found = json.loads(reply.body)
+            found = clean_all(json.loads(reply.body))
             rows = found[key]
             if not isinstance(rows, list):
                 raise TypeError(f"{key} is no list")

@@ -8,6 +8,8 @@ from birdcage.sky.update.errors import FetchError
 
 _MAGIC = b"\x1f\x8b"
 _GZIP = 16 + zlib.MAX_WBITS
+MOST_MEMBERS = 64
+"""Streams in one file (RFC 1952, 2.2). Servers send one; millions of empty ones would keep a core busy for hours."""
 
 
 def unpack(body: bytes, encoding: str, largest: int, url: str) -> bytes:
@@ -21,7 +23,9 @@ def unpack(body: bytes, encoding: str, largest: int, url: str) -> bytes:
     if not body.startswith(_MAGIC):
         return body  # a server that says gzip and sends it plain is common enough
     whole = bytearray()
-    while body:
+    for _ in range(MOST_MEMBERS):
+        if not body:
+            return bytes(whole)
         unpacker = zlib.decompressobj(_GZIP)
         try:
             whole += unpacker.decompress(body, largest + 1 - len(whole))
@@ -32,4 +36,4 @@ def unpack(body: bytes, encoding: str, largest: int, url: str) -> bytes:
         if not unpacker.eof:
             raise FetchError(f"{url} broke off in the middle of its answer: nothing was taken.", reason="truncated")
         body = unpacker.unused_data
-    return bytes(whole)
+    raise FetchError(f"{url} sent damaged data (more than {MOST_MEMBERS} parts): nothing was taken.", reason="garbage")
