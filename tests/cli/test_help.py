@@ -58,6 +58,8 @@ def test_the_version_is_that_of_the_distribution(run) -> None:
     assert run("--version").stdout.strip() == f"birdcage {version('winegard-birdcage')}"
 
 
-@pytest.mark.parametrize(("name", "default"), [("pos", "hal205"), ("init", "hal205"), ("setup", "listens for it")])
+@pytest.mark.parametrize(
+    ("name", "default"), [("pos", "the port is asked"), ("stop", "the port is asked"), ("sim", "g2")]
+)
 def test_help_tells_which_firmware_counts_when_none_is_named(run, name, default) -> None:
     assert f"[default: {default}]" in " ".join(run(name, "--help").stdout.split())

@@ -32,10 +32,10 @@ def test_flag_over_variable_over_file(run, as_json, tmp_path) -> None:
     ]  # fmt: skip
 
 
-def test_the_default_port_and_firmware_are_those_of_the_document(run) -> None:
+def test_the_default_port_is_that_of_the_document_and_no_firmware_is_claimed(run) -> None:
     result = run("status", "--json", port="", firmware="")
     assert result.exit_code == 3
-    assert json.loads(result.stdout)["firmware"] == "hal205"
+    assert json.loads(result.stdout)["firmware"] is None
     assert "/dev/ttyUSB0" in result.stderr
 
 
@@ -44,7 +44,7 @@ def test_a_firmware_that_is_not_spoken_is_one_sentence(run) -> None:
     assert result.exit_code == 2
     assert result.stderr == (
         "This version does not speak nosuch: it speaks g2, hal205. "
-        "For a Carryout G2 give --firmware g2, or set BIRDCAGE_FIRMWARE=g2.\n"
+        "Without --firmware, BIRDCAGE_FIRMWARE and dish.firmware the port is asked.\n"
     )
 
 

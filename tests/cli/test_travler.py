@@ -106,14 +106,6 @@ def test_another_dish_than_was_named_is_told_in_a_sentence_and_not_moved(travler
     assert pty_dish.moves() == []
 
 
-def test_a_silent_dish_is_asked_for_its_firmware_when_none_was_named(run) -> None:
-    env = {"BIRDCAGE_FIRMWARE": ""}
-    result = run("pos", port="sim:g2", firmware="", env=env)
-    assert result.exit_code == 3
-    assert "hal205 is the default of --firmware: for a Carryout G2 give --firmware g2." in result.stderr
-    assert "default" not in run("pos", port="sim:g2", firmware="hal205").stderr
-
-
 @pytest.mark.parametrize("pty_travler", [(FAST, "seed=1&boot=1&boot_home_s=6")], indirect=True)
 def test_init_of_a_booting_dish_tells_the_boot_without_prompts_and_waits_until_it_rests(travler, pty_travler) -> None:
     result = travler("init", port=pty_travler.path)

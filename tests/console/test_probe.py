@@ -47,12 +47,22 @@ def test_a_prompt_that_must_be_learnt_is_known_by_its_shape_alone():
     assert judge(b"Loc: NoGPS\r\n", ("",)) is Saw.TEXT
 
 
-def test_one_enter_is_sent_and_nothing_else():
+def test_one_enter_is_sent_and_a_question_mark_to_the_prompt_that_answers():
     clock = VirtualClock()
     dish = Dish(clock)
     found = probe(dish, clock, 115200, tokens=TOKENS)
+    assert dish.written == b"\r?\r"
+    assert (found.saw, found.sample, found.count, found.prompt) == (Saw.PROMPT, "TRK>", 6, "TRK>")
+    assert found.waited_s < LISTEN_S
+
+
+def test_only_enter_is_sent_where_no_prompt_answers():
+    clock = VirtualClock()
+    dish = Dish(clock)
+    dish.say("Bootloader v1.01\r\nMotor init")
+    dish.muted = True
+    assert probe(dish, clock, 115200, tokens=TOKENS).listed == frozenset()
     assert dish.written == b"\r"
-    assert found == BaudFinding(115200, Saw.PROMPT, "TRK>", 6, LISTEN_S)
 
 
 def test_silence_is_waited_for_and_no_longer():
@@ -82,7 +92,7 @@ def test_a_dish_that_streams_is_left_in_time():
     clock.advance(1.0)
     dish.written = b""
     assert probe(dish, clock, 115200, tokens=("DVB>",)).saw is Saw.PROMPT
-    assert dish.written == b"\r"
+    assert dish.written == b"\r?\r"
 
 
 def test_a_wake_may_end_it():

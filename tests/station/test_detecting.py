@@ -1,4 +1,4 @@
-"""Which firmware answers on a port, from what a bare Enter brings."""
+"""Which firmware answers on a port: what speaks for one, and what is never taken for a dish."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from birdcage.base.errors import LinkError
 from birdcage.console.probe import BaudFinding, Saw
 from birdcage.link.link import Link
 from birdcage.sim.port import SimPort, open_device
-from birdcage.station.detecting import detect_firmware, firmware_of
+from birdcage.station.detecting import detect_firmware, heard_firmware
 
 
 class Desk:
@@ -23,35 +23,124 @@ class Desk:
         self.opened.append(baud)
         return Link(SimPort(self.device, port, baud=baud), self.clock)
 
+    def detect(self, port: str = "/dev/ttyUSB0", **options):
+        return detect_firmware(port, self.clock, open_port=self.open, **options)
+
     def lines(self) -> list[str]:
-        return [line for _, line in self.device.shell.received]
+        with self.device.lock:
+            self.device.machine.run()
+            return [line for _, line in self.device.shell.received]
 
 
-@pytest.mark.parametrize("firmware", ["g2", "hal205"])
-def test_the_dish_that_is_there_is_found_by_one_enter_a_rate(firmware) -> None:
-    desk = Desk(f"{firmware}?seed=1")
-    before, told = desk.clock.monotonic(), []
-    found = detect_firmware("/dev/ttyUSB0", desk.clock, open_port=desk.open, tell=told.append)
-    assert found.firmware == firmware
-    assert desk.opened == {"g2": [115200], "hal205": [115200, 57600]}[firmware]
-    assert [line for line in desk.lines() if line] == [], "nothing but Enter"
+class Foreign:
+    """Something on the port that is no dish of ours; `sent` is all that it was sent."""
+
+    name, demo = "foreign", False
+
+    def __init__(self, unasked: bytes, answers: dict[bytes, bytes]) -> None:
+        self._out, self._answers, self.sent = unasked, answers, []
+
+    def write(self, data: bytes) -> None:
+        self.sent.append(data)
+        self._out += self._answers.get(data, b"")
+
+    def read(self) -> bytes:
+        out, self._out = self._out, b""
+        return out
+
+    def fileno(self) -> None:
+        return None
+
+    def pending(self) -> bool:
+        return bool(self._out)
+
+    def next_event(self) -> None:
+        return None
+
+    def close(self) -> None:
+        pass
+
+
+@pytest.mark.parametrize(("address", "clue"), [
+    ("g2?seed=1", "prompt `TRK>` at 115200 baud"), ("hal205?seed=1", "`?` lists `motor`, `ngsearch`"),
+    ("hal205?seed=1&prompts=alike", "`?` lists `motor`, `ngsearch`"),
+])  # fmt: skip
+def test_the_dish_that_is_there_is_found_by_enter_and_a_question_mark(address, clue) -> None:
+    desk, told = Desk(address), []
+    before = desk.clock.monotonic()
+    found = desk.detect(tell=told.append)
+    firmware = address.partition("?")[0]
+    assert (found.firmware, found.candidates) == (firmware, (firmware,))
+    assert found.baud == desk.opened[-1] == {"g2": 115200, "hal205": 57600}[firmware]
+    assert clue in found.sentence
+    assert set(desk.lines()) <= {"", "?"}, "nothing but Enter and `?`"
     assert not desk.device.truth().moving
     assert desk.clock.monotonic() - before < 2.0
     assert told[0] == "Listening for the dish on /dev/ttyUSB0 at 115200 baud …"
 
 
-@pytest.mark.parametrize("up_s", [3.0, 4.5, 6.0, 9.0, 14.0, 21.0])
-def test_a_travler_that_starts_is_found_by_its_log(up_s) -> None:
+@pytest.mark.parametrize(("firmware", "menu"), [
+    ("g2", "mot"), ("g2", "dvb"), ("g2", "nvs"), ("g2", "os"), ("g2", "step"), ("g2", "adc"), ("hal205", "motor"),
+])  # fmt: skip
+@pytest.mark.parametrize("options", ["", "&echo=0"])
+def test_a_dish_that_was_left_in_a_submenu_is_found_and_stays_there(firmware, menu, options) -> None:
+    desk = Desk(f"{firmware}?seed=1{options}")
+    desk.device.shell.menu = menu
+    assert desk.detect().firmware == firmware
+    assert set(desk.lines()) <= {"", "?"}
+    assert desk.device.shell.menu == menu
+
+
+def test_a_g2_that_moves_goes_on() -> None:
+    desk = Desk("g2?seed=1&az_speed=5")
+    port = desk.open("x", 115200)
+    port.write(b"mot\ra 0 90\r")
+    desk.clock.advance(1.0)
+    assert desk.detect().firmware == "g2"
+    assert desk.device.truth().moving
+    desk.clock.advance(60.0)
+    assert desk.device.truth().az_deg == pytest.approx(90.0, abs=0.1)
+
+
+@pytest.mark.parametrize("address", ["g2?seed=1&boot=1&nvs20=0", "hal205?seed=1&boot=1&boot_home_s=8"])
+def test_a_dish_that_starts_is_found_by_what_only_it_prints(address) -> None:
+    desk = Desk(address)
+    for _ in range(4):
+        found = desk.detect()
+        if found.firmware is not None:
+            break
+    assert found.firmware == address.partition("?")[0]
+
+
+def test_a_log_without_a_known_word_is_nobodys() -> None:
     desk = Desk("hal205?seed=1&boot=1&boot_home_s=60")
-    desk.clock.advance(up_s)
-    found = detect_firmware("/dev/ttyUSB0", desk.clock, open_port=desk.open)
-    assert found.firmware == "hal205"
+    desk.clock.advance(9.0)
+    found = desk.detect()
+    assert (found.firmware, found.talks, found.is_told) == (None, True, False)
+    assert "a dish that is starting" in found.sentence
 
 
-def test_a_mute_dish_is_unknown() -> None:
+@pytest.mark.parametrize("noise", [{"silent": True}, {"garble": True}])
+def test_a_mute_dish_is_unknown(noise) -> None:
     desk = Desk("g2?seed=1")
-    desk.device.wire.to_host.silent = True
-    assert detect_firmware("/dev/ttyUSB0", desk.clock, open_port=desk.open).firmware is None
+    if "silent" in noise:
+        desk.device.wire.to_host.silent = True
+    else:
+        read = SimPort.read
+        desk.open = lambda port, baud: _Garbled(SimPort(desk.device, port, baud=baud), read)
+    found = desk.detect()
+    assert (found.firmware, found.candidates) == (None, ())
+
+
+class _Garbled:
+    def __init__(self, port, read) -> None:
+        self._port, self._read, self.name, self.demo = port, read, port.name, True
+
+    def __getattr__(self, name):
+        return getattr(self._port, name)
+
+    def read(self) -> bytes:
+        return bytes(byte | 0x80 for byte in self._read(self._port))
 
 
 def test_a_port_that_does_not_open_is_unknown_and_no_error() -> None:
@@ -59,26 +148,77 @@ def test_a_port_that_does_not_open_is_unknown_and_no_error() -> None:
         raise LinkError("/dev/ttyUSB0 is busy.", reason="busy")
 
     found = detect_firmware("/dev/ttyUSB0", VirtualClock(), open_port=refuse)
-    assert (found.firmware, found.sentence) == (None, "/dev/ttyUSB0 is busy.")
+    assert (found.firmware, found.sentence, found.trouble.reason) == (None, "/dev/ttyUSB0 is busy.", "busy")
 
 
 def test_a_rate_that_was_named_is_the_only_one_tried() -> None:
     desk = Desk("hal205?seed=1")
-    assert detect_firmware("/dev/ttyUSB0", desk.clock, baud=57600, open_port=desk.open).firmware == "hal205"
+    assert desk.detect(baud=57600).firmware == "hal205"
     assert desk.opened == [57600]
 
 
-@pytest.mark.parametrize(("baud", "saw", "sample", "firmware"), [
-    (115200, Saw.PROMPT, "TRK>", "g2"), (115200, Saw.PROMPT, "MOT>", "g2"), (57600, Saw.PROMPT, "TRK>", "hal205"),
-    (57600, Saw.PROMPT, ">", "hal205"), (115200, Saw.PROMPT, "odd>", "hal205"), (57600, Saw.TEXT, "NoGPS", "hal205"),
-    (115200, Saw.TEXT, "Boot Complete", "g2"), (115200, Saw.TEXT, "Welcome", None),
-    (57600, Saw.GARBAGE, "..x", None), (57600, Saw.ECHO, "", None),
-    (115200, Saw.SILENCE, "", None),
+def test_the_rate_that_is_likely_is_the_first() -> None:
+    desk = Desk("hal205?seed=1")
+    assert desk.detect(first=57600).firmware == "hal205"
+    assert desk.opened == [57600]
+
+
+def finding(baud=115200, saw=Saw.PROMPT, prompt="", listed="", text="") -> BaudFinding:
+    return BaudFinding(baud, saw, prompt or text, 10, 0.7, prompt, frozenset(listed.split()), text)
+
+
+@pytest.mark.parametrize(("seen", "firmware"), [
+    (finding(prompt="TRK>"), "g2"), (finding(prompt="MOT>"), "g2"), (finding(57600, prompt="TRK>"), None),
+    (finding(57600, prompt=">"), None), (finding(57600, prompt="odd>"), None), (finding(prompt="odd>"), None),
+    (finding(prompt="TRK>", listed="motor ngsearch nvs q"), "hal205"),
+    (finding(57600, prompt="TRK>", listed="motor ngsearch"), "hal205"),
+    (finding(57600, prompt="odd>", listed="a3981 dvb mot os"), "g2"),
+    (finding(57600, prompt="odd>", listed="mot nvs os stow q"), None),
+    (finding(57600, prompt="odd>", listed="odu q"), None), (finding(57600, prompt="odd>", listed="a g q"), "hal205"),
+    (finding(57600, prompt="odd>", listed="a g azscan q"), "g2"), (finding(prompt="GO>", listed="azangle help"), None),
+    (finding(saw=Saw.TEXT, text="Ant ID - 12-IN G2"), "g2"), (finding(57600, Saw.TEXT, text="Loc: NoGPS"), "hal205"),
+    (finding(saw=Saw.TEXT, text="Boot Complete"), None), (finding(57600, Saw.TEXT, text="Bootloader v2"), None),
+    (finding(57600, Saw.TEXT, text="EL calibrating"), None), (finding(saw=Saw.TEXT, text="NoGPS"), None),
+    (finding(57600, Saw.GARBAGE), None), (finding(57600, Saw.ECHO), None), (finding(saw=Saw.SILENCE), None),
 ])  # fmt: skip
-def test_what_is_seen_speaks_for_a_firmware_or_for_none(baud, saw, sample, firmware) -> None:
-    assert firmware_of(BaudFinding(baud, saw, sample, len(sample), 0.7)) == firmware
+def test_what_is_seen_speaks_for_a_firmware_or_for_none(seen, firmware) -> None:
+    assert heard_firmware(seen, "/dev/ttyUSB0") == firmware
 
 
 def test_on_a_server_whose_rate_is_its_own_the_prompt_alone_counts() -> None:
-    finding = BaudFinding(115200, Saw.PROMPT, "TRK>", 6, 0.7)
-    assert firmware_of(finding, rate_counts=False) == "g2"
+    assert heard_firmware(finding(prompt="TRK>"), "socket://here:1") == "g2"
+
+
+def test_two_that_cannot_be_told_apart_are_both_named() -> None:
+    odd = Foreign(b"", {b"\r": b"\r\nMOT>", b"?\r": b"?\r\na\r\ng\r\nq\r\nMOT>"})
+    found = detect_firmware("socket://here:1", VirtualClock(), open_port=lambda _port, _baud: odd)
+    assert (found.firmware, sorted(found.candidates)) == (None, ["g2", "hal205"])
+    assert "may be any of" in found.sentence
+    assert "Say which with --firmware." in found.sentence
+
+
+FOREIGN = {
+    "modem": (b"", {b"\r": b"\r\nOK\r\n"}),
+    "modem that echoes": (b"", {b"\r": b"\r"}),
+    "gps": (b"$GPGGA,120000.00,5154.0000,N,00428.0000,E,1,08,1.0,10.0,M,,M,,*5F\r\n$GPRMC,NoFix\r\n", {}),
+    "hamlib": (b"", {b"\r": b"RPRT -1\n"}),
+    "login": (b"", {b"\r": b"\r\nraspberrypi login: "}),
+    "shell": (b"", {b"\r": b"\r\npi@raspberrypi:~$ "}),
+    "root shell": (b"", {b"\r": b"\r\n/ # "}),
+    "password": (b"", {b"\r": b"Password: "}),
+    "python": (b"", {b"\r": b"\r\n>>> "}),
+    "tailgater": (b"", {b"\r": b"\r\nGO>", b"?\r": b"?\r\nazangle\r\nelangle\r\nrfwatch\r\nGO>"}),
+    "kvh": (b"", {b"\r": b">", b"?\r": b"?\r\n?"}),
+    "router": (b"", {b"\r": b"\r\nRouter>", b"?\r": b"?\r\nExec commands:\r\n  enable  Turn on\r\nRouter>"}),
+}
+
+
+@pytest.mark.parametrize("what", FOREIGN)
+@pytest.mark.parametrize("port", ["/dev/ttyUSB0", "socket://here:1"])
+def test_another_device_is_never_taken_for_a_dish_and_gets_a_question_mark_only_at_a_prompt(what, port) -> None:
+    device = Foreign(*FOREIGN[what])
+    found = detect_firmware(port, VirtualClock(), open_port=lambda _port, _baud: device)
+    assert (found.firmware, found.candidates) == (None, ())
+    assert set(device.sent) <= {b"\r", b"?\r"}
+    if what not in ("tailgater", "kvh", "router"):
+        assert set(device.sent) == {b"\r"}

@@ -52,13 +52,13 @@ def wrong():
     return bench
 
 
-def test_the_right_rate_is_found_and_only_enter_was_sent(wrong):
+def test_the_right_rate_is_found_by_enter_and_a_question_mark_where_it_answers(wrong):
     before = len(wrong.asked)
     findings = wrong.do(ProbePort())
     assert [(each.baud, each.saw) for each in findings] == [(9600, Saw.SILENCE), (115200, Saw.PROMPT)]
     assert findings[1].sample.endswith("TRK>")
     assert wrong.bauds()[before : before + 2] == [9600, 115200]
-    assert wrong.sent_since(before)[:2] == [b"\r", b"\r"]
+    assert wrong.sent_since(before)[:2] == [b"\r", b"\r?\r"]
     wrong.step(3)
     assert wrong.bauds()[-1] == 9600
     assert wrong.state.link.state is Link.SILENT
@@ -94,7 +94,7 @@ def test_a_dish_that_answers_is_heard_at_its_own_rate_and_goes_on():
     (finding,) = bench.do(ProbePort())
     assert (finding.baud, finding.saw) == (115200, Saw.PROMPT)
     # Closing the port beforehand sends nothing either: not a `q`, not an Enter.
-    assert bench.sent_since(0)[: len(talked) + 1] == [*talked, b"\r"]
+    assert bench.sent_since(0)[: len(talked) + 1] == [*talked, b"\r?\r"]
     bench.step(3)
     assert bench.state.link.state is Link.UP
 

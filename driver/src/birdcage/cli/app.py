@@ -24,6 +24,7 @@ COMMANDS = {
     "home": "Find the reference by running into the stops.",
     "setup": "Go from wires to the first satellite, step by step.",
     "status": "Print all that is known of the dish.",
+    "detect": "Say which firmware answers on the port, and by what that is seen.",
     "ports": "List the serial ports of this machine.",
     "wiring": "Print which wire goes where.",
     "sim": "Simulate a dish that any program can talk to.",

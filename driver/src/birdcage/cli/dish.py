@@ -19,6 +19,7 @@ from birdcage.cli import exits
 from birdcage.cli.app import Ended
 from birdcage.cli.options import Wanted
 from birdcage.cli.say import Progress, say
+from birdcage.cli.which import with_firmware
 from birdcage.station.doorbell import Doorbell
 from birdcage.station.events import Event, StopConfirmed
 from birdcage.station.holding import find_held
@@ -203,9 +204,10 @@ def open_dish(
     """Open the dish for one command, and close it whatever happens.
 
     `moves`: the command may move the dish, so a signal or an error sends STOP before the port is closed, and a last
-    line says where the dish is. `clock`: another one than the wall's, for a simulated dish. ConfigError for a firmware
-    that this version does not speak.
+    line says where the dish is. `clock`: another one than the wall's, for a simulated dish. Where nobody named the
+    firmware, the port is asked first. ConfigError for a firmware that this version does not speak.
     """
+    wanted = with_firmware(wanted, clock=clock)
     dish = Dish(_session(wanted, clock or RealClock(), survey=survey), moves=moves)
     with ExitStack() as stack:
         _take_signals(stack, dish)
@@ -220,7 +222,10 @@ def open_dish(
         except (BirdcageError, Ended, click.ClickException) as error:
             _leave(dish, begun, error, wanted)
             if isinstance(error, NoReply) and not wanted.firmware_given:
-                error.add_note(f"{wanted.firmware} is the default of --firmware: for a Carryout G2 give --firmware g2.")
+                error.add_note(
+                    f"Nothing told which firmware it is, so {wanted.firmware} was tried. `birdcage detect` shows what "
+                    "each speed brings; --firmware names it."
+                )
             raise
         except BaseException as crash:
             if moves:
@@ -258,8 +263,8 @@ def _session(wanted: Wanted, clock: Clock, *, survey: bool) -> Session:
     known = list_firmwares()
     if wanted.firmware not in known:
         raise ConfigError(
-            f"This version does not speak {wanted.firmware}: it speaks {', '.join(known)}. "
-            f"For a Carryout G2 give --firmware g2, or set BIRDCAGE_FIRMWARE=g2."
+            f"This version does not speak {wanted.firmware}: it speaks {', '.join(known)}. Without --firmware, "
+            "BIRDCAGE_FIRMWARE and dish.firmware the port is asked."
         )
     return open_session(
         port=wanted.port, firmware=wanted.firmware, baud=wanted.baud, settings=wanted.settings, paths=wanted.paths,

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 DEFAULT_PORT = "/dev/ttyUSB0"
 DEFAULT_FIRMWARE = "hal205"
+"""What is tried first where nobody has named a firmware and nothing answers to tell (document 003)."""
+ASKED = "the port is asked"
 
 AnyCallable = TypeVar("AnyCallable", bound=Callable[..., Any])
 
@@ -44,6 +46,7 @@ class Wanted:
     """Whether anybody named the port; else it is the default."""
     firmware: str
     firmware_given: bool
+    """Whether anybody named the firmware, or the port told it; else it is the default."""
     baud: int | None
     settings: Settings
     paths: Paths
@@ -99,7 +102,7 @@ _OPTIONS: dict[str, tuple[tuple[str, ...], dict[str, Any]]] = {
 }
 
 
-def global_options(*names: str, firmware: str = DEFAULT_FIRMWARE) -> Callable[[AnyCallable], AnyCallable]:
+def global_options(*names: str, firmware: str = ASKED) -> Callable[[AnyCallable], AnyCallable]:
     """Add the global options, or those named, to a command. `flags` and `wanted` return what they hold.
 
     `firmware`: what the help of this command says of the firmware that counts when none is named.

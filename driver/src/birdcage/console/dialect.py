@@ -27,11 +27,13 @@ class ConsoleDialect:
     refusals: tuple[tuple[re.Pattern[str], str], ...] = ()
     """Reply lines that mean that nothing was done, each with the `CommandRefused` reason it stands for."""
     root_marks: frozenset[str] = frozenset()
-    """Commands that the root's help lists and no submenu's does. They tell menus apart whose prompts are learnt."""
+    """Commands that only the root's help of this firmware lists: they tell it from others, and from its submenus."""
     root_hints: frozenset[str] = frozenset()
     """Further commands that no submenu's help lists: what lists one is no submenu, though it may be no root either."""
     submenu_marks: Mapping[str, frozenset[str]] = field(default_factory=dict)
     """Commands that the help of a submenu lists, by menu. Until the root was seen, nothing else counts as a submenu."""
+    own_marks: frozenset[str] = frozenset()
+    """Commands of submenus that no other firmware is known to list."""
     proofs: Mapping[str, tuple[str, re.Pattern[str]]] = field(default_factory=dict)
     """By submenu, a question that changes nothing, and what only this menu of this firmware answers."""
     stranger_marks: frozenset[str] = frozenset()

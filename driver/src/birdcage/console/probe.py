@@ -1,37 +1,45 @@
-"""What one baud rate shows: one bare Enter, a short listen, a verdict.
+"""What one baud rate shows: one bare Enter, and a `?` where a prompt answers it.
 
-Nothing but that one byte is sent. At a wrong rate the dish takes it for one or two other bytes; none of them is a `q`,
-whatever the pair of rates (tests/console/test_probe.py plays it through), and none ends a line.
+Nothing else is sent. At a wrong rate the dish takes the Enter for one or two other bytes; none of them is a `q`,
+whatever the pair of rates (tests/console/test_probe.py plays it through), and none ends a line. The `?`, which lists
+commands on all of these consoles and does nothing else (reference section 2.1), goes only where what answers ends in
+`>`: to a login, a shell or a modem it could mean something.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
 
 from birdcage.base.clock import Clock, Outcome
 from birdcage.base.wake import Wake
 from birdcage.console.diagnosis import is_garbage
+from birdcage.console.escapes import without_escapes
+from birdcage.console.places import commands
 from birdcage.link.port import Port
 
 USUAL_BAUDS = (115200, 57600, 9600, 19200, 38400)
 """The rates of known dishes first (reference section 1), then those that adapters and other consoles start with."""
 
 ENTER = b"\r"
+HELP = b"?\r"
 LISTEN_S = 0.7
 """Twenty times a console's round trip; a dish that is asked in vain costs this much a rate."""
+HELP_S = 2.0
+"""The longest that a list of commands takes at the slowest of these rates."""
+QUIET_S = 0.2
+"""How long nothing must follow a prompt for it to be the end of an answer."""
 KEPT = 65536
 SAMPLE = 60
 
 _SHAPE = re.compile(r"(?:^[A-Za-z0-9_]{2,15}|[\r\n][A-Za-z0-9_]{0,15})> ?$")
 """A prompt that no dialect declares: HAL prompts are unknown (reference section 1)."""
+_STANDS = re.compile(r"(?:^|[\r\n]) *([!-~][ -~]{0,30})?> ?$")
+"""What stands at the end without a line end, and may be a prompt that takes a `?`."""
 _WORD = re.compile(rb"[\x20-\x7e]{3}")
 """What text has and a byte or two of misread line has not."""
-
-_LINE = re.compile(rb"[^\r\n]{3}[\r\n]")
-"""The end of a line that holds more than a byte or two of noise."""
 
 
 class Saw(Enum):
@@ -59,10 +67,17 @@ class BaudFinding:
     count: int
     """How many bytes came."""
     waited_s: float
+    prompt: str = ""
+    """What stood at the end as a prompt does; empty where nothing did."""
+    listed: frozenset[str] = frozenset()
+    """The commands that `?` listed; empty where it was not sent, or lists none."""
+    text: str = field(default="", compare=False)
+    """All that can be read of what came, a line end as a line end."""
 
 
 def judge(heard: bytes, tokens: Iterable[str] = ()) -> Saw:
     """Say what `heard`, all that came after a bare Enter, is; `tokens` are the prompts that are known."""
+    heard = without_escapes(heard)
     if not heard:
         return Saw.SILENCE
     if not heard.strip(b"\r\n"):
@@ -90,33 +105,63 @@ def probe(
 ) -> BaudFinding:
     """Send one bare Enter over `link`, which is open at `baud`, and say what came within `listen_s`.
 
-    What had arrived before counts as well: a dish that boots talks unasked. `on_wake` is called when `wake` is set;
-    it clears it, and may raise to end the wait. Raises LinkError when the port is gone.
+    What had arrived before counts as well: a dish that boots talks unasked. Where a prompt answers, `?` is asked too.
+    `on_wake` is called when `wake` is set; it clears it, and may raise to end the wait. Raises LinkError when the port
+    is gone.
     """
     began = clock.monotonic()
-    until = began + listen_s
-    link.write(ENTER)
-    heard, count = b"", 0
-    while clock.monotonic() < until:
-        outcome = clock.wait(link, until, wake)
-        if outcome is Outcome.INTERRUPTED:
-            on_wake()
-        elif outcome is Outcome.READY:
-            data = link.read()
-            heard, count = (heard + data)[:KEPT], count + len(data)
-    return BaudFinding(baud, judge(heard, tokens), _sample(heard), count, round(clock.monotonic() - began, 3))
+
+    def ask(line: bytes, seconds: float) -> bytes:
+        """Send a line, and return what comes until a prompt stands, or until the time is over."""
+        link.write(line)
+        heard, until, last = b"", clock.monotonic() + seconds, clock.monotonic()
+        while clock.monotonic() < until:
+            stands = _standing(heard)
+            quiet_at = min(until, last + QUIET_S) if stands else until
+            if clock.monotonic() >= quiet_at:
+                break
+            outcome = clock.wait(link, quiet_at, wake)
+            if outcome is Outcome.INTERRUPTED:
+                on_wake()
+            elif outcome is Outcome.READY:
+                heard, last = heard + link.read(), clock.monotonic()
+                if len(heard) > KEPT:
+                    break
+        return heard
+
+    heard = ask(ENTER, listen_s)
+    saw, prompt, listed, text = judge(heard, tokens), _standing(heard), frozenset[str](), heard
+    if saw is Saw.PROMPT and prompt:
+        text += ask(HELP, HELP_S)
+        listed = commands(line for line in _readable(text[len(heard) :]).splitlines() if line.strip() != prompt)
+    waited_s = round(clock.monotonic() - began, 3)
+    return BaudFinding(baud, saw, _sample(heard), len(heard), waited_s, prompt, listed, _readable(text))
 
 
-def overhear(link: Port, clock: Clock, baud: int, *, tokens: Iterable[str] = (), listen_s: float) -> BaudFinding:
-    """Send nothing, and say what comes within `listen_s`; returns at the first whole line. LinkError without a port."""
+def overhear(
+    link: Port, clock: Clock, baud: int, *, tokens: Iterable[str] = (), listen_s: float, told: Callable[[str], bool]
+) -> BaudFinding:  # fmt: skip
+    """Send nothing, and say what comes within `listen_s`; ends sooner when `told` says so. LinkError without a port."""
     began = clock.monotonic()
     heard = b""
-    while clock.monotonic() < began + listen_s and not _LINE.search(heard):
+    while clock.monotonic() < began + listen_s and not told(_readable(heard)):
         if clock.wait(link, began + listen_s, None) is Outcome.READY:
             heard = (heard + link.read())[:KEPT]
-    return BaudFinding(baud, judge(heard, tokens), _sample(heard), len(heard), round(clock.monotonic() - began, 3))
+    waited_s = round(clock.monotonic() - began, 3)
+    return BaudFinding(baud, judge(heard, tokens), _sample(heard), len(heard), waited_s, text=_readable(heard))
+
+
+def _standing(heard: bytes) -> str:
+    """Return the prompt that stands at the end; empty where none does."""
+    found = _STANDS.search(_readable(heard))
+    return found[0].strip() if found else ""
+
+
+def _readable(heard: bytes) -> str:
+    """Return what came as text: unreadable bytes as dots, control sequences left out."""
+    return "".join(chr(byte) if 0x20 <= byte < 0x7F or byte in b"\r\n" else "." for byte in without_escapes(heard))
 
 
 def _sample(heard: bytes) -> str:
-    text = re.sub(rb"[\r\n\t]+", b" ", heard).strip()
+    text = re.sub(rb"[\r\n\t]+", b" ", without_escapes(heard)).strip()
     return "".join(chr(byte) if 0x20 <= byte < 0x7F else "." for byte in text[:SAMPLE])

@@ -41,6 +41,8 @@ class FirmwareProtocol(ABC):
     dialect: ClassVar[ConsoleDialect]
     boot_marks: ClassVar[tuple[str, ...]] = ()
     """Words in unasked lines that mean that the dish has just started."""
+    log_marks: ClassVar[tuple[str, ...]] = ()
+    """Words of its boot log that no other console is known to print: they tell which firmware it is."""
     motor_menu: ClassVar[str]
     """Where motions, and the lines that stop them, are understood."""
     hazards: ClassVar[HazardTable] = HazardTable()

@@ -114,7 +114,7 @@ CONNECTORS = (
             _TRAVLER_DISAGREEMENT,
             "The Carryout's socket is on the control board, under the radome.",
         ),
-        ("hal205", "hal000"),
+        ("hal205",),
     ),
     Connector(
         "pro",

@@ -1,8 +1,7 @@
-"""Which firmware answers on a port, asked before a session begins: one bare Enter at each usual rate.
+"""Which firmware answers on a port, asked before a session begins: a bare Enter at each usual rate, and a `?`.
 
-A Carryout G2 shows a prompt that its dialect declares, at its own rate (reference sections 7.2 and 7.3). The prompts of
-the HAL family are unknown (section 4), so any other prompt, and any text at its rate, is taken for HAL 2.05. The
-console proves it, or the session refuses to move: this is no more than a first guess.
+What a console shows must speak for a firmware; that it shows none of another's proves nothing. The session proves it
+once more, or refuses to move.
 """
 
 from __future__ import annotations
@@ -15,95 +14,148 @@ from birdcage.base.errors import LinkError
 from birdcage.console.probe import BaudFinding, Saw, overhear, probe
 from birdcage.link.link import Link
 from birdcage.link.opening import has_speed, open_link
+from birdcage.protocol.recognise import Clue, clues_of, firmwares_of, known_tokens
 from birdcage.protocol.registry import FIRMWARE_REGISTRY
 from birdcage.station.settings import OpenLink
 
-OTHERS = "hal205"
-"""What a console is taken for whose prompt no dialect declares."""
-
 LOG_S = 5.5
-"""How long a dish is listened to that answers at no rate: one that homes at power-up tells of it every few seconds."""
+"""How long a dish is listened to that shows no prompt: one that homes at power-up tells of it every few seconds."""
 
 
 @dataclass(frozen=True, slots=True)
 class Detection:
     """What was found on a port."""
 
+    port: str
     firmware: str | None
-    """None where it cannot be told: silence, garbage, an echo, or no port."""
+    """None where it cannot be told."""
     sentence: str
     """What was seen, for a person."""
     findings: tuple[BaudFinding, ...] = ()
+    """What each rate showed, in the order in which they were tried."""
+    clues: tuple[Clue, ...] = ()
+    """What spoke for which firmware."""
+    candidates: tuple[str, ...] = ()
+    """The firmwares that the clues speak for; more than one cannot be told apart."""
+    baud: int | None = None
+    """The rate at which it answers, where the port takes one from us."""
+    trouble: LinkError | None = None
+    """Why the port could not be opened."""
+
+    @property
+    def is_told(self) -> bool:
+        """Whether asking again would tell no more: a prompt answered, whosever it is, or the port can't be had."""
+        return self.trouble is not None or bool(self.clues) or any(each.saw is Saw.PROMPT for each in self.findings)
+
+    @property
+    def talks(self) -> bool:
+        """Whether something legible answers, whatever it is."""
+        return any(each.saw in (Saw.PROMPT, Saw.TEXT) for each in self.findings)
 
 
 def detect_firmware(
-    port: str, clock: Clock, *, baud: int | None = None, open_port: OpenLink | None = None,
-    tell: Callable[[str], None] = lambda _sentence: None,
+    port: str, clock: Clock, *, baud: int | None = None, first: int | None = None, log_s: float = LOG_S,
+    open_port: OpenLink | None = None, tell: Callable[[str], None] = lambda _sentence: None,
 ) -> Detection:  # fmt: skip
-    """Listen at `baud`, or at the rates of the firmwares that are spoken here, and say which one answers.
+    """Ask at `baud`, or at the rates of the firmwares that are spoken here (`first` before the others), which it is.
 
-    Sends one bare Enter at each rate and takes 0.7 s for it, a little more where a port opens slowly. A dish that
-    answers at none may be starting: it is listened to for `LOG_S` more, at the rate at which any log tells which one
-    it is. Nothing moves; a combined move of a Trav'ler that is under way ends by it. A port that does not open is no
-    error: the session that begins next says what is wrong with it. `tell` hears which rate is listened at.
+    Sends one bare Enter at each rate, which takes 0.7 s where nothing answers, and `?` where a prompt does. A dish
+    that shows none may be starting: its log is listened to for `log_s` more, at the rate at which any text came or
+    else at that of the dish that starts longest. Nothing moves; a combined move of a Trav'ler that is under way ends
+    by the first byte. `tell` hears which rate is tried. A port that does not open is told in `trouble`.
     """
-    opening = open_port or _opening(clock)
-    rates = (baud,) if baud is not None else _rates() if has_speed(port) else _rates()[:1]
+    opening, timed = open_port or _opening(clock), has_speed(port)
+    rates = (baud,) if baud is not None else _rates(first) if timed else _rates(first)[:1]
     findings: list[BaudFinding] = []
-    for rate in rates:
-        tell(f"Listening for the dish on {port} at {rate} baud …" if has_speed(port) else f"Listening on {port} …")
-        try:
+    try:
+        for rate in rates:
+            tell(f"Listening for the dish on {port} at {rate} baud …" if timed else f"Listening on {port} …")
             link = opening(port, rate)
             try:
-                findings.append(probe(link, clock, rate, tokens=_tokens()))
+                findings.append(probe(link, clock, rate, tokens=known_tokens()))
             finally:
                 link.close()
-        except LinkError as error:
-            return Detection(None, str(error), tuple(findings))
-        firmware = firmware_of(findings[-1], rate_counts=has_speed(port))
-        if firmware is not None:
-            return Detection(firmware, f"{port} shows `{findings[-1].sample}`: {firmware}.", tuple(findings))
-    others = FIRMWARE_REGISTRY[OTHERS].model.baud
-    mute = any(each.baud == others and each.saw in (Saw.SILENCE, Saw.ECHO) for each in findings)
-    if has_speed(port) and mute:
-        tell(f"Nothing answers. Listening at {others} baud for the log of a dish that starts …")
-        try:
-            link = opening(port, others)
+            clues = clues_of(findings[-1], rate_counts=timed)
+            if clues or findings[-1].saw is Saw.PROMPT:
+                return _told(port, findings, clues, timed=timed)
+        heard = _rate_of_log(findings)
+        if log_s > 0 and heard is not None:
+            tell(f"No prompt. Listening at {heard} baud for the log of a dish that starts …")
+            link = opening(port, heard)
             try:
-                findings.append(overhear(link, clock, others, tokens=_tokens(), listen_s=LOG_S))
+                findings.append(
+                    overhear(
+                        link,
+                        clock,
+                        heard,
+                        tokens=known_tokens(),
+                        listen_s=log_s,
+                        told=lambda text: bool(clues_of(_of_log(heard, text), rate_counts=timed)),
+                    )
+                )
             finally:
                 link.close()
-        except LinkError as error:
-            return Detection(None, str(error), tuple(findings))
-        firmware = firmware_of(findings[-1])
-        if firmware is not None:
-            return Detection(firmware, f"{port} shows `{findings[-1].sample}`: {firmware}.", tuple(findings))
-    return Detection(None, f"{port} does not tell which firmware it is.", tuple(findings))
+    except LinkError as error:
+        return Detection(port, None, str(error), tuple(findings), trouble=error)
+    return _told(port, findings, clues_of(findings[-1], rate_counts=timed), timed=timed)
 
 
 def heard_firmware(finding: BaudFinding, port: str) -> str | None:
-    """Return the firmware that shows this on `port`; None where it could be any."""
-    return firmware_of(finding, rate_counts=has_speed(port))
+    """Return the firmware that shows this on `port`; None where none does for certain, or more than one might."""
+    firmwares = firmwares_of(clues_of(finding, rate_counts=has_speed(port)))
+    return firmwares[0] if len(firmwares) == 1 else None
 
 
-def firmware_of(finding: BaudFinding, *, rate_counts: bool = True) -> str | None:
-    """Return the firmware that shows this; None where it could be any.
+def _told(port: str, findings: list[BaudFinding], clues: tuple[Clue, ...], *, timed: bool) -> Detection:
+    candidates = firmwares_of(clues)
+    last = findings[-1]
+    baud = last.baud if timed and clues else None
+    if len(candidates) == 1:
+        name = FIRMWARE_REGISTRY[candidates[0]].model.name
+        why = "; ".join(clue.words for clue in clues if clue.firmware == candidates[0])
+        sentence = f"{port} is a {name} ({candidates[0]}): {why}."
+        return Detection(port, candidates[0], sentence, tuple(findings), clues, candidates, baud)
+    if candidates:
+        seen = "; ".join(f"{clue.words} ({clue.firmware})" for clue in clues)
+        sentence = f"{port} may be any of {', '.join(candidates)}: {seen}. Say which with --firmware."
+        return Detection(port, None, sentence, tuple(findings), clues, candidates, baud)
+    return Detection(port, None, _untold(port, findings), tuple(findings))
 
-    `rate_counts`: whether the port takes its rate from us. Then a prompt that a dialect declares is that firmware's
-    only at its own rate: one of the HAL family may show the same.
-    """
-    for name, each in FIRMWARE_REGISTRY.items():
-        if rate_counts and finding.baud != each.model.baud:
-            continue
-        if name != OTHERS and any(token in finding.sample for token in each.dialect.prompts.values()):
-            return name
-        if finding.saw is Saw.TEXT and any(mark in finding.sample for mark in each.boot_marks):
-            return name
-    others = FIRMWARE_REGISTRY.get(OTHERS)
-    if others is None:
-        return None
-    says_so = finding.saw is Saw.PROMPT or (finding.saw is Saw.TEXT and finding.baud == others.model.baud)
-    return OTHERS if says_so else None
+
+def _untold(port: str, findings: list[BaudFinding]) -> str:
+    """Say what was seen where nothing speaks for a firmware."""
+    talking = next((each for each in reversed(findings) if each.saw in (Saw.PROMPT, Saw.TEXT)), None)
+    if talking is not None and talking.saw is Saw.PROMPT:
+        lists = f", and `?` lists {', '.join(sorted(talking.listed)[:8])}" if talking.listed else ""
+        return (
+            f"What answers on {port} shows `{talking.prompt or talking.sample}`{lists}: no firmware that birdcage "
+            "knows does. If it is a dish all the same, name its firmware with --firmware."
+        )
+    if talking is not None:
+        return (
+            f"What talks on {port} at {talking.baud} baud (`{talking.sample}`) shows no prompt and nothing that a "
+            "known dish prints: another device, or a dish that is starting."
+        )
+    rates = " and ".join(str(rate) for rate in dict.fromkeys(each.baud for each in findings))
+    if any(each.saw is Saw.ECHO for each in findings):
+        return f"{port} gives back our own Enter at {rates} baud, and nothing else: no dish answers."
+    if any(each.saw is Saw.GARBAGE for each in findings):
+        return f"What comes from {port} cannot be read at {rates} baud: another rate, or swapped wires."
+    return f"{port} is silent at {rates} baud: no dish answers. Its power may be off, or it is homing."
+
+
+def _rate_of_log(findings: list[BaudFinding]) -> int | None:
+    """Return the rate at which to listen for a log; None where noise says that nothing would be read."""
+    for each in findings:
+        if each.saw is Saw.TEXT:
+            return each.baud
+    longest = max(FIRMWARE_REGISTRY.values(), key=lambda protocol: protocol.model.boot_s).model.baud
+    quiet = any(each.baud == longest and each.saw in (Saw.SILENCE, Saw.ECHO) for each in findings)
+    return longest if quiet else None
+
+
+def _of_log(baud: int, text: str) -> BaudFinding:
+    return BaudFinding(baud, Saw.TEXT, "", len(text), 0.0, text=text)
 
 
 def _opening(clock: Clock) -> OpenLink:
@@ -113,10 +165,7 @@ def _opening(clock: Clock) -> OpenLink:
     return opening
 
 
-def _rates() -> tuple[int, ...]:
-    """Return the rate of each firmware once, the fastest first."""
-    return tuple(sorted({each.model.baud for each in FIRMWARE_REGISTRY.values()}, reverse=True))
-
-
-def _tokens() -> tuple[str, ...]:
-    return tuple(token for each in FIRMWARE_REGISTRY.values() for token in each.dialect.prompts.values())
+def _rates(first: int | None) -> tuple[int, ...]:
+    """Return the rate of each firmware once: `first`, then the fastest first."""
+    rates = sorted({each.model.baud for each in FIRMWARE_REGISTRY.values()}, reverse=True)
+    return tuple(dict.fromkeys((*(() if first is None else (first,)), *rates)))

@@ -9,7 +9,7 @@ from birdcage.base.errors import BirdcageError, LinkError, Stopped
 from birdcage.base.wake import Wake
 from birdcage.console.probe import USUAL_BAUDS, BaudFinding, Saw, probe
 from birdcage.link.opening import has_speed
-from birdcage.protocol.registry import FIRMWARE_REGISTRY
+from birdcage.protocol.recognise import known_tokens
 from birdcage.protocol.types import Survey
 from birdcage.station.board import Board
 from birdcage.station.connection import Connection
@@ -37,9 +37,10 @@ class Rewire:
     def probe(self, bauds: tuple[int, ...] = ()) -> tuple[BaudFinding, ...]:
         """Listen at the present rate, then at `bauds` or the usual ones, until one shows a prompt.
 
-        At each, one bare Enter is sent and nothing else. Afterwards the station tries again as before. A port whose
-        rate is not ours to set (`socket://`) is heard once. Raises LinkError when the port cannot be opened or is
-        lost, BirdcageError (`moving`) while the dish moves, Stopped when STOP or the end of the station came first.
+        At each, one bare Enter is sent, and `?` where a prompt answers. Afterwards the station tries again as before.
+        A port whose rate is not ours to set (`socket://`) is heard once. Raises LinkError when the port cannot be
+        opened or is lost, BirdcageError (`moving`) while the dish moves, Stopped when STOP or the end of the station
+        came first.
         """
         self._refuse_while_moving("The port is not probed")
         port = self._connection.find()
@@ -55,7 +56,7 @@ class Rewire:
 
     def _listen(self, port: str, rates: Iterable[int]) -> tuple[BaudFinding, ...]:
         clock, stops_before = self._board.clock, self._stopper.count
-        tokens = {token for each in FIRMWARE_REGISTRY.values() for token in each.dialect.prompts.values()}
+        tokens = known_tokens()
         until = clock.monotonic() + PROBE_DEADLINE_S
         findings: list[BaudFinding] = []
 

@@ -36,7 +36,9 @@ class DishSettings(Section):
     port: str | None = setting(
         None, "Serial port or URL: /dev/ttyUSB0, COM4, socket://host:port, sim:g2.", env="BIRDCAGE_PORT"
     )
-    firmware: str | None = setting(None, "Firmware of the dish: g2, hal205, hal000.", env="BIRDCAGE_FIRMWARE")
+    firmware: str | None = setting(
+        None, "Firmware of the dish: g2 or hal205; not set: the port is asked.", env="BIRDCAGE_FIRMWARE"
+    )
     baud: int | None = setting(
         None,
         "Speed of the serial port; not set: the firmware's own.",

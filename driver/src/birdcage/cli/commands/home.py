@@ -28,11 +28,12 @@ def command(axis: str | None, yes: bool) -> None:
     from birdcage.base.errors import PositionUnknown
     from birdcage.cli.dish import open_dish
     from birdcage.cli.say import position_lines, position_values, say, tell, tell_json
+    from birdcage.cli.which import with_firmware
     from birdcage.station.events import ActivityChanged
     from birdcage.station.requests import Home
     from birdcage.station.state import Activity
 
-    dish_wanted = wanted()
+    dish_wanted = with_firmware(wanted())
     _refuse_if_by_itself(dish_wanted)
     _confirm(axis, yes)
 

@@ -69,9 +69,10 @@ def command(switch: str | None, yes: bool, timeout_s: float | None) -> None:
     """
     from birdcage.cli.dish import open_dish
     from birdcage.cli.say import say, tell_json
+    from birdcage.cli.which import with_firmware
     from birdcage.station.report import status_report
 
-    dish_wanted = wanted()
+    dish_wanted = with_firmware(wanted(), patience_s=PATIENCE_S if timeout_s is None else timeout_s)
     at_once = _ends_at_once(dish_wanted.model)
     if switch == "restore" and at_once:
         raise click.UsageError("Nothing switches this dish's TV search off for good: it begins at each power-up.")

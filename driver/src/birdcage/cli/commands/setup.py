@@ -22,7 +22,7 @@ HOLDER = "birdcage setup"
 @click.command("setup", epilog=EPILOG)
 @click.option("--list", "listing", is_flag=True, help="Print the steps and how they are, and end. The port stays shut.")
 @click.option("--step", type=click.Choice(NAMES), help="Begin with this step.")
-@global_options(firmware="listens for it")
+@global_options()
 def command(listing: bool, step: str | None) -> None:
     """Go from wires to the first satellite, step by step, and keep what is found in birdcage.toml.
 
@@ -67,11 +67,12 @@ def _with_firmware(dish: Wanted, *, detect: bool) -> Wanted:
         return dish
     from birdcage.base.clock import RealClock
     from birdcage.cli.say import say
-    from birdcage.station.detecting import detect_firmware
+    from birdcage.cli.which import ask_port, take
 
-    found = detect_firmware(dish.port, RealClock(), baud=dish.baud, tell=say)
+    found = ask_port(dish, RealClock(), tell=say)
     say(found.sentence)
-    return dish if found.firmware is None else replace(dish, firmware=found.firmware, firmware_given=True)
+    # Without any, the setup finds out with a person's help: it begins with the default.
+    return replace(dish, firmware_given=True) if found.firmware is None else take(dish, found, found.firmware)
 
 
 def _setup(session: Session, dish: Wanted) -> Setup:

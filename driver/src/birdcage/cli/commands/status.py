@@ -29,7 +29,7 @@ def command(context: click.Context, quick: bool) -> None:
             status = _look(dish, quick=quick)
         except (LinkError, NoReply) as error:
             trouble, status = error, _unknown(dish)
-    status["wear"] = _wear(dish, demo=bool(status["demo"]))
+    status["wear"] = _wear(dish, status["firmware"], demo=bool(status["demo"]))
     if flags().json:
         tell_json(status)
     else:
@@ -72,10 +72,11 @@ def _unknown(dish: Wanted) -> dict[str, Any]:
     from birdcage.station.report import status_report
     from birdcage.station.state import StationState
 
-    return dict(status_report(StationState(port=dish.port), 0.0)) | {"firmware": dish.firmware}
+    named = {"firmware": dish.firmware} if dish.firmware_given else {}
+    return dict(status_report(StationState(port=dish.port), 0.0)) | named
 
 
-def _wear(dish: Wanted, *, demo: bool) -> dict[str, Any] | None:
+def _wear(dish: Wanted, firmware: str | None, *, demo: bool) -> dict[str, Any] | None:
     """Return what each axis has done so far, by its name; None where nothing was counted, or can't be read."""
     from birdcage.base.errors import StoreError
     from birdcage.base.wear import read_wear
@@ -83,7 +84,7 @@ def _wear(dish: Wanted, *, demo: bool) -> dict[str, Any] | None:
     from birdcage.station.known import list_models
     from birdcage.station.wear import dish_key
 
-    model = next((model for model in list_models() if model.firmware == dish.firmware), None)
+    model = next((model for model in list_models() if model.firmware == firmware), None)
     if model is None:
         return None
     try:

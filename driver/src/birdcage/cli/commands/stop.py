@@ -10,9 +10,12 @@ from birdcage.cli import exits
 from birdcage.cli.options import Wanted, flags, global_options, wanted
 
 if TYPE_CHECKING:
+    from birdcage.station.detecting import Detection
     from birdcage.station.ring import Owner
 
 BY = "birdcage stop"
+PATIENCE_S = 15.0
+"""How long a dish that does not answer is tried."""
 
 
 @click.command("stop", epilog=exits.EPILOG)
@@ -22,8 +25,9 @@ def command(context: click.Context) -> None:
     """Stop the dish, and say what was really done.
 
     If another birdcage program has the port, that one stops the dish. When no port is named anywhere, every birdcage
-    program that has one is stopped. If none has, the port is opened. The dish is HELD afterwards: no birdcage program
-    moves it before a person releases it, there or with `birdcage release`.
+    program that has one is stopped. If none has, the port is opened, and whatever dish answers there is stopped: no
+    firmware needs to be named. The dish is HELD afterwards: no birdcage program moves it before a person releases it,
+    there or with `birdcage release`.
     """
     from birdcage.base.errors import LinkError
 
@@ -73,12 +77,51 @@ def _ring_one(owner: Owner) -> dict[str, Any] | None:
 
 
 def _stop_ourselves(wanted: Wanted) -> dict[str, Any]:
-    """Open the port, look where the dish is and whether it moves, and stop it."""
+    """Open the port, find out what answers, look where the dish is and whether it moves, and stop it."""
+    from birdcage.base.errors import NoReply
+    from birdcage.cli.say import say
+    from birdcage.cli.which import take
+
+    found = _find(wanted)
+    tries = [take(wanted, found, each) for each in found.candidates]
+    if not tries and (wanted.firmware_given or found.trouble is not None):
+        tries = [wanted]  # what does not tell may be a shell that is busy: the one that was named waits for it
+    for at, dish in enumerate(tries, 1):
+        if wanted.firmware_given and dish.firmware != wanted.firmware:
+            say(f"{found.sentence} {wanted.firmware} was named.")
+        try:
+            return _stop_it(dish)
+        except NoReply as error:
+            if error.reason != "wrong_firmware" or at == len(tries):
+                raise
+    if not found.talks:
+        raise NoReply(f"{found.sentence} No STOP has reached a dish: if it moves, cut its power.")
+    return {
+        "by": BY, "means": "enter", "confirmed": None, "port": wanted.port, "held": False,
+        "sentence": f"{found.sentence} A bare Enter was sent, which ends a combined move. If the dish moves, cut its "
+        "power.",
+    }  # fmt: skip
+
+
+def _find(wanted: Wanted) -> Detection:
+    """Ask the port until something answers; a shell that homes, say, is busy for a while."""
+    from birdcage.base.clock import RealClock
+    from birdcage.cli.which import ask_port
+
+    clock = RealClock()
+    until = clock.monotonic() + PATIENCE_S
+    while True:
+        found = ask_port(wanted, clock, log=False)
+        if found.is_told or wanted.firmware_given or clock.monotonic() >= until:
+            return found
+
+
+def _stop_it(wanted: Wanted) -> dict[str, Any]:
     from birdcage.cli.dish import open_dish
     from birdcage.station.report import stop_report
 
     with open_dish(wanted, survey=False) as dish:
-        dish.come_up(15.0, patient=True)
+        dish.come_up(PATIENCE_S, patient=True)
         report = dish.stop(BY)
         port, demo = dish.state.port, dish.state.demo
     if report is None:

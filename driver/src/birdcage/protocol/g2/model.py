@@ -61,6 +61,9 @@ DIALECT = ConsoleDialect(
         "peak": "PEAK>",
         "step": "STEP>",
     },
+    root_marks=frozenset({"mot", "dvb", "a3981"}),
+    submenu_marks={"mot": frozenset({"a", "g", "h"})},
+    own_marks=frozenset({"azscan", "azscanwxp", "elminmaxhome", "lnbdc"}),
     stranger=(
         "This dish does not answer like a Carryout G2 (prompt `{prompt}`). Give --firmware hal205 if it is a Trav'ler. "
         "Nothing was moved."

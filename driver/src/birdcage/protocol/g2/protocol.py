@@ -48,6 +48,7 @@ class CarryoutG2Protocol(Rooms):
     commands: ClassVar[tuple[CommandDoc, ...]] = COMMANDS
     help_lines: ClassVar[Mapping[str, tuple[str, ...]]] = {"dvb": ("?", "man")}
     boot_marks: ClassVar[tuple[str, ...]] = ("Bootloader", "Motor init", "Ant ID - ", "Boot Complete", "Loc Startup")
+    log_marks: ClassVar[tuple[str, ...]] = ("Ant ID - ", "EXTENDED_DVB_DEBUG", "Loc Startup", "Antenna Facing Front")
 
     def connect(self, port: str, baudrate: int = 115200) -> None:
         """Open the port (8N1) exclusively, at 115200 baud unless told otherwise (section 7.2)."""

@@ -46,6 +46,7 @@ class HAL205Protocol(FirmwareProtocol):
     hazards: ClassVar[HazardTable] = HAZARDS
     commands: ClassVar[tuple[CommandDoc, ...]] = COMMANDS
     boot_marks: ClassVar[tuple[str, ...]] = ("NoGPS", "No LNB Voltage")
+    log_marks: ClassVar[tuple[str, ...]] = boot_marks
 
     def __init__(self) -> None:
         super().__init__()

@@ -8,7 +8,7 @@ from birdcage.setup.step import Choice
 from birdcage.setup.steps.base import Step
 from birdcage.setup.steps.firmware import OTHER, other_firmwares, speak_another
 
-WITHOUT_VERSION = ("hal205", "hal000")
+WITHOUT_VERSION = ("hal205",)
 """Firmwares for whose version no source knows a command: these dishes are what their console speaks."""
 
 

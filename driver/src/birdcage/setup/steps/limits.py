@@ -18,7 +18,7 @@ _KEYS = {
 """By field: the key of `[motion]`, its label, and what may be typed."""
 
 
-READ = {"g2": (101, 102), "hal205": (125, 127), "hal000": (125, 127)}
+READ = {"g2": (101, 102), "hal205": (125, 127)}
 """By firmware: the settings of the dish that hold its limits. Of the HAL family both are floors: that of the search and
 the safe one (reference sections 3 and 7.5)."""
 

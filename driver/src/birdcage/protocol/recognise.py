@@ -1,0 +1,82 @@
+"""Which firmware a console is, by what it shows: prompts, listed commands, words of a boot log.
+
+Each clue speaks *for* a firmware. What no clue speaks for is none of those that are spoken here: that a console is not
+one of them never makes it another. What a rate lets be read is no clue either, but a prompt counts only at the rate of
+its firmware, as other consoles may show the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from birdcage.console.probe import BaudFinding, Saw
+from birdcage.protocol.protocol import FirmwareProtocol
+from birdcage.protocol.registry import FIRMWARE_REGISTRY
+
+CERTAIN, LIKELY = 2, 1
+
+
+@dataclass(frozen=True, slots=True)
+class Clue:
+    """Something that was seen, and the firmware that shows it."""
+
+    firmware: str
+    words: str
+    """What was seen: `prompt `TRK>` at 115200 baud`."""
+    weight: int
+    """`CERTAIN` where no other console is known to show it, else `LIKELY`."""
+
+
+def clues_of(finding: BaudFinding, *, rate_counts: bool = True) -> tuple[Clue, ...]:
+    """Return what in a finding speaks for which firmware; `rate_counts`: whether the port takes its rate from us."""
+    found: list[Clue] = []
+    for name, protocol in FIRMWARE_REGISTRY.items():
+        own_rate = not rate_counts or finding.baud == protocol.model.baud
+        at = f" at {finding.baud} baud" if rate_counts else ""
+        found += [Clue(name, words, weight) for words, weight in _clues(finding, protocol, at, own_rate=own_rate)]
+    return tuple(found)
+
+
+def firmwares_of(clues: Sequence[Clue]) -> tuple[str, ...]:
+    """Return the firmwares for which the most certain clues speak; more than one cannot be told apart."""
+    weight = max((clue.weight for clue in clues), default=0)
+    return tuple(dict.fromkeys(clue.firmware for clue in clues if clue.weight == weight))
+
+
+def _clues(
+    finding: BaudFinding, protocol: type[FirmwareProtocol], at: str, *, own_rate: bool
+) -> list[tuple[str, int]]:  # fmt: skip
+    dialect, found = protocol.dialect, []
+    own = finding.listed & dialect.own_marks
+    if dialect.root_marks and dialect.root_marks <= finding.listed:
+        found.append((f"`?` lists {_names(dialect.root_marks)}", CERTAIN))
+    elif own:
+        found.append((f"`?` lists {_names(own)}", CERTAIN))
+    elif own_rate:
+        found += [
+            (f"`?` lists {_names(marks)} as its menu `{menu}` does", LIKELY)
+            for menu, marks in dialect.submenu_marks.items()
+            if menu == protocol.motor_menu and marks <= finding.listed
+        ]
+    if not own_rate:
+        return found
+    if finding.prompt in _tokens(protocol):
+        found.append((f"prompt `{finding.prompt}`{at}", LIKELY))
+    if finding.saw in (Saw.TEXT, Saw.PROMPT):
+        found += [(f"`{mark.strip()}` in its log{at}", LIKELY) for mark in protocol.log_marks if mark in finding.text]
+    return found
+
+
+def known_tokens() -> tuple[str, ...]:
+    """Return every prompt that a firmware declares."""
+    return tuple(token for protocol in FIRMWARE_REGISTRY.values() for token in _tokens(protocol))
+
+
+def _tokens(protocol: type[FirmwareProtocol]) -> tuple[str, ...]:
+    """Return the prompts that are known of a firmware; a prompt that has to be learnt is none."""
+    return tuple(token for token in protocol.dialect.prompts.values() if token)
+
+
+def _names(commands: frozenset[str]) -> str:
+    return ", ".join(f"`{command}`" for command in sorted(commands))
