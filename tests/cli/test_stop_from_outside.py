@@ -105,7 +105,7 @@ def test_stop_without_an_owner_stops_a_dish_that_moves(run, as_json, pty_dish) -
 
 def test_stop_of_a_dish_at_rest_says_so_and_moves_nothing(run, as_json, pty_dish) -> None:
     result = run("stop", "--json", port=pty_dish.path)
-    assert (result.exit_code, as_json(result)["means"]) == (0, "nothing moved")
+    assert (result.exit_code, as_json(result)["means"]) == (0, "look")
     assert "Stands still at 0.00°/45.00°" in as_json(result)["sentence"]
     assert [line for line in pty_dish.moves() if line != "a"] == []
 
