@@ -5,11 +5,14 @@ from __future__ import annotations
 import gc
 import itertools
 import os
-from collections.abc import Iterator
+import sys
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 from hypothesis import settings
+
+sys.path.insert(0, str(Path(__file__).parent / "shared"))  # importlib mode puts no folder on the path by itself
 
 IN_CI = os.environ.get("CI", "").lower() in {"1", "true", "yes"}
 
@@ -57,6 +60,33 @@ def _own_home(_homes: Iterator[Path]) -> Iterator[None]:
         patch.setenv("XDG_CACHE_HOME", str(home / "cache"))
         patch.setenv("XDG_RUNTIME_DIR", str(home / "run"))
         yield
+
+
+AT_IMPORT = """
+import os, signal, sys
+
+class Finder:
+    def find_spec(self, name, path, target=None):
+        if name == {module!r}:
+            sys.meta_path.remove(self)
+            {deed}
+
+sys.meta_path.insert(0, Finder())
+"""
+
+
+@pytest.fixture
+def at_import(tmp_path: Path) -> Callable[[str, str], dict[str, str]]:
+    """Make a Python that is started do something as it is about to import a module: an exact moment, without a clock.
+
+    Returns what its environment needs.
+    """
+
+    def at_import(module: str, deed: str) -> dict[str, str]:
+        (tmp_path / "sitecustomize.py").write_text(AT_IMPORT.format(module=module, deed=deed))
+        return {"PYTHONPATH": str(tmp_path)}
+
+    return at_import
 
 
 def _refuse_skip(report: pytest.TestReport | pytest.CollectReport) -> None:

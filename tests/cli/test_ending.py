@@ -9,18 +9,19 @@ import time
 import pytest
 from birdcage.cli.commands.move import Shown
 from birdcage.station.mover import Mover
+from pty_terminal import PtyTerminal
 
 LAST = re.compile(r"The dish was last seen at AZ (\S+)° EL (\S+)°, \d\d:\d\d:\d\dZ\.")
 
 
-@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP"])
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT"])
 def test_a_signal_stops_the_dish_first(start, pty_dish, name) -> None:
     number = getattr(signal, name)
     process = start("move", "--port", pty_dish.path, "--firmware", "g2", "--az", 200, "--el", 45)
     pty_dish.wait_for(lambda truth: truth.cable_deg < -20)
     called = time.monotonic()
     process.send_signal(number)
-    out, err = process.communicate(timeout=10)
+    out, err = process.communicate(timeout=40)
     took_s = time.monotonic() - called
     truth = pty_dish.device.truth()
     assert process.returncode == 128 + number
@@ -39,7 +40,7 @@ def test_a_signal_just_as_the_motion_begins(start, pty_dish) -> None:
     process = start("move", "--port", pty_dish.path, "--firmware", "g2", "--az", 200, "--el", 45)
     pty_dish.wait_for(lambda _truth: "a 0 200.00" in pty_dish.lines())
     process.send_signal(signal.SIGTERM)
-    _out, err = process.communicate(timeout=10)
+    _out, err = process.communicate(timeout=40)
     assert not pty_dish.device.truth().moving
     assert "Stands still at" in err
 
@@ -49,7 +50,7 @@ def test_a_signal_that_comes_twice_ends_it_all_the_same(start, pty_dish) -> None
     pty_dish.wait_for_motion()
     process.send_signal(signal.SIGINT)
     process.send_signal(signal.SIGINT)
-    _out, err = process.communicate(timeout=10)
+    _out, err = process.communicate(timeout=40)
     assert process.returncode == 130
     assert "Traceback" not in err
     assert not pty_dish.device.truth().moving
@@ -90,7 +91,7 @@ def test_a_signal_while_only_looking_sends_no_stop(start, pty_dish) -> None:
     process = start("init", "--port", pty_dish.path, "--firmware", "g2")
     pty_dish.wait_for(lambda _truth: pty_dish.is_open_in(process.pid))
     process.send_signal(signal.SIGINT)
-    _out, err = process.communicate(timeout=10)
+    _out, err = process.communicate(timeout=40)
     assert process.returncode == 130
     assert "Traceback" not in err
     assert pty_dish.moves() == []
@@ -105,3 +106,44 @@ def test_a_lost_cable_in_mid_move_is_a_link_error(run, pty_dish, monkeypatch) ->
     result = run("move", "--az", 200, "--el", 45, port=pty_dish.path)
     assert result.exit_code == 3
     assert "Traceback" not in result.stderr
+
+
+@pytest.fixture
+def terminal():
+    """Start `birdcage` in a terminal of its own."""
+    started = []
+
+    def terminal(*words, **more):
+        started.append(PtyTerminal("birdcage", *words, **more))
+        return started[-1]
+
+    yield terminal
+    for each in started:
+        each.close()
+
+
+def test_a_terminal_that_takes_nothing_any_more_keeps_no_command_alive(terminal, pty_dish) -> None:
+    process = terminal("move", "--port", pty_dish.path, "--firmware", "g2", "--az", 200, "--el", 45)
+    pty_dish.wait_for(lambda truth: truth.cable_deg < -5)
+    process.wait_for(b"to go")
+    process.block()
+    lines = len(pty_dish.moves())
+    process.signal(signal.SIGTERM)
+    assert process.status() == 143
+    assert pty_dish.moves()[lines].startswith("a 0 ")
+    assert not pty_dish.is_held_open()
+
+
+def test_a_closed_terminal_stops_the_dish(terminal, pty_dish) -> None:
+    process = terminal("move", "--port", pty_dish.path, "--firmware", "g2", "--az", 200, "--el", 45)
+    pty_dish.wait_for(lambda truth: truth.cable_deg < -5)
+    process.hang_up()
+    assert process.status() == 129
+    assert not pty_dish.device.truth().moving
+
+
+@pytest.mark.parametrize("module", ["birdcage.cli.app", "click", "birdcage.cli.commands.move"])
+def test_ctrl_c_while_it_is_loaded_is_no_traceback(terminal, at_import, module) -> None:
+    process = terminal("move", "--help", env=at_import(module, "os.kill(os.getpid(), signal.SIGINT)"))
+    assert process.status() == 130
+    assert process.output == b""

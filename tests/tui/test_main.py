@@ -1,8 +1,10 @@
 """The entry point: what it refuses, and what happens to the dish when the app ends."""
 
+import gc
 import subprocess
 import sys
 from dataclasses import replace
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
@@ -41,33 +43,88 @@ def test_wrong_use_is_refused_with_a_sentence(words, capsys):
     assert capsys.readouterr().err.strip()
 
 
-@pytest.mark.parametrize("crash", [None, RuntimeError("torn"), KeyboardInterrupt()])
-def test_however_the_app_ends_the_session_is_closed(crash, monkeypatch, capsys):
+class Ended:
+    """An app that ends at once, in one way or another."""
+
+    return_code, anew, fault, crash = 0, False, None, None
+    track = SimpleNamespace(wait=lambda _timeout_s: None)
+
+    def __init__(self, session, _settings):
+        self.session = session
+
+    def run(self):
+        if self.crash is not None:
+            raise self.crash
+
+    def end_by_signal(self, number):
+        pass
+
+
+@pytest.fixture
+def session():
     clock = stand_in.VirtualClock()
-    session = stand_in.Session(stand_in.slewing(clock), clock)
+    return stand_in.Session(stand_in.slewing(clock), clock)
 
+
+@pytest.fixture
+def run_app(monkeypatch, session):
+    """Run an app that ends as told; return the exit status."""
+
+    def run_app(**ending):
+        monkeypatch.setattr(run, "BirdcageApp", type("App", (Ended,), ending))
+        monkeypatch.setattr(run, "_build", lambda *_: (session, AppSettings()))
+        return run.run(main.parser().parse_args(["--demo"]))
+
+    return run_app
+
+
+@pytest.mark.parametrize(
+    ("ending", "status"),
+    [
+        ({}, 0), ({"return_code": 143}, 143), ({"return_code": 3}, 3),
+        ({"return_code": None}, 70),  # Textual's own threads end it so
+        ({"return_code": 1, "fault": RuntimeError("torn")}, 70),
+        ({"return_code": 0, "fault": RuntimeError("torn")}, 70),
+    ],
+)  # fmt: skip
+def test_an_end_by_error_says_so_in_the_exit_status(run_app, session, ending, status):
+    assert run_app(**ending) == status
+    assert session.closed == 1
+
+
+def test_a_station_that_has_failed_is_told_and_in_the_exit_status(run_app, session, capsys):
+    session.crash = RuntimeError("torn")
+    assert run_app() == 70
+    assert "RuntimeError: torn" in capsys.readouterr().err
+
+
+def test_a_fault_while_the_app_begins_is_a_traceback_and_a_status_of_its_own(monkeypatch, capsys):
+    monkeypatch.setattr(run, "run", lambda _options: 1 // 0)
+    monkeypatch.setattr(main, "_options", lambda _arguments: None)
+    assert main.main([]) == 70
+    gc.unfreeze()
+    gc.enable()
+    assert "ZeroDivisionError" in capsys.readouterr().err
+
+
+def test_a_last_line_that_nobody_takes_changes_no_status(run_app):
+    with Path("/dev/full").open("w") as full, pytest.MonkeyPatch.context() as patch:
+        patch.setattr(sys, "stdout", full)
+        assert run_app() == 0
+        full.write("more")  # Python's last flush, which would make the status 120, now goes nowhere
+        full.flush()
+
+
+@pytest.mark.parametrize("crash", [None, RuntimeError("torn"), KeyboardInterrupt()])
+def test_however_the_app_ends_the_session_is_closed(crash, run_app, session, monkeypatch, capsys):
     ends = []
-
-    class App:
-        return_code, anew = 0, False
-        track = SimpleNamespace(wait=lambda timeout_s: ends.append((session.closed, timeout_s)))
-
-        def __init__(self, *_):
-            pass
-
-        def run(self):
-            if crash is not None:
-                raise crash
-
-    monkeypatch.setattr(run, "BirdcageApp", App)
-    monkeypatch.setattr(run, "_build", lambda *_: (session, AppSettings()))
-    options = main.parser().parse_args(["--demo"])
+    track = SimpleNamespace(wait=lambda timeout_s: ends.append((session.closed, timeout_s)))
     if crash is None:
-        assert run.run(options) == 0
+        assert run_app(track=track) == 0
         assert capsys.readouterr().out == "Where the dish is, is not known.\n"
     else:
         with pytest.raises(type(crash)):
-            run.run(options)
+            run_app(track=track, crash=crash)
     assert session.closed == 1
     assert ends == [(1, run.LEAVE_S)], "what was followed is remembered once the dish was stopped, also by a crash"
 
@@ -175,16 +232,11 @@ def test_another_dish_chosen_in_the_setup_begins_the_app_anew_over_the_old_flags
     clock = stand_in.VirtualClock()
     built, sessions, pages = [], [], []
 
-    class App:
-        return_code = 0
-        track = SimpleNamespace(wait=lambda _timeout_s: None)
-
-        def __init__(self, _session, settings):
+    class App(Ended):
+        def __init__(self, session, settings):
+            super().__init__(session, settings)
             self.anew = len(built) == 1
             pages.append(settings.first_page)
-
-        def run(self):
-            pass
 
     def build(options, paths):
         paths.config_file.parent.mkdir(parents=True, exist_ok=True)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import asyncio
 import signal
 from collections.abc import Callable
 from concurrent.futures import Future
+from functools import partial
 
+from birdcage.base.signals import STATUS
 from birdcage.station.requests import (
     AcceptLimits,
     AcknowledgeFault,
@@ -33,7 +34,7 @@ from birdcage_tui.shell import Shell
 from birdcage_tui.stop_words import power_switch
 from birdcage_tui.themes import LOOKS
 from birdcage_tui.track.pursuing import pursuit_of
-from birdcage_tui.view import YOU
+from birdcage_tui.view import YOU, View
 
 MOTIONS = (Goto, Jog, TurnSkew, Home, Stow)
 
@@ -48,9 +49,15 @@ class BirdcageApp(Shell):
     _skew_turns: frozenset[Future[object]] | set[Future[object]] = frozenset()
     """Its turn, while that is not at its end."""
 
+    ended_by: int | None = None
+    """The signal that ends the app."""
+    take_signal: Callable[[int], object] | None = None
+    """Ends the app as that signal does, and its process if the app does not end; `run` sets it."""
+
     def on_mount(self) -> None:
-        """End as Ctrl+Q does when the system says so."""
-        self._catch_signals()
+        """End at once where a signal came before there was an app to end."""
+        if self.ended_by is not None:
+            self.leave("signal", STATUS + self.ended_by)
 
     def action_key(self, key: str) -> None:
         """Do what the key means to what has the focus."""
@@ -267,25 +274,36 @@ class BirdcageApp(Shell):
 
     def leave(self, by: str = YOU, status: int = 0) -> None:
         """STOP first if anything moves; give the terminal back; `main` closes the session."""
-        moving = self.view().moving
+        self._stop_what_moves(by)
+        self.sky.close()
+        self.exit(return_code=status)
+
+    def _stop_what_moves(self, by: str) -> None:
+        moving = View(self.station.state, 0.0, self.session.clock.utc(), self.settings).moving
         # It waits for nothing. Told after STOP, the desk would take what is followed for ended, and not offer it again.
         self.track.close()
         if moving:
             self.station.stop(by, leaving=True)
-        self.sky.close()
-        self.exit(return_code=status)
 
-    def _catch_signals(self) -> None:
-        """SIGTERM and SIGHUP end the app as Ctrl+Q does, with the customary exit status."""
-        loop = asyncio.get_running_loop()
-        for name in ("SIGTERM", "SIGHUP"):
-            number = getattr(signal, name, None)
-            if number is None:
-                continue
-            try:
-                loop.add_signal_handler(number, self.leave, "signal", 128 + int(number))
-            except (NotImplementedError, RuntimeError, ValueError):
-                return  # no signal handlers on this platform, or not in the main thread: the default action stays
+    def end_by_signal(self, number: int) -> None:
+        """End as Ctrl+Q does. Any thread: STOP goes out from here, as the app's own thread may be stuck."""
+        self.ended_by = number
+        self._stop_what_moves("signal")
+        self.soon(partial(self.leave, "signal", STATUS + number))
+
+    def terminal_gone(self) -> None:
+        """End as by SIGHUP: the driver has found the terminal closed. Any thread."""
+        (self.take_signal or self.end_by_signal)(signal.SIGHUP)
+
+    @property
+    def fault(self) -> Exception | None:
+        """What ended the app, if a fault of birdcage did."""
+        return self._exception
+
+    def restore_terminal(self) -> bool:
+        """Give the terminal back where the app's own thread no longer can; return whether it takes any words."""
+        restore: Callable[[], bool] | None = getattr(self._driver, "restore", None)
+        return restore is not None and restore()
 
     def on_stop_button_pressed(self) -> None:
         """The mouse stops."""

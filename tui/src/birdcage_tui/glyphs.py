@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import codecs
 import locale
+import sys
 import unicodedata
 from collections.abc import Mapping
 
@@ -109,10 +110,11 @@ class GlyphFilter(LineFilter):
 def fitting(environ: Mapping[str, str], encoding: str | None = None) -> str:
     """Return the set for a terminal that nobody chose one for: `ascii` unless it takes UTF-8 and is no poor one.
 
-    `encoding` is the locale's, by default the one in force. The set `block` is never guessed.
+    `encoding` is by default the locale's, and what stdout was told to use. The set `block` is never guessed.
     """
+    encodings = [encoding] if encoding else [locale.getencoding(), getattr(sys.stdout, "encoding", None) or "utf-8"]
     try:
-        utf8 = codecs.lookup(encoding or locale.getencoding()).name == "utf-8"
+        utf8 = all(codecs.lookup(name).name == "utf-8" for name in encodings)
     except LookupError:
         utf8 = False
     poor = environ.get("TERM", "").startswith(POOR_TERMINALS)

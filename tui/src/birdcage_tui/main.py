@@ -2,27 +2,42 @@
 
 from __future__ import annotations
 
-import argparse
 import gc
+import io
 import os
 import sys
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
+from birdcage.base.signals import interrupt_quits
 
-class _Version(argparse.Action):
-    """Prints the version; finding that out takes longer than all else here, so only when it is asked for."""
+if TYPE_CHECKING:
+    import argparse
 
-    def __call__(self, parser: argparse.ArgumentParser, *_given: object) -> None:
-        from importlib.metadata import version
-
-        print(f"birdcage-tui {version('birdcage-tui')}")
-        parser.exit()
+EPILOG = (
+    "Exit status: 0 left by a person; 1 not begun, for the reason that is printed; 2 wrong command line; 70 a fault of "
+    "birdcage; 128 + n ended by signal n (129: the terminal was closed). Whatever ends it, STOP goes out first if the "
+    "dish moves."
+)
 
 
 def parser() -> argparse.ArgumentParser:
     """Return the command line's description."""
+    import argparse
+
+    class Version(argparse.Action):
+        """Prints the version; finding that out takes longer than all else here, so only when it is asked for."""
+
+        def __call__(self, parser: argparse.ArgumentParser, *_given: object) -> None:
+            from importlib.metadata import version
+
+            print(f"birdcage-tui {version('birdcage-tui')}")
+            parser.exit()
+
     parse = argparse.ArgumentParser(
-        prog="birdcage-tui", description="A ground station in a terminal: points, follows and listens with a dish."
+        prog="birdcage-tui",
+        description="A ground station in a terminal: points, follows and listens with a dish.",
+        epilog=EPILOG,
     )
     parse.add_argument("--demo", action="store_true", help="drive a simulated dish; nothing of yours is touched")
     parse.add_argument("--port", help="serial port or URL: /dev/ttyUSB0, COM4, socket://host:port, sim:g2")
@@ -38,12 +53,40 @@ def parser() -> argparse.ArgumentParser:
     )
     parse.add_argument("--skip-init", action="store_true", help="do not wait for the dish to boot, and change nothing")
     parse.add_argument("--config", help="another birdcage.toml")
-    parse.add_argument("--version", action=_Version, nargs=0, help="print the version and leave")
+    parse.add_argument("--version", action=Version, nargs=0, help="print the version and leave")
     return parse
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the app. Return its exit status: 0, 1 for an error, 2 for wrong use, 128 + n for a signal."""
+    """Run the app. Return its exit status, as `EPILOG` tells."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):  # a terminal without a degree sign is no reason to tell nothing
+            stream.reconfigure(errors="replace")
+    with interrupt_quits():
+        options = _options(arguments)
+        # Textual waits this long to tell Esc from the start of a sequence.
+        os.environ.setdefault("ESCDELAY", "60")
+        # A thread that waits behind a painting one wakes within a millisecond (SEAMS, Threads).
+        sys.setswitchinterval(0.001)
+
+        # What is made up to the first frame stays: looking through it for garbage would only hold that frame up.
+        gc.disable()
+        from birdcage_tui.run import EXIT_FAULT, run
+
+        try:
+            status = run(options)
+        except Exception:  # noqa: BLE001 - the exit status has to say that it was a fault of ours
+            import traceback
+
+            traceback.print_exc()
+            return EXIT_FAULT
+        # The rest goes with the process: looking through all of it for garbage first takes a quarter of the quitting.
+        gc.freeze()
+        return status
+
+
+def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
+    """Return the options; SystemExit 2 with a sentence where they make no sense."""
     parse = parser()
     options = parse.parse_args(arguments)
     if options.speed is not None and not options.demo:
@@ -52,19 +95,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         parse.error("--demo has its own dish: leave --port out")
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
         parse.error("birdcage-tui needs a terminal; `birdcage status --json` is for scripts")
-    # Textual waits this long to tell Esc from the start of a sequence, but looks every 100 ms: so 60 makes 100.
-    os.environ.setdefault("ESCDELAY", "60")
-    # A thread that waits behind a painting one wakes within a millisecond (SEAMS, Threads).
-    sys.setswitchinterval(0.001)
-
-    # What is made up to the first frame stays: looking through it for garbage would only hold that frame up.
-    gc.disable()
-    from birdcage_tui.run import run
-
-    status = run(options)
-    # The rest goes with the process: looking through all of it for garbage first takes a quarter of the quitting.
-    gc.freeze()
-    return status
+    return options
 
 
 if __name__ == "__main__":

@@ -5,16 +5,17 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TextIO
 from uuid import uuid4
 
 from birdcage.base.clock import Clock, RealClock, ScaledClock
 from birdcage.base.config import Settings, load
 from birdcage.base.errors import BirdcageError
 from birdcage.base.paths import Paths, throw_away_paths
+from birdcage.base.signals import SignalListener
 from birdcage.setup.first_run import is_first_run
 from birdcage.station.build import open_session
 from birdcage.station.known import list_firmwares, list_ports
@@ -44,7 +45,11 @@ DEMO_PARK = (180.0, 40.0)
 """True azimuth and elevation to which it goes after a pass."""
 LEAVE_S = 1.0
 """How long the end may wait for what is followed to be remembered, a pass to be logged, a receiver to be told LOS."""
+QUIT_S = 6.0
+"""How long the end may take after the app has left the screen, changed speeds put back included."""
 EXIT_ERROR = 1
+EXIT_FAULT = 70
+"""A fault of birdcage itself, as `birdcage` has it."""
 
 
 def demo_port(firmware: str, dish: str = "") -> str:
@@ -56,17 +61,20 @@ def demo_port(firmware: str, dish: str = "") -> str:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Run the app until a person leaves it. Return the exit status."""
+    """Run the app until a person or a signal ends it. Return the exit status."""
     with ExitStack() as stack:
+        signals = SignalListener()
+        stack.callback(signals.close)
+        signals.start()
         try:
             paths = _paths(options, stack)
         except BirdcageError as wrong:
             return _complain(wrong)
         anew = False
         while True:
-            status = _run_once(options, paths, anew=anew)
+            status = _run_once(options, paths, signals, anew=anew)
             if status is not None:
-                return status
+                return signals.status(status)
             anew = True
             # A person has chosen another firmware in the setup, which has kept it: that counts over flag and variable.
             options.firmware, options.baud = load(paths.config_file, environ={}).dish.firmware, None
@@ -77,7 +85,7 @@ def _complain(wrong: BirdcageError) -> int:
     return EXIT_ERROR
 
 
-def _run_once(options: argparse.Namespace, paths: Paths, *, anew: bool) -> int | None:
+def _run_once(options: argparse.Namespace, paths: Paths, signals: SignalListener, *, anew: bool) -> int | None:
     """Run the app over one session. Return the exit status; None when it is to begin again.
 
     `anew`: another firmware was chosen in the setup, which goes on there.
@@ -96,16 +104,53 @@ def _run_once(options: argparse.Namespace, paths: Paths, *, anew: bool) -> int |
             # `birdcage stop` in another terminal rings here; and a suspended program stops nothing.
             stack.callback(Doorbell(session.station, owners_folder(paths)).close)
             stack.callback(SleepInhibitor(session.station).close)
+        app.take_signal = signals.take
+        signals.tell(app.end_by_signal, lambda: _end_stuck(app))
         try:
             app.run()
         finally:
-            # First of all the dish: STOP goes out here if it moves, whatever ended the app.
-            farewell = session.close()
-            app.track.wait(LEAVE_S)
-        if app.anew:
+            signals.leave(QUIT_S)
+            farewell = _finish(app)
+        if app.anew and signals.number is None:
             return None
-        print(farewell)
-        return app.return_code or 0
+        say_last(farewell)
+        return _status(app)
+
+
+def _finish(app: BirdcageApp) -> str:
+    """End the session; return where the dish is, as a sentence."""
+    # First of all the dish: STOP goes out here if it moves, whatever ended the app.
+    farewell = app.session.close()
+    app.track.wait(LEAVE_S)
+    return farewell
+
+
+def _end_stuck(app: BirdcageApp) -> None:
+    """Do what must not be left out, in place of a main thread that does not leave the screen."""
+    farewell = _finish(app)
+    if app.restore_terminal():
+        say_last(farewell)
+
+
+def _status(app: BirdcageApp) -> int:
+    """Return the exit status of an app that has ended without a signal."""
+    crash = app.session.crash
+    if crash is not None:
+        say_last(f"birdcage-tui: a fault of birdcage: {type(crash).__name__}: {crash}", sys.stderr)
+        return EXIT_FAULT
+    # Textual leaves no status where its own threads ended it, and 1 after an error of ours, which it has printed.
+    return EXIT_FAULT if app.fault is not None or app.return_code is None else app.return_code
+
+
+def say_last(words: str, stream: TextIO | None = None) -> None:
+    """Print a last line, on stdout by default; the terminal may be gone, and then the exit status has to stay."""
+    stream = stream or sys.stdout
+    try:
+        print(words, file=stream, flush=True)
+    except OSError:
+        # Python would try again at the end, and make the status 120.
+        with suppress(OSError, ValueError):
+            os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 def _paths(options: argparse.Namespace, stack: ExitStack) -> Paths:

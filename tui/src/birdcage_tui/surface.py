@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from typing import cast
 
 from textual.app import App
+from textual.driver import Driver
 from textual.filter import LineFilter, Monochrome
 from textual.reactive import Reactive
 from textual.screen import Screen
@@ -52,6 +53,15 @@ class Surface(App[None]):
 
     def _look(self) -> Look:
         return LOOKS.get(self.theme, LOOKS[DEFAULT])
+
+    def get_driver_class(self) -> type[Driver]:
+        """Return the platform's driver; ours, which bears bad terminals, where that is Textual's for Linux."""
+        driver = super().get_driver_class()
+        if driver.__name__ != "LinuxDriver":
+            return driver
+        from birdcage_tui.terminal import TerminalDriver
+
+        return TerminalDriver
 
     def get_default_screen(self) -> Screen[None]:
         """Return the screen under everything."""

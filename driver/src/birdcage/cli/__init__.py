@@ -5,6 +5,8 @@ from __future__ import annotations
 import io
 import sys
 
+from birdcage.base.signals import interrupt_quits
+
 
 def main() -> None:
     """Run `birdcage` with the arguments of this process; ends it with one of `birdcage.cli.exits`."""
@@ -12,8 +14,8 @@ def main() -> None:
         if isinstance(stream, io.TextIOWrapper):  # a terminal without a degree sign is no reason to tell nothing
             stream.reconfigure(errors="replace")
     try:
-        from birdcage.cli.app import cli
-
+        with interrupt_quits():
+            from birdcage.cli.app import cli
         cli(prog_name="birdcage")
     except KeyboardInterrupt:  # before there was anything to stop
         raise SystemExit(130) from None

@@ -9,6 +9,7 @@ from typing import Any
 
 import click
 
+from birdcage.base.signals import interrupt_quits
 from birdcage.base.text import clean
 from birdcage.cli import exits
 from birdcage.cli.options import global_options
@@ -68,7 +69,8 @@ class Birdcage(click.Group):
         if cmd_name not in COMMANDS:
             return None
         # `if` is a word of Python's own, which no module that can be imported is called.
-        module = import_module(f"birdcage.cli.commands.{cmd_name}{'_' if iskeyword(cmd_name) else ''}")
+        with interrupt_quits():
+            module = import_module(f"birdcage.cli.commands.{cmd_name}{'_' if iskeyword(cmd_name) else ''}")
         command: click.Command = module.command
         return command
 

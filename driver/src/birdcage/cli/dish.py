@@ -9,12 +9,12 @@ import traceback
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future
 from contextlib import ExitStack, contextmanager
-from types import FrameType
 
 import click
 
 from birdcage.base.clock import Clock, RealClock
 from birdcage.base.errors import BirdcageError, ConfigError, Held, LinkError, NoReply
+from birdcage.base.signals import SignalListener
 from birdcage.cli import exits
 from birdcage.cli.app import Ended
 from birdcage.cli.options import Wanted
@@ -38,6 +38,8 @@ CONFIRM_S = 6.0
 """How long the end of a command waits for the dish to confirm a STOP."""
 NOTHING_MOVED_S = 1.0
 """How long it waits when nothing was moving: to prove that a dish stands still may take longer than a person does."""
+LEAVE_S = 12.0
+"""How long the end of a command may take after a signal, the confirmation of STOP included; then it is ended hard."""
 SURVEY_S = 10.0
 """The line counts as quiet 4 s after it was opened; a survey takes less than one."""
 
@@ -72,8 +74,8 @@ class Dish:
         """Monotonic seconds of the session's clock."""
         return self.session.clock.monotonic()
 
-    def on_signal(self, number: int, _frame: FrameType | None) -> None:
-        """STOP before anything else; the wait under way ends afterwards."""
+    def on_signal(self, number: int) -> None:
+        """STOP before anything else; the wait under way ends afterwards. On the thread of the signals."""
         if self.moves and not self.closing:
             # Ctrl+C on a dish that moves is a person's STOP; any other signal ends the program, and that stops it.
             person = number == signal.SIGINT and self.station.bar()
@@ -210,7 +212,7 @@ def open_dish(
     wanted = with_firmware(wanted, clock=clock)
     dish = Dish(_session(wanted, clock or RealClock(), survey=survey), moves=moves)
     with ExitStack() as stack:
-        _take_signals(stack, dish)
+        signals = _take_signals(stack, dish)
         begun = dish.now
         if not wanted.port.startswith("sim:"):
             stack.callback(Doorbell(dish.station, owners_folder(wanted.paths)).close)
@@ -218,7 +220,11 @@ def open_dish(
             stack.callback(SleepInhibitor(dish.station).close)
         dish.session.start()
         try:
-            yield dish
+            try:
+                yield dish
+            finally:
+                if signals is not None:
+                    signals.leave(LEAVE_S)
         except (BirdcageError, Ended, click.ClickException) as error:
             _leave(dish, begun, error, wanted)
             if isinstance(error, NoReply) and not wanted.firmware_given:
@@ -272,11 +278,11 @@ def _session(wanted: Wanted, clock: Clock, *, survey: bool) -> Session:
     )  # fmt: skip
 
 
-def _take_signals(stack: ExitStack, dish: Dish) -> None:
+def _take_signals(stack: ExitStack, dish: Dish) -> SignalListener | None:
     if threading.current_thread() is not threading.main_thread():
-        return  # only the main thread can; a program that runs commands elsewhere keeps its own handlers
-    for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK"):
-        number = getattr(signal, name, None)
-        # What was ignored from the start (nohup, a job in the background) stays ignored.
-        if number is not None and signal.getsignal(number) is not signal.SIG_IGN:
-            stack.callback(signal.signal, number, signal.signal(number, dish.on_signal))
+        return None  # only the main thread can; a program that runs commands elsewhere keeps its own handlers
+    signals = SignalListener()
+    stack.callback(signals.close)
+    signals.tell(dish.on_signal, dish.close)
+    signals.start()
+    return signals
