@@ -283,6 +283,7 @@ def _take_signals(stack: ExitStack, dish: Dish) -> SignalListener | None:
         return None  # only the main thread can; a program that runs commands elsewhere keeps its own handlers
     signals = SignalListener()
     stack.callback(signals.close)
-    signals.tell(dish.on_signal, dish.close)
+    # Without a word: it is a terminal that takes none which keeps the main thread.
+    signals.tell(dish.on_signal, lambda: dish.session.close(leave_moving=dish.leave_moving))
     signals.start()
     return signals
