@@ -255,3 +255,19 @@ def test_lists_are_sorted_for_people(elements):
     assert [line.split()[1] for line in lines] == ["a", "B", "C"]
     elements("favourite", "20", "--priority", "2")
     assert elements("list", "--all").stdout.splitlines()[1].split()[:3] == ["*", "20", "C"]
+
+
+def test_elements_dated_in_years_to_come_are_told_and_give_way(elements):
+    def body(epoch):
+        return json.dumps([omm("NOAA 20", 43013, epoch)])
+
+    first = elements("add", "-", input=body("2055-01-01T00:00:00"))
+    assert "NOAA 20 is dated 2055-01-01, more than 7 days ahead of this computer's clock" in first.stderr
+    assert "`birdcage clock`" in first.stderr
+    assert "2055-01-01" in elements("list").stderr
+    assert "2055-01-01" in elements("check").stderr
+    second = elements("add", "-", input=body("2026-07-01T12:00:00"))
+    assert second.stdout.startswith("0 new, 1 with newer elements")
+    assert "ahead" not in elements("list").stderr
+    assert "0 new, 0 with newer elements" in elements("add", "-", input=body("2055-01-01T00:00:00")).stdout
+    assert "2026-07-01 12:00" in elements("list", "--all").stdout

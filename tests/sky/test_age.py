@@ -115,3 +115,10 @@ def test_of_what_is_about_to_fall_nothing_is_known_however_young():
 def test_farther_away_the_same_kilometres_are_fewer_degrees():
     assert after(STATION, 48, 2000).words.startswith("2 d old, 0.17° off, one in ten")
     assert after(STATION, 48, 2000).pointing_median_deg < after(STATION, 48, 500).pointing_median_deg / 3.5
+
+
+def test_an_epoch_far_ahead_says_that_date_or_clock_is_wrong():
+    found = expected_error(STATION, STATION.epoch - timedelta(days=30))
+    assert found.words == "epoch 30 d ahead, its date or this computer's clock is wrong"
+    assert found.grade == "useless"
+    assert "wrong" not in expected_error(STATION, STATION.epoch - timedelta(days=6)).words

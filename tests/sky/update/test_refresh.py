@@ -284,3 +284,20 @@ def test_the_sources_are_celestraks_in_json_and_satnogs_and_a_mirror_takes_their
     assert (mine.url, mine.polite_s) == ("http://nas/my%20birds.json", 0.0)
     with pytest.raises(ConfigError, match="did you mean weather"):
         find_sources(("wether",))
+
+
+def test_a_group_with_elements_dated_ahead_is_fetched_whole_until_it_is_healed(server, catalogue, update, now, make):
+    """It may be the clock that was behind: then the tag of that day must not keep the good ones away."""
+    server.answers["/weather"] = (200, ETAG, make(3))
+    now.pass_by(days=-400)
+    first = update()
+    assert first.status is Status.UPDATED
+    assert "more than 7 days ahead of this computer's clock" in first.sentence
+    assert len(catalogue.all("weather")) == 3, "nothing is thrown away"
+    now.pass_by(days=400)
+    second = update()
+    assert (second.status, "ahead" in second.sentence) == (Status.UPDATED, False)
+    now.pass_by(hours=3)
+    update()
+    tags = ["if-none-match" in headers for _path, headers in server.asked]
+    assert tags == [False, False, True]

@@ -20,6 +20,7 @@ from birdcage.base.config.sections import (
 )
 from birdcage.base.config.sky_sections import ElementsSettings
 from birdcage.base.config.tracking_sections import AutotrackSettings, HookSettings, RadioSettings, TrackingSettings
+from birdcage.base.text import clean
 
 Source = Literal["file", "environment", "flag"]
 
@@ -42,7 +43,7 @@ class Problem:
         """The sentence with its place in front: `birdcage.toml:12: motion...`."""
         if self.file is None:
             return self.sentence
-        place = str(self.file) if self.line is None else f"{self.file}:{self.line}"
+        place = clean(str(self.file)) + ("" if self.line is None else f":{self.line}")
         return f"{place}: {self.sentence}"
 
 
