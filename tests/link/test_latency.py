@@ -79,6 +79,6 @@ def test_the_remark_stands_in_the_transcript(monkeypatch):
     link.close()
     os.close(master)
     os.close(slave)
-    assert "9600 baud 8N1; FTDI latency timer: a remark" in [
+    assert "9600 baud 8N1; exclusive; FTDI latency timer: a remark" in [
         entry.data.decode() for entry in heard if entry.direction == "#"
     ]

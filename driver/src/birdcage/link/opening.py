@@ -133,6 +133,7 @@ def _open_serial(url: str, baud: int, clock: Clock, *, is_device: bool) -> tuple
     import serial
 
     from birdcage.link import lines, trouble
+    from birdcage.link.exclusive import shut_others_out
     from birdcage.link.latency import lower_latency
     from birdcage.link.serial_port import WRITE_TIMEOUT_S, SerialPort
 
@@ -154,7 +155,7 @@ def _open_serial(url: str, baud: int, clock: Clock, *, is_device: bool) -> tuple
     remarks = [f"{baud} baud 8N1"]
     if is_device:
         lines.stay_up(opened)
-        remarks += filter(None, [lower_latency(opened, url)])
+        remarks += filter(None, [shut_others_out(opened), lower_latency(opened, url)])
     return SerialPort(opened, url, clock), "; ".join(remarks)
 
 

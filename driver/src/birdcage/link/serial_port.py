@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.clock import Clock
 from birdcage.base.errors import LinkError
+from birdcage.link.exclusive import let_others_in
 
 if TYPE_CHECKING:
     import serial
@@ -104,6 +105,7 @@ class SerialPort:
         except OSError:
             pass  # It is gone, and so are the bytes: there is only the descriptor to give back.
         finally:
+            let_others_in(descriptor)
             self._serial.close()
 
     def _drain(self) -> None:

@@ -29,6 +29,9 @@ class Channel(Protocol):
     def baud(self) -> int | None:
         """Return the rate at which the client speaks; None where there is no such thing."""
 
+    def attend(self) -> bool:
+        """Free what a client that was killed has left locked; return whether to be asked again soon."""
+
     def send(self, data: bytes) -> None:
         """Send to the client; without one the bytes are lost, as on a wire."""
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import fcntl
 import os
 import pty
 import termios
@@ -16,6 +17,8 @@ RATES = {
     for rate in (1200, 2400, 4800, 9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600)
     if hasattr(termios, f"B{rate}")
 }
+TIOCGEXCL = 0x80045440
+"""Asks Linux whether a terminal is in exclusive use; Python has no name for it."""
 UNUSUAL_BAUD = 0
 """Stands for any rate that is not in the table: the dish does not share it."""
 
@@ -84,6 +87,27 @@ class PtyChannel:
     def baud(self) -> int | None:
         """Return the rate that the last client has set."""
         return RATES.get(termios.tcgetattr(self._slave)[5], UNUSUAL_BAUD) if self._slave >= 0 else None
+
+    def attend(self) -> bool:
+        """End an exclusive use whose program is gone: as this side stays open, the kernel would keep it for ever.
+
+        Who uses it holds the lock on it too, as birdcage does.
+        """
+        if self._slave < 0 or not self._is_exclusive():
+            return False
+        try:
+            fcntl.flock(self._slave, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            return True  # it is in use
+        fcntl.ioctl(self._slave, termios.TIOCNXCL)
+        fcntl.flock(self._slave, fcntl.LOCK_UN)
+        return False
+
+    def _is_exclusive(self) -> bool:
+        try:
+            return any(fcntl.ioctl(self._slave, TIOCGEXCL, bytes(4)))
+        except OSError:  # no such question on this system
+            return False
 
     def send(self, data: bytes) -> None:
         """Write as much as fits and keep the rest."""

@@ -15,6 +15,8 @@ from birdcage.sim.port import SimPort
 from birdcage.sim.rig_server import RigServer
 
 LONGEST_WAIT_S = 3600.0
+ATTEND_S = 0.2
+"""How often a channel in exclusive use is looked at: its program may have been killed."""
 
 
 class Server:
@@ -70,10 +72,11 @@ class Server:
             self.channel.send(self._port.read())
 
     def _wait_s(self) -> float:
+        longest_s = ATTEND_S if self.channel.attend() else LONGEST_WAIT_S
         event = self._port.next_event() if self._port is not None else None
         if event is None or math.isinf(event):
-            return LONGEST_WAIT_S
-        return min(max(event - time.monotonic(), 0.0), LONGEST_WAIT_S)
+            return longest_s
+        return min(max(event - time.monotonic(), 0.0), longest_s)
 
     def _obey(self, request: dict[str, Any]) -> dict[str, Any]:
         if request.get("do") == "unplug":

@@ -64,6 +64,10 @@ class TcpChannel:
         """Return None: TCP has no rate."""
         return None
 
+    def attend(self) -> bool:
+        """Return False: a connection ends with its client."""
+        return False
+
     def send(self, data: bytes) -> None:
         """Send as much as fits and keep the rest."""
         if self._client is None:
