@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import itertools
 import os
+import signal
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -35,10 +36,39 @@ def _forget_the_developer() -> None:
 _forget_the_developer()
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addini("cpu_limit_s", "processor time after which a test fails", default="60")
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_call(item: pytest.Item) -> Iterator[None]:
+    """Fail a test that computes for ever. By processor time: on a loaded machine every test takes long."""
+    limit_s = float(item.config.getini("cpu_limit_s"))
+    if not hasattr(signal, "setitimer") or item.get_closest_marker("soak"):
+        return (yield)
+
+    def fail(*_) -> None:
+        pytest.fail(f"It has taken more than {limit_s:g} s of processor time.")
+
+    before = signal.signal(signal.SIGPROF, fail)
+    signal.setitimer(signal.ITIMER_PROF, limit_s)
+    try:
+        return (yield)
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0)
+        signal.signal(signal.SIGPROF, before)
+
+
+def pytest_collectstart() -> None:
+    """Collect tests without collecting garbage: there is none yet."""
+    gc.disable()
+
+
 def pytest_collection_finish() -> None:
     """Keep what all tests share, all of it made by now, out of the garbage collector's sight."""
-    gc.collect()
     gc.freeze()
+    gc.set_threshold(20_000, 10, 10)  # an app is 100,000 objects, and most of them live until it ends
+    gc.enable()
 
 
 @pytest.fixture(scope="session")

@@ -1,13 +1,20 @@
-"""The stand-in lies beside the tests; importlib mode puts no folder on the path by itself."""
+"""Runs the app in a loop that never waits. The stand-in lies beside the tests: importlib mode adds no folder."""
 
+import asyncio
 import sys
 from pathlib import Path
 
 import pytest
+import textual._time
+import textual.app
+import textual.pilot
 from birdcage.base.presets import Preset, add_preset
 from textual._styles_cache import StylesCache
+from textual.css.stylesheet import Stylesheet
 
 sys.path.insert(0, str(Path(__file__).parent))
+
+import jumping_loop
 
 
 @pytest.fixture
@@ -24,3 +31,32 @@ def _forget_the_drawn():
     """Let go of what Textual remembers of the last thousand widgets, all that they drew included."""
     yield
     StylesCache.get_inner_outer.cache_clear()
+
+
+@pytest.fixture(autouse=True)
+def _never_wait(monkeypatch):
+    """Let time jump where the app only waits for it."""
+    before = asyncio.get_event_loop_policy()
+    asyncio.set_event_loop_policy(jumping_loop.Policy())
+    monkeypatch.setattr(textual._time, "get_time", jumping_loop.loop_time)
+    monkeypatch.setattr(textual.app, "wait_for_idle", jumping_loop.settle)
+    monkeypatch.setattr(textual.pilot, "wait_for_idle", jumping_loop.settle)
+    yield
+    asyncio.set_event_loop_policy(before)
+
+
+_parse_rules = Stylesheet._parse_rules
+_parsed = {}
+
+
+def _parse_rules_once(sheet, *source, **more):
+    key = (frozenset(sheet._variables.items()), source, tuple(more.items()))
+    if key not in _parsed:
+        _parsed[key] = _parse_rules(sheet, *source, **more)
+    return _parsed[key]
+
+
+@pytest.fixture(autouse=True)
+def _parse_styles_once(monkeypatch):
+    """Share among all apps what their style sheets say, which nothing changes after it was parsed."""
+    monkeypatch.setattr(Stylesheet, "_parse_rules", _parse_rules_once)
