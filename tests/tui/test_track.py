@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 import stand_in
 import track_stand_in
+from birdcage.sky.reach_model import Lost, Reach
 from birdcage.station.requests import Release
 from birdcage_tui.control.tabs import TABS, TabRow
 from birdcage_tui.track.found import FoundList
@@ -186,3 +187,23 @@ def test_without_a_place_it_says_what_to_do_first(size):
     assert "step 9" in text
     assert "birdcage place add home" in text
     assert "worked out" not in text
+
+
+@pytest.mark.parametrize(
+    ("minutes", "says"),
+    [(-4.0, "Behind the horizon mask: f follows it all the same."), (3.0, "Behind the horizon mask in")],
+)
+def test_what_a_mask_hides_all_the_way_can_be_followed_and_says_so(minutes, says):
+    async def hidden(app, pilot, desk):
+        plan = track_stand_in.plan(minutes=minutes)
+        lost = tuple(Lost(one.start, one.end, "horizon") for one in plan.reach.intervals)
+        desk.show(track_stand_in.desk(replace(plan, reach=Reach((), lost, None))))
+        await pilot.pause()
+        app.paint()
+        await pilot.pause()
+        return stand_in.text_of(app)
+
+    text = run(hidden, "craft-chosen", size=(160, 48))
+    assert "behind the horizon mask all the way" in text
+    assert says in text
+    assert "Never in reach" not in text

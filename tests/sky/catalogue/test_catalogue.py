@@ -195,3 +195,9 @@ def test_elements_dated_in_the_future_give_way_to_any_others_and_are_kept_where_
     assert add(400, 7) == 7
     assert add(400) == 7
     assert add(6) == 7
+
+
+def test_of_two_with_one_name_the_one_dated_ahead_does_not_count(catalogue, sat):
+    now = datetime.now(UTC)
+    catalogue.add([sat(norad_id=1, epoch=now), sat(norad_id=2, epoch=now.replace(year=now.year + 20))])
+    assert catalogue.get("NOAA 20").norad_id == 1

@@ -24,7 +24,7 @@ def lay_demo_sky(path: Path, now: datetime, observer: Observer | None) -> None:
             return
         elements = demo_orbits(now, observer)
         with Catalogue(path) as catalogue:
-            catalogue.add(elements, group="demo")
+            catalogue.add(elements, group="demo", fetched=now)
             for one in elements:
                 if any(mark in f"{one.name} " for mark in FAVOURITES):
                     catalogue.set_favourite(one.norad_id)

@@ -158,5 +158,6 @@ def _chance(view: View, plan: Plan, t_s: float) -> str:
     starts_s = [*([] if heard is None else [heard[0]]), *([] if leg is None else [leg.start_s])]
     if starts_s and (begins_s := min(starts_s)) > t_s:
         does = "Enter releases the dish, then f waits for it." if held else "f waits for it and follows."
-        return f"In reach in {count_text(begins_s - t_s)}: {does}"
+        what = "In reach" if heard is not None else "Behind the horizon mask"
+        return f"{what} in {count_text(begins_s - t_s)}: {does}"
     return "This pass is not in reach any more." if spans or plan.legs else "Never in reach."

@@ -13,7 +13,7 @@ from typing import NamedTuple, Self
 from birdcage.base.errors import BirdcageError
 from birdcage.base.store import open_database
 from birdcage.base.text import clean
-from birdcage.sky.ahead import is_ahead
+from birdcage.sky.ahead import AHEAD, is_ahead
 from birdcage.sky.catalogue.entry import Entry, key_of
 from birdcage.sky.catalogue.groups import Groups, stamp
 from birdcage.sky.catalogue.rows import COLUMNS, ELEMENTS, elements_of, read_entries, row_of
@@ -236,7 +236,8 @@ class Catalogue:
             return str(int(text))
         with told():
             row = self._connection.execute(
-                "SELECT key FROM satellite WHERE name = ? COLLATE NOCASE ORDER BY epoch DESC LIMIT 1", (text,)
+                "SELECT key FROM satellite WHERE name = ? COLLATE NOCASE ORDER BY epoch > ?, epoch DESC LIMIT 1",
+                (text, stamp(datetime.now(UTC) + AHEAD)),
             ).fetchone()
         return text.casefold() if row is None else row[0]
 

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
+from datetime import UTC, datetime
 from typing import Protocol
 
 from birdcage.base.errors import BirdcageError
+from birdcage.sky.ahead import is_ahead
 from birdcage.sky.elements import ElementSet
 from birdcage.sky.ephemeris.bodies import BODIES
 from birdcage.sky.galactic import equatorial
@@ -97,7 +99,9 @@ def _exactly(typed: str, hits: Sequence[Hit]) -> Satellite | None:
         same = [hit for hit in hits if hit.elements.norad_id == int(typed)]
     else:
         same = [hit for hit in hits if _plain(hit.elements.name) == _plain(typed)]
-    return _satellite(max(same, key=lambda hit: hit.elements.epoch)) if same else None
+    now = datetime.now(UTC)
+    newest = max(same, key=lambda hit: (not is_ahead(hit.elements.epoch, now), hit.elements.epoch), default=None)
+    return None if newest is None else _satellite(newest)
 
 
 def _satellite(hit: Hit) -> Satellite:
