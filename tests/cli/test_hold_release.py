@@ -108,6 +108,18 @@ def test_it_is_held_after_its_program_was_killed(run, start, pty_dish):
     assert "HELD by anna (birdcage stop) since " in refused.stderr
 
 
+def test_a_stop_that_did_not_get_through_holds_the_dish_all_the_same(run, pty_dish, monkeypatch):
+    monkeypatch.setattr("birdcage.cli.commands.stop.PATIENCE_S", 0.5)
+    lane = pty_dish.device.wire.to_host
+    lane.silent = True
+    stopped = run("stop", port=pty_dish.path)
+    assert stopped.exit_code == 3, stopped.stderr
+    assert "HELD all the same: `birdcage release`" in stopped.stderr
+    lane.silent = False
+    assert run("move", "--az", 100, "--el", 45, port=pty_dish.path).exit_code == 4
+    assert moved(pty_dish) == []
+
+
 @pytest.mark.parametrize(("number", "code"), [(signal.SIGINT, 4), (signal.SIGTERM, 0)])
 def test_ctrl_c_on_a_dish_that_moves_holds_it_and_the_end_of_a_program_does_not(run, start, pty_dish, number, code):
     process = start("move", "--port", pty_dish.path, "--firmware", "g2", "--az", 200, "--el", 45)

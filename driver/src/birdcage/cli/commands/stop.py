@@ -29,21 +29,38 @@ def command(context: click.Context) -> None:
     firmware needs to be named. The dish is HELD afterwards: no birdcage program moves it before a person releases it,
     there or with `birdcage release`.
     """
-    from birdcage.base.errors import LinkError
+    from birdcage.base.errors import BirdcageError, LinkError
 
     dish = wanted()
     done = _ring(dish)
     if not done:
         try:
-            done = [_stop_ourselves(dish)]
-        except LinkError:
+            stop = _stop_ourselves(dish)
+            done = [stop | {"held": _is_held(dish, stop["port"])}]
+        except BirdcageError as error:
             # One may have taken the port, or given it back, since we looked.
-            done = _ring(dish)
+            done = _ring(dish) if isinstance(error, LinkError) else []
             if not done:
+                if _is_held(dish, dish.port):
+                    error.add_note("The dish is HELD all the same: `birdcage release` lets programs move it again.")
                 raise
     _tell(done)
     if not all(stop["confirmed"] for stop in done):
         context.exit(exits.NOT_DONE)
+
+
+def _is_held(dish: Wanted, port: str) -> bool:
+    """See to it that no later program moves the dish, whether STOP got through or not; return whether that is so."""
+    from birdcage.base.clock import RealClock
+    from birdcage.base.errors import BirdcageError
+    from birdcage.station.holding import find_held, hold
+
+    try:
+        if find_held(dish.paths, port) is None:
+            hold(dish.paths, port, BY, RealClock().utc())
+    except BirdcageError:
+        return False  # a simulator inside this program, a port that is not there, a disk that takes nothing
+    return True
 
 
 def _ring(dish: Wanted) -> list[dict[str, Any]]:
@@ -52,7 +69,7 @@ def _ring(dish: Wanted) -> list[dict[str, Any]]:
     for owner in _owners(dish):
         stop = _ring_one(owner)
         if stop is not None:
-            done.append(stop | {"port": owner.port, "pid": owner.pid, "held": True})
+            done.append(stop | {"port": owner.port, "pid": owner.pid, "held": _is_held(dish, owner.port)})
     return done
 
 
@@ -97,7 +114,7 @@ def _stop_ourselves(wanted: Wanted) -> dict[str, Any]:
     if not found.talks:
         raise NoReply(f"{found.sentence} No STOP has reached a dish: if it moves, cut its power.")
     return {
-        "by": BY, "means": "enter", "confirmed": None, "port": wanted.port, "held": False,
+        "by": BY, "means": "enter", "confirmed": None, "port": wanted.port,
         "sentence": f"{found.sentence} A bare Enter was sent, which ends a combined move. If the dish moves, cut its "
         "power.",
     }  # fmt: skip
@@ -123,11 +140,11 @@ def _stop_it(wanted: Wanted) -> dict[str, Any]:
     with open_dish(wanted, survey=False) as dish:
         dish.come_up(PATIENCE_S, patient=True)
         report = dish.stop(BY)
-        port, demo = dish.state.port, dish.state.demo
+        port = dish.state.port
     if report is None:
         sentence = "STOP was sent; whether the dish stands still is not known."
-        return {"by": BY, "means": "sent", "confirmed": None, "sentence": sentence, "port": port, "held": not demo}
-    return stop_report(report) | {"port": port, "held": not demo}
+        return {"by": BY, "means": "sent", "confirmed": None, "sentence": sentence, "port": port}
+    return stop_report(report) | {"port": port}
 
 
 def _tell(done: list[dict[str, Any]]) -> None:
