@@ -172,7 +172,7 @@ def _score(work: Work, dish: Dish, plan: Plan, true: Plan, bench: Bench) -> Scor
 @cache
 def _limit_of(case: Case, name: str) -> Curve | None:
     dish = DISHES[name]
-    model = replace(dish.model, axes_together=True, second_move=SecondMove.RETARGET)
+    model = replace(dish.model, second_same=SecondMove.RETARGET, second_other=SecondMove.RETARGET)
     now = datetime.fromtimestamp(case.passing.aos.timestamp() - EARLY_S, UTC)
     return planned(Work(case, name, ""), replace(dish, model=model), now, 0.0).course
 

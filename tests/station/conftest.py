@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import pytest
-from birdcage.base.clock import VirtualClock
+from birdcage.base.clock import Outcome, VirtualClock
 from birdcage.base.errors import LinkError
 from birdcage.link.link import Link
 from birdcage.sim.port import SimPort, open_device
@@ -40,6 +40,13 @@ class Bench:
         except ConnectionError as error:
             raise LinkError(str(error), reason="missing") from error
         self.opened.append(sim)
+        self.written, write = bytearray(), sim.write
+
+        def writing(data):
+            self.written += data
+            write(data)
+
+        sim.write = writing
         return Link(sim, self.clock)
 
     @property
@@ -64,6 +71,20 @@ class Bench:
         self.step(seconds)
         assert self.state.link.state is LinkNow.UP, self.state.link
         return self
+
+    def later(self, seconds, call):
+        """Have another thread's call come at a moment, in the middle of whatever waits then."""
+        wait, at, calls = self.clock.wait, self.clock.monotonic() + seconds, [call]
+
+        def waiting(endpoint, until, wake):
+            if calls and until >= at:
+                outcome = wait(endpoint, at, wake)
+                if outcome is not Outcome.TIMEOUT:
+                    return outcome
+                calls.pop()()
+            return wait(endpoint, until, wake)
+
+        self.clock.wait = waiting
 
     def watch(self, *features, rate_hz=10.0):
         self.station.submit(Watch("test", frozenset(features), rate_hz))

@@ -12,9 +12,9 @@ def test_a_skew_that_stop_kept_back_is_not_turned_by_the_next_slew():
     protocol = bench.station._antenna.protocol
     send = protocol._send_move
 
-    def stopped_just_before(menu, degrees):
+    def stopped_just_before(motor, degrees, busy_s):
         bench.station.stop("you")
-        return send(menu, degrees)
+        return send(motor, degrees, busy_s)
 
     protocol._send_move = stopped_just_before
     with pytest.raises(Stopped):

@@ -7,7 +7,6 @@ from birdcage.base.errors import MotionRefused
 from birdcage.base.geometry import wrap_360
 from birdcage.kinematics import Slew
 from birdcage.protocol.gate import Bounds, MotionGate
-from birdcage.protocol.model import SecondMove
 from birdcage.protocol.types import Position
 from birdcage.sky.reach_limits import NoGo
 from birdcage.tracking.plan import Part
@@ -54,7 +53,7 @@ class Wire:
 
 def follow(plan, on, *, seconds=None):
     _name, controller = controller_for(on.model)
-    queues = on.model.second_move is SecondMove.QUEUE or not on.model.axes_together
+    queues = on.model.moves_in_turn
     wire = Wire(on)
     for leg in plan.legs:
         if leg.part is not Part.FOLLOW:

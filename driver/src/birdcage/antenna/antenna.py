@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 
 from birdcage.antenna.alignment import Alignment
+from birdcage.antenna.blocking import MoveCommands, running
 from birdcage.antenna.config import AntennaConfig, DialectBaud
 from birdcage.antenna.foresight import foresee
 from birdcage.antenna.latch import Latch
 from birdcage.antenna.motion import STOP_LATENCY_S, DishMotion, start_motion
 from birdcage.antenna.odometer import Odometer
+from birdcage.antenna.rest import RestWatch
 from birdcage.antenna.steering import sent_to, steered
 from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused, Held, MotionRefused, Stopped, WrongThread
@@ -21,12 +23,8 @@ from birdcage.kinematics import rest_point
 from birdcage.leapfrog import apply_leapfrog
 from birdcage.link.link import Link
 from birdcage.protocol.belief import Belief, Expected
-from birdcage.protocol.model import SecondMove
 from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.protocol.types import MOTOR_AZIMUTH, MOTOR_ELEVATION, Position
-
-STILL_DEG = 0.015
-"""Two readings this close, one poll apart, are a dish at rest: both axes print hundredths."""
 
 
 class BirdcageAntenna:
@@ -55,11 +53,15 @@ class BirdcageAntenna:
         """HELD, where no station sees to it."""
         self.odometer = Odometer()
         """How far each axis was sent; for whoever counts wear."""
+        self._rest = RestWatch()
         self._begun_by: dict[int, float] = {}
         """When each axis had taken its last command."""
         self._modelling = threading.RLock()
-        self.model = protocol.model
-        """The dish with the speeds that are in force now; `protocol.model` is what it can do."""
+        self.kind = protocol.model
+        """The dish as it was seen to take commands; `protocol.model` is what is known of all that are like it."""
+        self.model = self.kind
+        """The same with the speeds that are in force now."""
+        self.commands = MoveCommands(self)
         self.speeds_deg_s: Mapping[int, float] = {}
         """The greatest speeds in force by motor number, as far as they are known."""
         self.align(self.alignment)
@@ -96,13 +98,18 @@ class BirdcageAntenna:
     def use_speeds(self, speeds: Mapping[int, float]) -> None:
         """Plan with these greatest speeds (motor number to deg/s); an axis that is not named goes as its model says."""
         self._check_thread()
-        model = self._protocol.model
+        model = self.kind
         self.speeds_deg_s = dict(speeds)
         self.model = replace(
             model,
             azimuth=replace(model.azimuth, speed_deg_s=speeds.get(MOTOR_AZIMUTH, model.azimuth.speed_deg_s)),
             elevation=replace(model.elevation, speed_deg_s=speeds.get(MOTOR_ELEVATION, model.elevation.speed_deg_s)),
         )
+
+    def remember_blocking(self, *, blocks: bool) -> None:
+        """Count the dish among those that take no command of a move while a motor runs, or no longer."""
+        self.kind = self._protocol.model.blocking() if blocks else self._protocol.model
+        self.use_speeds(self.speeds_deg_s)
 
     def doubt(self) -> None:
         """From now on take no reading of the position as true that neither goes on nor comes twice."""
@@ -165,9 +172,11 @@ class BirdcageAntenna:
         return self._seen(self._protocol.glance())
 
     def _seen(self, dish: Position) -> Position:
+        now = self._clock.monotonic()
         with self._modelling:
             if self.motion is not None:
-                self.motion = self.motion.with_reading(dish, self._clock.monotonic(), self._clock.rate)
+                self.motion = self.motion.with_reading(dish, now, self._clock.rate)
+        self._rest.see(dish, now)
         az_deg, el_deg = self.alignment.to_true(dish.azimuth, dish.elevation)
         self._last_position = Position(az_deg, el_deg, dish.skew)
         return self._last_position
@@ -181,14 +190,21 @@ class BirdcageAntenna:
         self.point(azimuth, elevation, leapfrog=self._config.leapfrog_enabled)
 
     def point(
-        self, az_deg: float, el_deg: float, *, leapfrog: bool = False, clamp: bool = False
+        self,
+        az_deg: float,
+        el_deg: float,
+        *,
+        leapfrog: bool = False,
+        clamp: bool = False,
+        on_begun: Callable[[tuple[float, float]], None] = lambda _true: None,
     ) -> tuple[float, float]:
         """Send both axes to a true direction; return the true direction that was commanded.
 
-        `clamp` moves an elevation outside the limits to the nearest allowed one instead of refusing it.
+        `clamp` moves an elevation outside the limits to the nearest allowed one instead of refusing it. `on_begun` is
+        told that direction when one axis is on its way: the dish may wait for it before it takes the other.
         """
         dish_az, dish_el = self.aim(az_deg, el_deg, leapfrog=leapfrog, clamp=clamp)
-        self._send(dish_az, dish_el)
+        self._send(dish_az, dish_el, lambda: on_begun(self.alignment.to_true(dish_az, dish_el)))
         return self.alignment.to_true(dish_az, dish_el)
 
     def aim(self, az_deg: float, el_deg: float, *, leapfrog: bool, clamp: bool) -> tuple[float, float]:
@@ -246,7 +262,7 @@ class BirdcageAntenna:
         turns, cable = gate.cable_turns(dish_az), gate.cable_deg
         return turns[0] - cable if turns and cable is not None else None
 
-    def _send(self, dish_az: float, dish_el: float) -> None:
+    def _send(self, dish_az: float, dish_el: float, on_begun: Callable[[], None]) -> None:
         gate = self._protocol.gate
         start = gate.position
         assert start is not None, "the gate has just checked this"
@@ -254,17 +270,30 @@ class BirdcageAntenna:
         velocity, under_way = (0.0, 0.0), self.motion
         if under_way is not None:
             velocity = under_way.azimuth.modelled(now, rate)[1], under_way.elevation.modelled(now, rate)[1]
-        turn = self.turn_known(dish_az)
-        if turn is None:
-            turn = shortest_turn(start.azimuth, dish_az)
+        known = self.turn_known(dish_az)
+        turn = shortest_turn(start.azimuth, dish_az) if known is None else known
         first = MOTOR_AZIMUTH if self._moves % 2 == 0 else MOTOR_ELEVATION
         order = [(MOTOR_AZIMUTH, dish_az), (MOTOR_ELEVATION, dish_el)]
-        with self.begun(start_motion(self.model, start, turn, dish_el, now, velocity, first=first, rate=rate)):
-            taken = self.taken
+        planned = start_motion(
+            self.model, start, turn, dish_el, now, velocity, first=first, rate=rate, turn_known=known is not None
+        )
+        from_rest = under_way is not None or self._rest.rests
+        with self.begun(planned):
+            taken, sent = self.taken, list[int]()
             for motor, angle in sorted(order, key=lambda each: each[0] != first):
-                self._protocol.move_motor(motor, angle)
+                runs = running(under_way, self.motion or planned, sent)
+                self.commands.send(motor, angle, runs, known=from_rest)
+                sent.append(motor)
                 self.taken, self._begun_by[motor] = taken + 1, self._clock.monotonic()
+                if motor == first:
+                    on_begun()
         self._moves += 1
+
+    def begins_now(self, motor: int) -> None:
+        """One axis begins its way only now: the dish has waited before it took the command."""
+        with self._modelling:
+            if self.motion is not None:
+                self.motion = self.motion.begun(motor, self._clock.monotonic())
 
     def steer(self, motor: int, dish_deg: float) -> None:
         """Send one axis to its dish angle, as one of a stream; returns when the dish has taken it.
@@ -285,10 +314,13 @@ class BirdcageAntenna:
         here = gate.position
         assert here is not None, "the gate has just checked this"
         turn = self.turn_known(dish_deg) if turns_az else None
-        now = clock.monotonic()
-        with self.begun(steered(self.model, self.motion, here, motor, dish_deg, turn, now, clock.rate)):
+        now, before = clock.monotonic(), self.motion
+        with self.begun(steered(self.model, before, here, motor, dish_deg, turn, now, clock.rate)):
             try:
-                self._protocol.steer_motor(motor, dish_deg)
+                if self.model.moves_in_turn:
+                    self.commands.send(motor, dish_deg, () if before is None else before.axes, known=True)
+                else:
+                    self.commands.answers[motor] = self._protocol.steer_motor(motor, dish_deg)
             finally:
                 self._begun_by[motor] = clock.monotonic()
             self.taken += 1
@@ -304,7 +336,7 @@ class BirdcageAntenna:
                 return ()
             if self.motion.silent:
                 return self._protocol.abort_lines()
-            if self.model.second_move is SecondMove.QUEUE:
+            if self.model.moves_in_turn:
                 return ()  # a move of one axis can't be called back
             self.motion = self.motion.stopped(self._clock.monotonic(), self._clock.rate)
             az_deg, el_deg = self.motion.rest
@@ -339,7 +371,7 @@ class BirdcageAntenna:
         if not self.motion.silent:
             self.get_position()  # tells which way the azimuth turns, if the turn of the cable was not known
         lines, left_s = self.stop_lines(), self.motion.eta(self._clock.rate) - self._clock.monotonic()
-        if not lines and self.model.second_move is SecondMove.QUEUE:
+        if not lines and self.model.moves_in_turn:
             if left_s > 0:
                 raise CommandRefused(
                     f"The {self.model.name} can't call back a move of one axis: it ends in {left_s:.0f} s, at its "

@@ -43,6 +43,8 @@ class AxisMotion:
     """Whether it was sent as one of a stream, with a new target before the last one was reached."""
     trusted: bool = True
     """Whether the last reading before a streamed command was where the model had the axis."""
+    longest_s: float = 0.0
+    """How long its way takes at the longest, where the turn of the cable is not known; mechanical seconds."""
 
     def modelled(self, now: float, rate: float) -> tuple[float, float]:
         """Return where the model has the axis, and its velocity, in mechanical seconds."""
@@ -93,6 +95,10 @@ class AxisMotion:
             return modelled
         return max(modelled, self.read_at + abs(self.slew.end_deg - self.read_deg) / abs(self.rate_deg_s) / rate)
 
+    def ends_by(self, rate: float) -> float:
+        """Return the monotonic time at which it stands whichever way round it goes."""
+        return max(self.eta(rate), self.started + self.longest_s / rate)
+
     def stopping_slew(self, now: float, rate: float) -> Slew:
         """Return the slew that brings the axis to rest at `stop_at`."""
         position, velocity = self.modelled(now, rate)
@@ -137,11 +143,27 @@ class DishMotion:
     silent: bool = False
     """A combined move that any byte aborts: nothing may be asked while it lasts."""
     longest_s: float = 0.0
-    """How long a silent slew may take at the longest, whichever way round its azimuth goes; mechanical seconds."""
+    """How long it may take at the longest, whichever way round its azimuth goes; mechanical seconds."""
+
+    @property
+    def axes(self) -> tuple[AxisMotion, ...]:
+        """Azimuth, elevation and, where it turns, the skew."""
+        return tuple(axis for axis in (self.azimuth, self.elevation, self.skew) if axis is not None)
+
+    def over_by(self, rate: float) -> float:
+        """Return the monotonic time at which it is over at the latest: whichever way round, and in turn."""
+        last = max(axis.started for axis in self.axes)
+        return last + sum(max(axis.slew.duration_s, axis.longest_s) for axis in self.axes) / rate
+
+    def begun(self, motor: int, now: float) -> DishMotion:
+        """Return the motion with one axis beginning its way only now."""
+        if motor == MOTOR_AZIMUTH:
+            return replace(self, azimuth=replace(self.azimuth, started=now))
+        return replace(self, elevation=replace(self.elevation, started=now))
 
     def eta(self, rate: float) -> float:
         """Return the monotonic time at which all axes should rest."""
-        return max(axis.eta(rate) for axis in (self.azimuth, self.elevation, self.skew) if axis is not None)
+        return max(axis.eta(rate) for axis in self.axes)
 
     def at(self, now: float, rate: float) -> Position:
         """Return where the model has the dish: azimuth in [0, 360); skew None unless it turns."""
@@ -184,18 +206,29 @@ def start_motion(
     *,
     first: int = MOTOR_AZIMUTH,
     rate: float = 1.0,
+    turn_known: bool = True,
 ) -> DishMotion:
     """Model a motion from `start`, turning the azimuth by `az_turn_deg` and the elevation to `el_deg`.
 
-    Where the axes move in turn, the motor `first` goes first.
+    Where the axes move in turn, the motor `first` goes first. Unless `turn_known`, the azimuth may go round the other
+    way.
     """
     azimuth = move_axis(model.azimuth, start.azimuth, start.azimuth + az_turn_deg, now, velocity_deg_s[0])
+    if not turn_known and azimuth.slew.segments:
+        round_deg = 360.0 - abs(az_turn_deg)
+        azimuth = replace(azimuth, longest_s=plan_axis(model.azimuth, 0.0, round_deg).duration_s)
     elevation = move_axis(model.elevation, start.elevation, el_deg, now, velocity_deg_s[1])
     if not model.axes_together and first == model.azimuth.index:
         elevation = replace(elevation, started=now + azimuth.slew.duration_s / rate)
     elif not model.axes_together:
         azimuth = replace(azimuth, started=now + elevation.slew.duration_s / rate)
-    return DishMotion(azimuth, elevation)
+    longest_s = max(azimuth.slew.duration_s, azimuth.longest_s) + elevation.slew.duration_s
+    return DishMotion(azimuth, elevation, longest_s=longest_s)
+
+
+def longest_s(model: DishModel) -> float:
+    """Return how long a motion takes at the longest, from wherever to wherever, and in turn; mechanical seconds."""
+    return sum(plan_axis(axis, axis.min_deg, axis.max_deg).duration_s for axis in (model.azimuth, model.elevation))
 
 
 def stop_power_s(model: DishModel) -> float:

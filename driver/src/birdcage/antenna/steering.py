@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from birdcage.antenna.motion import AxisMotion, DishMotion, plan_axis
 from birdcage.base.geometry import shortest_turn
-from birdcage.protocol.model import DishModel, SecondMove
+from birdcage.protocol.model import DishModel
 from birdcage.protocol.types import MOTOR_AZIMUTH, Position
 
 
@@ -46,7 +46,7 @@ def steered(
     before = under_way or resting(model, here, now)
     axis = before.azimuth if motor == MOTOR_AZIMUTH else before.elevation
     begins = now
-    if model.second_move is SecondMove.QUEUE and under_way is not None:
+    if model.moves_in_turn and under_way is not None:
         begins = max(now, under_way.eta(rate))
     position, velocity = axis.modelled(begins, rate)
     if motor == MOTOR_AZIMUTH:

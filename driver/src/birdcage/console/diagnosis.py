@@ -34,15 +34,21 @@ def stranger(dialect: ConsoleDialect, standing: str) -> NoReply | None:
     return NoReply(dialect.stranger.format(prompt=standing), reason="wrong_firmware")
 
 
-def no_reply(port: str, command: str, seen: bytes, waited_s: float) -> NoReply:
+def no_reply(port: str, command: str, seen: bytes, waited_s: float, *, busy: bool = False) -> NoReply:
     """Judge `seen`, what arrived within `waited_s` after `command` was sent.
 
     Reasons: `silent`, `garbage`, `echo` (nothing but our own line came back), `blocked` (it talks, but shows no
-    prompt that answers the command).
+    prompt that answers the command), `busy` (the same as `echo`, after a move that may not be over).
     """
     asked = f"`{command}`" if command else "Enter"
     seen = without_escapes(seen)
     text = "".join(chr(byte) if 0x20 <= byte < 0x7F else "." for byte in seen.strip())
+    if busy and text == command:
+        return NoReply(
+            f"The dish is busy with the last move: it has echoed {asked} on {port}, and not answered in "
+            f"{waited_s:.1f} s. Wait until it stands still. If it then stays silent, switch it off and on.",
+            reason="busy",
+        )
     quoted = text if len(text) <= _QUOTED else "…" + text[-_QUOTED:]
     if not seen:
         return NoReply(

@@ -42,6 +42,13 @@ class Console(Talker):
         """How long the last short command took, from its first byte out to its prompt."""
         return self._round_trip_s
 
+    def unanswered_s(self) -> float:
+        """Return for how long the oldest line has had no answer: 0 where none is due, infinite where one is missing.
+
+        Any thread.
+        """
+        return self._wire.unanswered_s()
+
     @property
     def stray_bytes(self) -> int:
         """How many bytes came that no command asked for, or that could not be read."""
@@ -63,14 +70,18 @@ class Console(Talker):
         command: str,
         *,
         takes_s: float = 0.0,
+        busy_s: float = 0.0,
         on_line: LineSink | None = None,
         permit: Callable[[], None] | None = None,
+        judged: bool = True,
     ) -> Reply:
         """Send `command` in the present menu and return its reply.
 
-        The prompt is due within `takes_s` + `delay_s` in total, however much is printed. `on_line` hears each line
-        of the reply as it comes. `permit` is called just before the line goes out and may raise to hold it back.
-        Raises NoReply (the next exchange then begins by finding its feet), CommandRefused when the firmware says so.
+        The prompt is due within `busy_s` + `takes_s` + `delay_s` in total, however much is printed: the dish may be
+        busy so long with what came before. `on_line` hears each line of the reply as it comes. `permit` is called just
+        before the line goes out and may raise to hold it back.
+        Raises NoReply (the next exchange then begins by finding its feet; `busy` where it may still be at what came
+        before), CommandRefused when the firmware says so, unless the caller judges the reply (`judged` False).
         """
         self._check(command)
         if self.dialect.may_leave(command):
@@ -79,10 +90,10 @@ class Console(Talker):
         else:
             self._resume()
         changes = self._may_change_menu(command)
-        reply = self._transact(command.strip(), takes_s, on_line, permit)
+        reply = self._transact(command.strip(), takes_s, on_line, permit, busy_s)
         if changes:
             self._wire.menu = None
-        refusal = self.refusal(reply)
+        refusal = self.refusal(reply) if judged else None
         if refusal is not None:
             raise refusal
         return reply
@@ -117,17 +128,24 @@ class Console(Talker):
         command: str,
         *,
         takes_s: float = 0.0,
+        busy_s: float = 0.0,
         on_line: LineSink | None = None,
         permit: Callable[[], None] | None = None,
+        judged: bool = True,
     ) -> Reply:
         """Send `command` in `menu`, going there first if need be; see `exchange`."""
         self.enter(menu)
-        reply = self.exchange(command, takes_s=takes_s, on_line=on_line, permit=permit)
+        reply = self.exchange(
+            command, takes_s=takes_s, busy_s=busy_s, on_line=on_line, permit=permit, judged=judged
+        )  # fmt: skip
         if not self.dialect.may_leave(command):
             self._came_from(menu, reply)
         return reply
 
-    def hurry(self, menu: str, command: str, *, asks: bool = False, permit: Callable[[], None] | None = None) -> Reply:
+    def hurry(
+        self, menu: str, command: str, *, asks: bool = False, permit: Callable[[], None] | None = None,
+        judged: bool = True,
+    ) -> Reply:  # fmt: skip
         """Send one line of a stream, each of which makes the ones before it void; else as `run`.
 
         Its answer is waited for only a little longer than such answers take now. NoReply (`late`) when it did not come:
@@ -139,7 +157,7 @@ class Console(Talker):
         if self.dialect.may_leave(command):
             raise ValueError(f"`{command}` could leave the menu and can't be hurried")
         if not self.dialect.echo or self.dialect.learnt:
-            return self.run(menu, command, permit=permit)
+            return self.run(menu, command, permit=permit, judged=judged)
         self._wire.take_in()
         self._late.collect()
         if self._wire.lost or self.menu != menu or self._late.owed >= MOST_LATE:
@@ -147,7 +165,7 @@ class Console(Talker):
         if asks and self._late:
             raise NoReply(f"`{command}` was not sent: an earlier answer is still due.", reason=LATE)
         reply = self._transact_soon(command.strip(), permit)
-        refusal = self.refusal(reply)
+        refusal = self.refusal(reply) if judged else None
         if refusal is not None:
             raise refusal
         self._came_from(menu, reply)

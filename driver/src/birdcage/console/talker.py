@@ -20,6 +20,8 @@ HELP = "?"
 """Lists the commands of a menu, on all of these consoles, and does nothing else (reference section 2.1)."""
 _LOOKS = 4
 """How often help is asked for in a row: a menu that was not seen before takes two."""
+LATE_S = 0.3
+"""A dish that is free answers a short line sooner than this: an older one may be read much later, or was lost."""
 _PROOFS = 3
 """How often a submenu is looked for before `leave` gives up."""
 
@@ -49,6 +51,10 @@ class Talker:
         self._new = True
         self._limit: float | None = None
         self._round_trip_s: float | None = None
+        self.took_s = 0.0
+        """How long the last line that was answered took, from its first byte out to its prompt."""
+        self.on_busy: Callable[[], None] = lambda: None
+        """Told, once a line, that the dish is still busy with what came before it."""
 
     @property
     def menu(self) -> str | None:
@@ -227,12 +233,14 @@ class Talker:
         takes_s: float = 0.0,
         on_line: LineSink | None = None,
         permit: Callable[[], None] | None = None,
+        busy_s: float = 0.0,
     ) -> Reply:
         sent = self.clock.monotonic()
-        ticket = self._wire.send(line, takes_s, permit)
-        reply = self._await(line, ticket, takes_s + self.delay_s, on_line)
-        if not takes_s:
-            self._round_trip_s = self.clock.monotonic() - sent
+        ticket = self._wire.send(line, takes_s + busy_s, permit)
+        reply = self._await(line, ticket, takes_s + self.delay_s, on_line, busy_s)
+        self.took_s = self.clock.monotonic() - sent
+        if not takes_s and not busy_s:
+            self._round_trip_s = self.took_s
         return reply
 
     def _transact_soon(self, line: str, permit: Callable[[], None] | None) -> Reply:
@@ -252,16 +260,18 @@ class Talker:
         if reply is None:
             late.add(ticket, line, sent, proves=proves)
             raise NoReply(f"No answer to `{line}` on {wire.link.name} within {patience_s:.2f} s.", reason=LATE)
-        self._round_trip_s = clock.monotonic() - sent
+        self._round_trip_s = self.took_s = clock.monotonic() - sent
         late.answered(ticket, line, sent, proves=proves)
         return reply
 
-    def _await(self, line: str, ticket: int, timeout_s: float, on_line: LineSink | None) -> Reply:
-        wire = self._wire
+    def _await(self, line: str, ticket: int, timeout_s: float, on_line: LineSink | None, busy_s: float = 0.0) -> Reply:
+        wire, timeout_s = self._wire, timeout_s + busy_s
         deadline = self.clock.monotonic() + timeout_s
         if self._limit is not None:
             deadline = min(deadline, self._limit)
         try:
+            if busy_s and not self._is_answered_by(min(deadline, self.clock.monotonic() + LATE_S), ticket, on_line):
+                self.on_busy()
             while (reply := wire.taken(ticket)) is None and wire.pump(deadline, ticket, on_line):
                 pass
             if reply is None:
@@ -275,5 +285,11 @@ class Talker:
             wire.forget(ticket)
             if strange is not None:
                 raise strange
-            raise no_reply(wire.link.name, line, bytes(wire.seen), timeout_s)
+            raise no_reply(wire.link.name, line, bytes(wire.seen), timeout_s, busy=busy_s > 0.0)
         return reply
+
+    def _is_answered_by(self, until: float, ticket: int, on_line: LineSink | None) -> bool:
+        while self._wire.codec.owes(ticket):
+            if not self._wire.pump(until, ticket, on_line):
+                return False
+        return True

@@ -6,6 +6,7 @@ order of what is owed.
 
 from __future__ import annotations
 
+import math
 import threading
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -154,6 +155,14 @@ class Wire:
                 self._replies.pop(ticket, None)
                 self.forget(ticket)
             return len(tickets)
+
+    def unanswered_s(self) -> float:
+        """Return the age of the oldest line that lacks its prompt; infinite where a reply is missing. Any thread."""
+        with self._lock:
+            if self.lost:
+                return math.inf
+            sent = [at for ticket, at in self._sent_at.items() if self._codec.owes(ticket)]
+            return self.clock.monotonic() - min(sent) if sent else 0.0
 
     def excuse(self, ticket: int) -> None:
         """Wait no longer for a reply that may come yet, or be taken for lost once a later line is echoed."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 
 
@@ -16,11 +16,20 @@ class Turn(Enum):
 
 
 class SecondMove(Enum):
-    """What a move command does while the axis still moves."""
+    """What the command of a move does while a motor still runs."""
 
     RETARGET = "retarget"
+    """It is taken at once."""
     QUEUE = "queue"
+    """It is answered, and waits for the motor."""
+    BLOCK = "block"
+    """The shell waits for the motor, and answers nothing meanwhile."""
     UNKNOWN = "unknown"
+
+    @property
+    def waits(self) -> bool:
+        """Whether the move begins only when the motor stands."""
+        return self in (SecondMove.QUEUE, SecondMove.BLOCK)
 
 
 class SearchSwitch(Enum):
@@ -98,13 +107,19 @@ class StopMeans:
     """One rung of the ladder that STOP climbs, known before each move."""
 
     name: str
-    """`retarget`, `abort` (of a silent slew), `end of move` or `release`."""
+    """`retarget`, `abort` (of a silent slew), `end of move`, `release` or `power`."""
     proven: bool
     """Whether a source documents that it works on this firmware."""
     sentence: str
     loses_position: bool = False
     needs_consent: bool = False
     """Used only if the user enabled it in `birdcage.toml`."""
+
+
+END_OF_MOVE = StopMeans(
+    "end of move", proven=True, sentence="a move of one axis cannot be called back; it stops at its target"
+)
+POWER_SWITCH = StopMeans("power", proven=True, sentence="the power of the dish is cut, by hand", loses_position=True)
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,9 +133,10 @@ class DishModel:
     elevation: Axis
     cable: CableRange | None
     turn: Turn
-    axes_together: bool
-    """Whether both axes move at once."""
-    second_move: SecondMove
+    second_same: SecondMove
+    """What a second move does on the axis that moves."""
+    second_other: SecondMove
+    """What it does on the other one."""
     stop_ladder: tuple[StopMeans, ...]
     slew: SilentSlew | None
     """How long ways are gone; None where each axis is always sent by itself."""
@@ -150,9 +166,24 @@ class DishModel:
         return tuple(axis for axis in (self.azimuth, self.elevation, self.skew) if axis is not None)
 
     @property
+    def axes_together(self) -> bool:
+        """Whether both axes move at once, as far as is known."""
+        return not self.second_other.waits
+
+    @property
     def moves_in_turn(self) -> bool:
-        """Whether it moves one axis at a time, or keeps commands until it comes to them."""
-        return self.second_move is SecondMove.QUEUE or not self.axes_together
+        """Whether it moves one axis at a time, or takes a command only when the one before is done."""
+        return self.second_same.waits or self.second_other.waits
+
+    def blocking(self) -> DishModel:
+        """Return the same dish, seen to answer no command of a move while a motor runs (reference section 2.6)."""
+        kept = tuple(rung for rung in self.stop_ladder if rung.name != "retarget")
+        return replace(
+            self,
+            second_same=SecondMove.BLOCK,
+            second_other=SecondMove.BLOCK,
+            stop_ladder=(END_OF_MOVE, *kept, POWER_SWITCH),
+        )
 
     def axis(self, index: int) -> Axis:
         """Return the axis that the firmware counts as `index`; KeyError for any other."""

@@ -17,7 +17,7 @@ from birdcage.protocol.gate import MotionGate
 from birdcage.protocol.hazard import Grade, HazardTable, Verdict
 from birdcage.protocol.model import DishModel
 from birdcage.protocol.raw_motion import with_motion
-from birdcage.protocol.types import Position, RssiReading, Survey
+from birdcage.protocol.types import Position, RssiReading, Survey, Taken
 from birdcage.protocol.unhomed import UnreadablePosition, says_unhomed
 
 if TYPE_CHECKING:
@@ -58,6 +58,8 @@ class FirmwareProtocol(ABC):
         self.gate = MotionGate(self.model)
         self.belief: Belief | None = None
         """What readings of the position must pass before anything counts with them; None: each is taken as printed."""
+        self.on_busy: Callable[[], None] = lambda: None
+        """Told when the dish leaves the command of a move unanswered, and may be waiting for a motor that runs."""
         self.permit: Callable[[], None] | None = None
         """Asked, with writing locked, just before a line that moves the dish; raises to keep it from going out."""
 
@@ -102,6 +104,7 @@ class FirmwareProtocol(ABC):
         """
         self._link = link
         self._console = Console(link, clock, self.dialect, delay_s=delay_s, wake=wake, on_wake=on_wake, on_line=on_line)
+        self._console.on_busy = self.on_busy
 
     def disconnect(self, *, within_s: float = 2.0) -> None:
         """Go back to the root menu where that is safe within a time (0: send nothing), and close the port.
@@ -168,13 +171,15 @@ class FirmwareProtocol(ABC):
             self.gate.forget(unknown.reason)
             raise
 
-    def move_motor(self, motor_id: int, degrees: float) -> None:
-        """Send one axis to an absolute angle, through the gate. Returns when the dish has taken the command.
+    def move_motor(self, motor_id: int, degrees: float, *, busy_s: float = 0.0) -> Taken:
+        """Send one axis to an absolute angle, through the gate. Returns when the dish has answered the command.
 
+        `busy_s`: how long a motor may still run, and a dish that waits for it (section 2.6) not answer. NoReply
+        (`busy`) when it has not answered 2 s later.
         MotionRefused (nothing sent) outside the limits or with an unknown position; KeyError for an unknown motor.
         """
         self._check_move(motor_id, degrees)
-        self._send_move(motor_id, degrees)
+        return self._send_move(motor_id, degrees, busy_s)
 
     def _check_move(self, motor_id: int, degrees: float) -> None:
         axis = self.model.axis(motor_id)
@@ -184,20 +189,20 @@ class FirmwareProtocol(ABC):
             degrees if axis is self.model.azimuth else None, degrees if axis is self.model.elevation else None
         )
 
-    def steer_motor(self, motor_id: int, degrees: float) -> None:
+    def steer_motor(self, motor_id: int, degrees: float) -> Taken:
         """Send one axis to an absolute angle as `move_motor`, as one of a stream of commands that replace each other.
 
         NoReply (`late`) when the answer is not there as soon as others were: the dish may have taken the command or
         not, and the next one may go out. Where moves queue, the answer is waited for in full.
         """
-        self.move_motor(motor_id, degrees)
+        return self.move_motor(motor_id, degrees)
 
     def glance(self) -> Position:
         """Read where the dish is as `get_position`, within such a stream: NoReply (`late`) as `steer_motor`."""
         return self.get_position()
 
     @abstractmethod
-    def _send_move(self, motor_id: int, degrees: float) -> None:
+    def _send_move(self, motor_id: int, degrees: float, busy_s: float) -> Taken:
         """Send the move of one axis that the gate has let through."""
 
     @abstractmethod

@@ -19,6 +19,18 @@ class Position:
     skew: float | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class Taken:
+    """What a dish answered to the command of a move."""
+
+    sure: bool
+    """Whether the answer tells that the command was taken; else only the position does."""
+    said: str
+    """What was printed, on one line; empty for nothing."""
+    took_s: float
+    """From its first byte out to the prompt, in seconds of the wire."""
+
+
 @dataclass
 class RssiReading:
     """Signal strength as the DVB tuner counts it: `reads` samples, their `average`, and the `current` one."""

@@ -18,6 +18,8 @@ from birdcage.station.state import Activity, Link
 FIRST_RETRY_S = 0.5
 LONGEST_RETRY_S = 5.0
 SILENT_RETRY_S = 1.0
+BUSY_S = 60.0
+"""For so long a silence after a move that was not answered counts as that of a dish that is busy with it."""
 NO_PORT = "No port is chosen yet. The setup does that: F8 in the app, or `birdcage setup`."
 CLOSE_S = 0.05
 """How long leaving may try to bring the console back to its root menu."""
@@ -144,8 +146,11 @@ class Connection:
     def silent(self, silence: BirdcageError) -> None:
         """The port is there, the dish does not answer, or not what was asked."""
         self._forget()
-        self.due = self._board.clock.monotonic() + SILENT_RETRY_S
-        self._set(Link.SILENT, str(silence), silence.reason)
+        now, link = self._board.clock.monotonic(), self._board.state.link
+        self.due = now + SILENT_RETRY_S
+        is_busy = link.state is Link.SILENT and link.reason == "busy" and now < link.since + BUSY_S
+        if not (is_busy and silence.reason in ("silent", "echo")):
+            self._set(Link.SILENT, str(silence), silence.reason)
 
     def _forget(self) -> None:
         self._look.forget(self._board.state.position_lost or "link")

@@ -10,7 +10,6 @@ from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import AxisMotion, DishMotion
 from birdcage.base.errors import BirdcageError, CommandRefused, NoReply, PositionUnknown
 from birdcage.base.geometry import shortest_turn
-from birdcage.protocol.model import SecondMove
 from birdcage.station.board import Board
 from birdcage.station.look import Look
 from birdcage.station.mover import ARRIVED_DEG, POLL_S, Job, Mover
@@ -157,7 +156,7 @@ class Helmsman:
 
     def _send(self, step: Send) -> Answer | None:
         model = self._antenna.model
-        queues = model.second_move is SecondMove.QUEUE
+        queues = model.moves_in_turn
         if self._unsure_until is not None:
             return self._see_it_rest(self._unsure_until)
         if queues and not self._is_free():

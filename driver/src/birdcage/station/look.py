@@ -6,7 +6,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
-from birdcage.antenna.antenna import STILL_DEG, BirdcageAntenna
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.rest import STILL_DEG
 from birdcage.base.config.sections import NoGoSector
 from birdcage.base.errors import CommandRefused, PositionUnknown
 from birdcage.base.geometry import shortest_turn, wrap_360

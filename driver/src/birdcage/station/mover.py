@@ -25,6 +25,9 @@ REST_S = 1.0
 STALL_S = 1.0
 """How long a dish may stand still away from its target, after the time at which it should have moved."""
 
+BUSY = "busy with the last move"
+"""What is told of a dish that waits for a motor before it takes another command."""
+
 DAMAGE = ("garbage", "blocked")
 """Reasons of an answer that came, and made no sense."""
 
@@ -40,6 +43,8 @@ class Job:
     follow: bool = False
     skew_deg: float | None = None
     """Where the skew is sent; azimuth and elevation then stay where they are."""
+    whole: bool = False
+    """Whether both axes were sent at once, and not in legs."""
     to_rest: bool = False
     """Where it goes is the firmware's own business: it has arrived when it rests."""
     still_since: float | None = None
@@ -63,6 +68,11 @@ class Mover(ABC):
         """Told when the dish stands still away from its target."""
         self.on_astray: Callable[[], None] = lambda: None
         """Told when the dish moves on though its motion must be over."""
+
+    def busy(self) -> None:
+        """The dish does not answer a motor command: it waits for the motor that runs."""
+        if self._job is not None and self._board.state.activity is Activity.SLEWING:
+            self.activity(Activity.SLEWING, BUSY)
 
     @property
     def is_moving(self) -> bool:

@@ -15,7 +15,6 @@ from birdcage.antenna.odometer import Way
 from birdcage.base.clock import Clock
 from birdcage.base.errors import BirdcageError, LinkError, NoReply, Stopped
 from birdcage.base.wake import Wake
-from birdcage.protocol.model import SecondMove
 from birdcage.protocol.registry import get_protocol
 from birdcage.station.applying import Applying
 from birdcage.station.board import Board, Listener
@@ -34,6 +33,7 @@ from birdcage.station.rewire import Rewire
 from birdcage.station.settings import StationSettings
 from birdcage.station.state import MOVING, StationState
 from birdcage.station.stop_pending import Reach
+from birdcage.station.stop_ways import stop_way
 from birdcage.station.stopper import Stopper
 from birdcage.station.talk import Talk
 from birdcage.station.vigil import Vigil
@@ -67,9 +67,11 @@ class Station:
         """Whether what is said to the dish now is what has to be said before the end."""
         self._control = Control(board, settings.held_keeper)
         self._look = look = Look(board, antenna, settings)
-        queues = protocol.model.second_move is SecondMove.QUEUE
+        queues = protocol.model.moves_in_turn
         self._mover = QueuedMover(board, antenna, look) if queues else RetargetMover(board, antenna, look)
         self._stopper = Stopper(board, antenna, self._control, self._mover, look)
+        protocol.on_busy = self._mover.busy
+        antenna.commands.on_blocking = self._is_blocking
         applying = Applying(board, antenna, self._mover, self._stopper, look)
         applying.use(settings)
         self._watches = Watches()
@@ -247,6 +249,11 @@ class Station:
         else:
             self._guard(self._vigil.tick)
 
+    def _is_blocking(self) -> None:
+        """The dish takes no command of a move while a motor runs: move and stop it accordingly from now on."""
+        self._stopper.way = stop_way(self._board, self._antenna)
+        self._board.change(dish=self._antenna.kind)
+
     def _connect(self) -> None:
         if self._connection.attempt():
             self._vigil.met()
@@ -257,11 +264,11 @@ class Station:
         try:
             self._desk.serve(request, future, stops_seen)
         except LinkError as error:
-            future.set_exception(error)
+            self._fail(future, error)
             if self._connection.is_up:  # else it is the answer that there is none
                 self._link_gone(error)
         except BirdcageError as error:
-            future.set_exception(error)
+            self._fail(future, error)
             self._vigil.hear_refusal(error)
             if isinstance(error, NoReply) and error.reason != "no_row":
                 self._vigil.interrupted("link")
@@ -272,6 +279,11 @@ class Station:
             raise
         finally:
             self._note()
+
+    @staticmethod
+    def _fail(future: Future[object], error: BirdcageError) -> None:
+        if not future.done():  # else STOP has answered it in the middle of the exchange
+            future.set_exception(error)
 
     def _guard(self, work: Callable[[], object]) -> None:
         """Do work on the wire; a lost link or a silent dish is a state, not the end."""

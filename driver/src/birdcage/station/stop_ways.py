@@ -6,8 +6,10 @@ from abc import ABC, abstractmethod
 from contextlib import suppress
 from dataclasses import dataclass
 
-from birdcage.antenna.antenna import STILL_DEG, BirdcageAntenna
-from birdcage.antenna.motion import stop_power_s
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.blocking import LATE_S
+from birdcage.antenna.motion import longest_s, stop_power_s
+from birdcage.antenna.rest import STILL_DEG
 from birdcage.base.errors import CommandRefused
 from birdcage.base.geometry import shortest_turn
 from birdcage.protocol.model import SecondMove
@@ -32,6 +34,12 @@ class Grip:
     lines: tuple[str, ...] = ()
 
 
+BEHIND = Grip(
+    "look",
+    "The dish has not answered the last line: a bare Enter was sent, and it is looked where the dish goes, to aim.",
+    ("",),
+)
+"""Behind a line that the dish may read later than it goes out, a target that is aimed now may lead it back."""
 NOTHING = Grip("nothing moved", "Nothing was moving. Looking where the dish is.")
 LOOK = Grip("look", "No motion of ours was under way: looking where the dish goes, to aim.")
 
@@ -84,7 +92,11 @@ class Retarget(StopWay):
 
     def at_once(self) -> Grip:
         """Aim ahead of the motion as it is modelled."""
-        motion = self._antenna.motion
+        motion, activity = self._antenna.motion, self._board.state.activity
+        if motion is not None or activity in (Activity.UNKNOWN, Activity.MOVING_UNASKED):
+            unanswered_s = self._antenna.protocol.console.unanswered_s()
+            if unanswered_s > LATE_S and self.retarget_works is not False:
+                return BEHIND
         if motion is not None:
             self._seen = motion.azimuth.least_speed_deg_s, motion.elevation.least_speed_deg_s
         if self.retarget_works is not False:
@@ -185,10 +197,52 @@ class Queued(StopWay):
         return now >= motion.eta(self._board.clock.rate)
 
 
+class Blocked(Queued):
+    """A dish that takes no command of a move before the motor stands: nothing stops a move, and none follows it."""
+
+    anywhere = False
+
+    def at_once(self) -> Grip:
+        """Send nothing: what is sent now would move the dish once it stands."""
+        antenna, motion = self._antenna, self._antenna.motion
+        if motion is not None and antenna.is_kept:
+            return Grip("nothing moved", "The move had not gone out, and is kept. Looking where the dish is.")
+        if motion is None:
+            return NOTHING
+        left_s = max(0.0, motion.eta(self._board.clock.rate) - self._board.clock.monotonic())
+        return Grip(
+            "end of move",
+            f"This dish takes no command before its motor stands: the move ends in {left_s:.1f} s, and nothing follows "
+            "it. To stop it sooner cut its power.",
+        )
+
+    def on_sight(self, earlier: Pointing, later: Pointing) -> Grip:  # noqa: ARG002
+        """Send nothing, as above."""
+        return Grip(
+            "end of move",
+            "The dish was seen moving, and takes no command before its motor stands. To stop it sooner cut its power.",
+        )
+
+    def answered(self, means: str) -> None:
+        """Nothing else is to be done."""
+
+    def lasts_s(self, means: str) -> float:
+        """Return what is left of the move; of one that this program did not send, the longest that there is."""
+        if means == "end of move" and self._antenna.motion is None:
+            return longest_s(self._antenna.model) + GRACE_S
+        return super().lasts_s(means)
+
+
 def stop_way(board: Board, antenna: BirdcageAntenna) -> StopWay:
     """Return how this dish is stopped."""
-    queues = antenna.model.second_move is SecondMove.QUEUE
-    return Queued(board, antenna) if queues else Retarget(board, antenna)
+    model = antenna.model
+    if not model.moves_in_turn:
+        return Retarget(board, antenna)
+    return (
+        Blocked(board, antenna)
+        if SecondMove.BLOCK in (model.second_same, model.second_other)
+        else Queued(board, antenna)
+    )
 
 
 def closes_in(antenna: BirdcageAntenna, before: Pointing, now: Pointing) -> bool:

@@ -16,7 +16,7 @@ from birdcage.station.look import Look
 from birdcage.station.mover import Mover
 from birdcage.station.state import Activity, Pointing, StopReport
 from birdcage.station.stop_pending import Pending, Reach
-from birdcage.station.stop_ways import Grip, closes_in, stop_way
+from birdcage.station.stop_ways import Blocked, Grip, closes_in, stop_way
 
 MOST_REPEATS = 5
 COALESCE_S = 0.2
@@ -101,9 +101,8 @@ class Stopper:
             return Grip("look", "The console is not in the motor menu: going there to look, and to aim.")
         return self.way.at_once()
 
-    @staticmethod
-    def _reach(grip: Grip) -> Reach:
-        if grip.means in GRIPS or grip.lines:
+    def _reach(self, grip: Grip) -> Reach:
+        if grip.means in GRIPS or (grip.lines and self.way.anywhere):
             return Reach.SENT
         if grip.means in LOOKING:
             return Reach.LOOKING
@@ -135,7 +134,7 @@ class Stopper:
                 continue
             slowest = self._may_crawl(report.means)
             self._mover.activity(Activity.STOPPING, "")
-            if report.means == "look":
+            if report.means == "look" and not lines:
                 self._antenna.motion = None  # by the time that it can be aimed for, it is long outdated
             now = self._board.clock.monotonic()
             repeats = self._pending.sent if self._pending is not None else 0
@@ -168,12 +167,13 @@ class Stopper:
 
     def _follow_up(self, pending: Pending) -> None:
         if not pending.answered:
-            pending.answered = self._answered(last=pending.sent >= MOST_REPEATS)
+            pending.answered = self._answered(pending)
             if self._pending is not pending:
                 return  # STOP was called again meanwhile
             if not pending.answered:
                 self._repeat(pending)
                 return
+            self._see_whether_it_waits(pending)
             lasts_s = self._lasts_s(pending.report.means, slowest=pending.slowest)
             pending.deadline = max(pending.deadline, self._board.clock.monotonic() + lasts_s)
         if not pending.grip_is_complete:
@@ -240,12 +240,29 @@ class Stopper:
         lasts_s = self.way.lasts_s(means) + self.way.still_s(slowest=slowest)
         return lasts_s / self._board.clock.rate + READINGS * (round_trip_s or 0.0)
 
-    def _answered(self, *, last: bool) -> bool:
-        console = self._antenna.protocol.console
+    def _answered(self, pending: Pending) -> bool:
+        console, motion, clock = self._antenna.protocol.console, self._antenna.motion, self._board.clock
+        within_s = ANSWER_S
+        if pending.sent >= MOST_REPEATS:
+            within_s = console.delay_s
+            if pending.report.means == "look" and motion is not None:
+                # It may be waiting for a motor before it reads on.
+                within_s += max(0.0, motion.over_by(clock.rate) - clock.monotonic())
         try:
-            return bool(console.settle(console.delay_s if last else ANSWER_S))
+            return bool(console.settle(within_s))
         except NoReply:
             return False
+
+    def _see_whether_it_waits(self, pending: Pending) -> None:
+        """A dish that was found to wait for its motors before it reads on takes no new target: let its move end."""
+        if pending.report.means == "look" and self._antenna.motion is not None and isinstance(self.way, Blocked):
+            self._look_on(pending, self.way.at_once())
+
+    def _look_on(self, pending: Pending, grip: Grip) -> None:
+        """Say what is done instead of what was sent first."""
+        pending.report = replace(pending.report, means=grip.means, sentence=grip.sentence)
+        self._board.change(last_stop=pending.report)
+        self.reach = self._reach(grip)
 
     def _repeat(self, pending: Pending) -> None:
         if pending.sent >= MOST_REPEATS:
@@ -261,6 +278,11 @@ class Stopper:
     def _still_moving(self, pending: Pending, earlier: Pointing, pointing: Pointing, now: float) -> None:
         if pending.report.means in LOOKING:
             grip = self.way.on_sight(earlier, pointing)
+            self._antenna.motion = None  # it goes otherwise than it was modelled
+            if not grip.lines:
+                self._look_on(pending, grip)
+                pending.deadline = now + self._lasts_s(grip.means, slowest=pending.slowest)
+                return
             self._antenna.protocol.interject(grip.lines)
             self.reach = Reach.SENT
             pending.lines = grip.lines

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from birdcage.antenna.antenna import STILL_DEG, BirdcageAntenna
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.rest import APART_S, STILL_DEG
 from birdcage.base.errors import BirdcageError, CommandRefused, Stopped
 from birdcage.protocol.model import SearchSwitch
 from birdcage.station.board import Board
@@ -23,8 +24,6 @@ CLOCK_STEP_S = 2.0
 UNASKED_DEG = 0.3
 """At rest a reading repeats to a hundredth; this much is motion."""
 UNASKED_POLL_S = 0.2
-APART_S = 0.09
-"""Two readings closer together than this do not tell a dish at rest from one that moves."""
 
 STALL = (
     "Something blocks it, or its motor lost steps.",

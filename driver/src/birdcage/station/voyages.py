@@ -35,9 +35,7 @@ def voyage_for(
     from birdcage.tracking.voyage import Voyage
 
     options, gate = request.options, antenna.protocol.gate
-    name, controller = controller_for(
-        antenna.protocol.model, options.controller, velocity_allowed=options.velocity_allowed
-    )
+    name, controller = controller_for(antenna.model, options.controller, velocity_allowed=options.velocity_allowed)
     park = None
     if options.at_end == "park" and options.park_az_deg is not None and options.park_el_deg is not None:
         park = antenna.alignment.to_dish(options.park_az_deg, options.park_el_deg)

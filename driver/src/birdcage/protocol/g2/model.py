@@ -15,8 +15,8 @@ CARRYOUT_G2 = DishModel(
     elevation=Axis(1, "elevation", 18.0, 65.0, 45.0, 400.0, 360.0 / 24960, overshoot_deg=0.06),
     cable=CableRange(-423.33, 23.33),
     turn=Turn.UNKNOWN,
-    axes_together=True,
-    second_move=SecondMove.UNKNOWN,
+    second_same=SecondMove.UNKNOWN,
+    second_other=SecondMove.UNKNOWN,
     stop_ladder=(
         StopMeans(
             "retarget",

@@ -21,7 +21,7 @@ from birdcage.protocol.hazard import HazardTable
 from birdcage.protocol.model import DishModel
 from birdcage.protocol.nvs import DISABLE_TRACKER, NvsRow
 from birdcage.protocol.protocol import BOOT_TIMEOUT_S
-from birdcage.protocol.types import Position, RssiReading, Survey
+from birdcage.protocol.types import Position, RssiReading, Survey, Taken
 from birdcage.protocol.unhomed import UnreadablePosition, is_unhomed
 
 _DEGREES = r"([-+]?\d+(?:\.\d+)?)(?=\s+[A-Za-z]|\s*$)"
@@ -138,18 +138,17 @@ class CarryoutG2Protocol(Rooms):
             )
         return Position(angles[0], angles[1])
 
-    def _send_move(self, motor_id: int, degrees: float) -> None:
+    def _send_move(self, motor_id: int, degrees: float, busy_s: float) -> Taken:
         line = self._move_line(motor_id, degrees)
-        self._take_move(degrees, self.console.run("mot", line, permit=self.permit))
+        return self._take_move(degrees, self.console.run("mot", line, busy_s=busy_s, permit=self.permit))
 
-    def steer_motor(self, motor_id: int, degrees: float) -> None:
+    def steer_motor(self, motor_id: int, degrees: float) -> Taken:
         """Send one axis to an absolute angle, as one of a stream: each replaces the one before (section 7.4)."""
         self._check_move(motor_id, degrees)
         line = self._move_line(motor_id, degrees)
-        self._take_move(degrees, self.console.hurry("mot", line, permit=self.permit))
+        return self._take_move(degrees, self.console.hurry("mot", line, permit=self.permit))
 
-    @staticmethod
-    def _take_move(degrees: float, reply: Reply) -> None:
+    def _take_move(self, degrees: float, reply: Reply) -> Taken:
         line = reply.command
         taken = [float(m[1]) for m in map(_MOVE_TAKEN.search, reply.lines) if m]
         if taken and abs(taken[-1] - degrees) > 0.011:
@@ -160,6 +159,7 @@ class CarryoutG2Protocol(Rooms):
                 f"The dish did not take `{line}`; it answered {' / '.join(reply.lines)!r}.",
                 reason="bad_parameter",
             )
+        return Taken(sure=True, said=" / ".join(reply.lines), took_s=self.console.took_s)
 
     @staticmethod
     def _move_line(motor_id: int, degrees: float) -> str:

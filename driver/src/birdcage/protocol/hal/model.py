@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from birdcage.protocol.model import (
+    END_OF_MOVE,
     Axis,
     CableRange,
     DishModel,
@@ -33,13 +34,11 @@ TRAVLER = DishModel(
     elevation=Axis(1, "elevation", 15.0, 90.0, _SPEED_DEG_S, _ACCELERATION_DEG_S2, _STEP_DEG, times=MOVE_TIMES),
     cable=CableRange(0.0, 455.0),
     turn=Turn.UNKNOWN,
-    axes_together=False,
-    second_move=SecondMove.QUEUE,
+    second_same=SecondMove.QUEUE,
+    second_other=SecondMove.QUEUE,
     stop_ladder=(
         StopMeans("abort", proven=True, sentence="any byte ends a combined move"),
-        StopMeans(
-            "end of move", proven=True, sentence="a move of one axis cannot be called back; it stops at its target"
-        ),
+        END_OF_MOVE,
     ),
     slew=SilentSlew(5.0),
     search_switch=SearchSwitch.UNTIL_POWER_UP,

@@ -19,7 +19,7 @@ from birdcage.protocol.hal.model import MOVE_TIMES, SKEW, TRAVLER
 from birdcage.protocol.hazard import HazardTable
 from birdcage.protocol.model import DishModel
 from birdcage.protocol.protocol import FirmwareProtocol
-from birdcage.protocol.types import Position, Survey
+from birdcage.protocol.types import Position, Survey, Taken
 
 if TYPE_CHECKING:
     from birdcage.base.wake import Wake
@@ -120,16 +120,15 @@ class HAL205Protocol(FirmwareProtocol):
             self._skew_goal = None if abs(position.skew - self._skew_goal) < _SKEW_THERE_DEG else self._skew_goal
         return position
 
-    def move_motor(self, motor_id: int, degrees: float) -> None:
+    def move_motor(self, motor_id: int, degrees: float, *, busy_s: float = 0.0) -> Taken:
         """Send one axis to an absolute angle, through the gate; the skew too."""
-        if motor_id == SKEW.index:
-            self.turn_skew(degrees)
-        else:
-            super().move_motor(motor_id, degrees)
+        return self._turn(degrees) if motor_id == SKEW.index else super().move_motor(motor_id, degrees, busy_s=busy_s)
 
-    def _send_move(self, motor_id: int, degrees: float) -> None:
+    def _send_move(self, motor_id: int, degrees: float, busy_s: float) -> Taken:
         # What it answers no source tells: all that is no refusal counts as taken.
-        self.console.run(MOTOR, f"a {motor_id} {_text(degrees)}", takes_s=_QUEUED_S, permit=self.permit)
+        line = f"a {motor_id} {_text(degrees)}"
+        reply = self.console.run(MOTOR, line, takes_s=max(busy_s, _QUEUED_S), permit=self.permit)
+        return Taken(sure=True, said=" / ".join(reply.lines), took_s=self.console.took_s)
 
     def stop_lines(self, az_deg: float, el_deg: float) -> tuple[str, ...]:  # noqa: ARG002
         """Return nothing: a new target is queued behind the one under way (section 2.6)."""
@@ -179,11 +178,15 @@ class HAL205Protocol(FirmwareProtocol):
 
     def turn_skew(self, degrees: float) -> None:
         """Send `a 2 <deg>`: the skew may turn while another axis does (section 2.6)."""
+        self._turn(degrees)
+
+    def _turn(self, degrees: float) -> Taken:
         self.gate.check_skew(degrees)
         self._skew_goal = None  # until it is taken: a slew must not turn the skew to where STOP kept it from going
-        self._send_move(SKEW.index, degrees)
+        taken = self._send_move(SKEW.index, degrees, 0.0)
         self._skew_goal = degrees
         self._skew_rests_at = self.clock.monotonic() + _SKEW_S / self.clock.rate
+        return taken
 
     def stow(self) -> None:
         """Fold the dish flat (`stow` at the root: section 2.9). Nothing that is known stops it."""

@@ -1,0 +1,68 @@
+"""Sends the commands of moves to a dish that may wait for a running motor before it takes one (decision 0020)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from birdcage.antenna.motion import AxisMotion, DishMotion, longest_s
+from birdcage.protocol.types import Taken
+
+if TYPE_CHECKING:
+    from birdcage.antenna.antenna import BirdcageAntenna
+
+LATE_S = 0.3
+"""An answer that comes so much later than others do is late."""
+SHARE = 0.8
+"""So much of the motor's remaining time has passed at least when a dish answers that has waited for it."""
+
+
+class MoveCommands:
+    """One axis a time, each with the deadline that the motors on their way call for."""
+
+    def __init__(self, antenna: BirdcageAntenna) -> None:
+        self._antenna = antenna
+        self.answers: dict[int, Taken] = {}
+        """What the dish answered to the last command of each motor."""
+        self.on_blocking: Callable[[], None] = lambda: None
+        """Told when the dish was seen to take no command while a motor runs."""
+
+    def send(self, motor: int, dish_deg: float, runs: tuple[AxisMotion, ...], *, known: bool) -> None:
+        """Send one axis to its dish angle; raises as `FirmwareProtocol.move_motor`.
+
+        `runs` are the axes that this program has sent, and that may be on their way; `known`: whether the dish was
+        seen at rest before that. Else somebody else may have sent it anywhere.
+        """
+        antenna = self._antenna
+        protocol, clock = antenna.protocol, antenna.protocol.clock
+        now, rate = clock.monotonic(), clock.rate
+        usual_s, runs_s = (
+            protocol.console.round_trip_s or 0.0,
+            max((axis.eta(rate) - now for axis in runs), default=0.0),
+        )
+        busy_s = max((axis.ends_by(rate) - now for axis in runs), default=0.0)
+        if not known:
+            busy_s = longest_s(antenna.model) / rate
+        answer = self.answers[motor] = protocol.move_motor(motor, dish_deg, busy_s=max(0.0, busy_s))
+        if not has_waited(answer.took_s, usual_s, runs_s):
+            return
+        antenna.begins_now(motor)
+        if not antenna.model.moves_in_turn:
+            antenna.remember_blocking(blocks=True)
+            self.on_blocking()
+
+
+def has_waited(took_s: float, usual_s: float, runs_s: float) -> bool:
+    """Return whether a dish that answered after `took_s` has waited for a motor that still ran for `runs_s`.
+
+    `usual_s` is how long it takes to answer at rest; all in seconds of the wire.
+    """
+    late_s = took_s - usual_s
+    return runs_s > LATE_S and late_s > LATE_S and late_s >= SHARE * runs_s
+
+
+def running(before: DishMotion | None, now: DishMotion, sent: list[int]) -> tuple[AxisMotion, ...]:
+    """Return the axes that may run: those that were `sent` by this motion, the others by the one before it."""
+    ours = [axis for axis in now.axes if axis.axis.index in sent]
+    others = [] if before is None else [axis for axis in before.axes if axis.axis.index not in sent]
+    return tuple(axis for axis in (*ours, *others) if axis.slew.segments)
