@@ -25,7 +25,7 @@ class Owner:
         self.board = Board(self.clock, StationState(port=port))
         self.asked_port = asked or port
         self.stops: list[str] = []
-        self.subscribe = self.board.subscribe
+        self.subscribe, self.warn = self.board.subscribe, self.board.warn
 
     @property
     def state(self) -> StationState:
@@ -160,6 +160,18 @@ def test_a_damaged_file_is_ignored(folder) -> None:
     for text in ("", "[]", "{}", '{"pid": "x"}', "\x00"):
         owner_file(folder, "/dev/ttyUSB0").write_text(text)
         assert find_owner(folder, "/dev/ttyUSB0") is None
+
+
+def test_a_folder_that_cannot_be_written_is_told_in_the_app_until_it_can(tmp_path) -> None:
+    (tmp_path / "file").write_text("")
+    owner = Owner("/dev/ttyUSB0")
+    bell = Doorbell(owner, tmp_path / "file" / "owners")
+    owner.link(Link.UP)
+    assert "`birdcage stop` does not reach this program" in owner.state.warnings["outside"]
+    (tmp_path / "file").unlink()
+    owner.link(Link.UP)
+    assert dict(owner.state.warnings) == {}
+    bell.close()
 
 
 def test_closing_leaves_the_file_of_a_later_owner(owner, folder) -> None:

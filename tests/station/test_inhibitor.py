@@ -23,7 +23,7 @@ class Mover:
 
     def __init__(self, demo: bool = False) -> None:
         self.board = Board(VirtualClock(), StationState(demo=demo))
-        self.subscribe = self.board.subscribe
+        self.subscribe, self.warn = self.board.subscribe, self.board.warn
 
     @property
     def state(self) -> StationState:
@@ -107,8 +107,9 @@ def test_a_system_without_one_is_told_of_once(caplog) -> None:
     awake.close()
     assert len(asked) == 1
     assert [record.getMessage() for record in caplog.records] == [
-        "The machine may fall asleep while the dish moves: this system has no sleep inhibitor that birdcage knows."
+        "This machine may fall asleep while the dish moves: this system has no sleep inhibitor that birdcage knows."
     ]
+    assert "may fall asleep" in station.state.warnings["sleep"]
 
 
 def test_one_that_cannot_be_started_is_no_fault_of_the_station(caplog) -> None:

@@ -17,7 +17,7 @@ from track_stage import SIZES, read, run
 def test_a_countdown_stands_in_the_row_under_the_status_on_every_page(page):
     row = run(read, "craft-countdown", keys=(page,)).splitlines()[1]
     assert "▲ MOVES to 17°/18° for METOP-C in 4 s" in row
-    assert "Space stops it" in row
+    assert "Space cancels it" in row
 
 
 def test_a_countdown_rings_once_and_stop_ends_it():

@@ -53,6 +53,7 @@ def parser() -> argparse.ArgumentParser:
     )
     parse.add_argument("--skip-init", action="store_true", help="do not wait for the dish to boot, and change nothing")
     parse.add_argument("--config", help="another birdcage.toml")
+    parse.add_argument("--log", metavar="FILE", help="write decisions and every exchange to FILE; older files are kept")
     parse.add_argument("--version", action=Version, nargs=0, help="print the version and leave")
     return parse
 

@@ -14,6 +14,7 @@ from uuid import uuid4
 from birdcage.base.clock import Clock, RealClock, ScaledClock
 from birdcage.base.config import Settings, load
 from birdcage.base.errors import BirdcageError
+from birdcage.base.log_output import LogOutput
 from birdcage.base.paths import Paths, throw_away_paths
 from birdcage.base.signals import SignalListener
 from birdcage.setup.first_run import is_first_run
@@ -66,7 +67,10 @@ def run(options: argparse.Namespace) -> int:
         signals = SignalListener()
         stack.callback(signals.close)
         signals.start()
+        output = LogOutput()
+        stack.callback(lambda: print(problem, file=sys.stderr) if (problem := output.close()) else None)
         try:
+            output.set(file=None if options.log is None else Path(options.log))
             paths = _paths(options, stack)
         except BirdcageError as wrong:
             return _complain(wrong)

@@ -196,7 +196,9 @@ def calm(view: View, *, brief: bool = False) -> str:
         detail = detail.replace(view.state.port, view.state.port.split("?")[0])
         return f"{detail[:1].upper()}{detail[1:]} …"
     told = "" if "control" in view.scopes else view.note  # the page's own last row tells it there
-    return view.state.held_trouble or told or view.settings.notice or _standing(view, brief=brief)
+    unreached = view.state.warnings.get("outside", "")
+    said = view.state.held_trouble or told or view.settings.notice or (f"▲ {unreached}" if unreached else "")
+    return said or _standing(view, brief=brief)
 
 
 def _standing(view: View, *, brief: bool) -> str:

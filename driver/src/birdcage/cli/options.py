@@ -71,20 +71,40 @@ def flags() -> Flags:
 
 def _keep(context: click.Context, parameter: click.Parameter, value: Any) -> None:  # noqa: ANN401 - click's signature
     given = context.find_root().ensure_object(Flags)
-    if value not in (None, False) and parameter.name is not None:
+    if value not in (None, False, 0) and parameter.name is not None:
         given.values[parameter.name] = value
-        if parameter.name == "verbose":
-            _log_everything()
+        if parameter.name in ("verbose", "log"):
+            _log(context, given)
 
 
-def _log_everything() -> None:
-    import logging
+def _log(context: click.Context, given: Flags) -> None:
+    from pathlib import Path
 
-    logging.basicConfig(level=logging.DEBUG, format="%(relativeCreated)7.0f ms %(name)s: %(message)s", force=True)
+    from birdcage.base.errors import ConfigError
+    from birdcage.base.log_output import LogOutput
+    from birdcage.cli.say import say
+
+    root = context.find_root()
+    output = root.meta.get("log")
+    if output is None:
+        output = root.meta["log"] = LogOutput()
+        root.call_on_close(lambda: say(problem) if (problem := output.close()) else None)
+    file = given.get("log")
+    try:
+        output.set(verbosity=given.get("verbose") or 0, file=None if file is None else Path(file))
+    except ConfigError as wrong:
+        raise click.UsageError(str(wrong), context) from wrong
 
 
 _OPTIONS: dict[str, tuple[tuple[str, ...], dict[str, Any]]] = {
-    "verbose": (("-v", "--verbose"), {"is_flag": True, "help": "Tell every detail on stderr."}),
+    "verbose": (
+        ("-v", "--verbose"),
+        {"count": True, "help": "Show decisions and changes on stderr; -vv shows every exchange too."},
+    ),
+    "log": (
+        ("--log",),
+        {"metavar": "FILE", "help": "Write all of that to FILE; four older files are kept."},
+    ),
     "port": (
         ("--port",),
         {"metavar": "PORT", "help": f"Serial port or URL, or BIRDCAGE_PORT.  [default: {DEFAULT_PORT}]"},
@@ -109,7 +129,8 @@ def global_options(*names: str, firmware: str = ASKED) -> Callable[[AnyCallable]
     """
 
     def decorate(function: AnyCallable) -> AnyCallable:
-        for name in reversed(names or tuple(_OPTIONS)):
+        listed = [each for name in names for each in ((name, "log") if name == "verbose" else (name,))]
+        for name in reversed(listed or tuple(_OPTIONS)):
             declarations, attributes = _OPTIONS[name]
             told = {**attributes, "help": attributes["help"].replace("{default}", firmware)}
             function = click.option(*declarations, name, callback=_keep, expose_value=False, **told)(function)

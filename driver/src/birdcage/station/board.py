@@ -33,6 +33,14 @@ class Board:
         with self._lock:
             self.state = replace(self.state, **fields)  # type: ignore[arg-type]
 
+    def warn(self, subject: str, sentence: str) -> None:
+        """Set or drop one of the warnings. Any thread."""
+        with self._lock:
+            warnings = {name: words for name, words in self.state.warnings.items() if name != subject}
+            if sentence:
+                warnings[subject] = sentence
+            self.state = replace(self.state, warnings=MappingProxyType(warnings))
+
     def subscribe(self, listener: Listener) -> Callable[[], None]:
         """Tell `listener` every event, on the station's thread. Returns what ends it."""
         with self._lock:

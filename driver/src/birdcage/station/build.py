@@ -18,6 +18,7 @@ from birdcage.link.opening import open_link
 from birdcage.link.ports import PortLister, find_again, identify, list_ports
 from birdcage.link.transcript import Transcript
 from birdcage.station.held_keeper import HeldKeeper
+from birdcage.station.narration import narrate
 from birdcage.station.record import keep_faults
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings, rules_from
@@ -72,6 +73,7 @@ def open_session(
             remark=lambda text: transcript.remark(text, clock.utc()),
         ),
     )
+    narrate(station, transcript)
     keep_faults(station, journal)
     tally = keep_wear(station, wear)
 

@@ -44,6 +44,8 @@ ANSWERED_S = 0.3
 """How long closing waits for an answer that is being sent."""
 
 log = logging.getLogger(__name__)
+OUTSIDE = "outside"
+"""The subject under which the station warns that other programs can't reach this one."""
 
 
 class Doorbell:
@@ -83,7 +85,11 @@ class Doorbell:
                 with self._lock:
                     self._announce(state.port)
             except OSError as error:
-                log.warning("`birdcage stop` will not reach this program: %s", error)
+                words = f"`birdcage stop` does not reach this program: {error}"
+                log.warning("%s", words)
+                self._station.warn(OUTSIDE, words)
+            else:
+                self._station.warn(OUTSIDE, "")
 
     def _announce(self, port: str) -> None:
         path = owner_file(self._folder, port)

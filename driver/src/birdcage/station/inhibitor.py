@@ -161,4 +161,6 @@ class SleepInhibitor:
 
     def _give_up(self, why: str) -> None:
         self._hopeless = True
-        log.info("The machine may fall asleep while the dish moves: %s.", why)
+        words = f"This machine may fall asleep while the dish moves: {why}."
+        log.info("%s", words)
+        self._station.warn("sleep", words)

@@ -27,6 +27,7 @@ from birdcage.station.pursuing import Pursuing
 from birdcage.station.queued_mover import QueuedMover
 from birdcage.station.raw import MenuCommand, Verdict
 from birdcage.station.raw_effects import RawEffects
+from birdcage.station.request_log import log_request
 from birdcage.station.requests import Request
 from birdcage.station.retarget_mover import RetargetMover
 from birdcage.station.rewire import Rewire
@@ -120,6 +121,7 @@ class Station:
     def submit(self, request: Request) -> Future[object]:
         """Ask for something. The future holds its result, or a `BirdcageError` that says why not. Any thread."""
         future: Future[object] = Future()
+        log_request(request, future)
         self._inbox.append((request, future, self._stopper.count))
         self._wake.set()
         if self._closing.is_set():
@@ -145,6 +147,10 @@ class Station:
         """
         self._stopper.call(by, leaving=leaving)
         self._wake.set()
+
+    def warn(self, subject: str, sentence: str) -> None:
+        """Keep what a person should know of this program itself, one sentence a subject; empty: no more. Any thread."""
+        self._board.warn(subject, sentence)
 
     @property
     def stop_reach(self) -> Reach:

@@ -25,7 +25,7 @@ def why_unknown(view: View) -> tuple[str, ...]:
     if state.link.state is Link.LOST:
         return "LINK LOST", "plug the cable in"
     if state.link.state is Link.SILENT:
-        return "SILENT", "the dish is mute"
+        return "SILENT", "the dish is silent"
     if state.activity is Activity.HOMING:
         return "HOMING", "keep its swing clear"
     if state.homed is False:

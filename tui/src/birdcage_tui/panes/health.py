@@ -64,6 +64,7 @@ class HealthPane(Pane):
         return [
             (_OK if up else _NO, "link", f"{LINK[link.state][1]}, {trip}{noise}"),
             (_OK if up else _UNKNOWN, "port", f"{state.port.split('?')[0] or '--'}{heard}"),
+            *((_NO, subject, words) for subject, words in state.warnings.items()),
             (_UNKNOWN if state.homed is None else _OK if state.homed else _NO, "homed", homed),
             (
                 {"off": _OK, "off until power-up": _OK, "RUNNING": _NO}.get(search, _UNKNOWN),
