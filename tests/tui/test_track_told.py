@@ -76,6 +76,12 @@ def test_what_was_left_in_mid_pass_is_offered_and_taken_up_or_forgotten():
     assert asked == [("take_up",), ("forget_unfinished",)]
 
 
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_what_was_left_in_mid_pass_is_offered_on_the_first_page_too(size):
+    row = run(read, "craft-over", size=size, keys=("f1",)).splitlines()[1]
+    assert "LEFT IN MID-PASS  METEOR-M2 4, in reach until 12:05:00.  2, c: u resumes" in row
+
+
 def test_a_frequency_is_typed_in_megahertz():
     async def type_it(app, pilot, desk):
         await pilot.press("F")
@@ -240,7 +246,7 @@ def test_follow_gives_back_what_was_taken_by_hand():
 def test_quitting_in_mid_pass_leaves_what_is_followed_before_stop_ends_it():
     async def leave(app, pilot, desk):
         seen, stop = [], app.station.stop
-        app.station.stop = lambda by: (seen.append(desk.closed), stop(by))
+        app.station.stop = lambda by, **how: (seen.append(desk.closed), stop(by, **how))
         await pilot.press("ctrl+q")
         await pilot.pause()
         return seen, app.station.stops

@@ -98,7 +98,7 @@ class Session:
     def _await_stop(self) -> None:
         """Give STOP the time to look where an unforeseen motion leads, and speeds theirs to be put back."""
         for waited in range(round(SPEEDS_S / SLICE_S)):
-            looks = self.station.stop_reach is Reach.LOOKING and waited < LOOK_S / SLICE_S
+            looks = self.station.stop_reach.is_open and waited < LOOK_S / SLICE_S
             if not looks and not self.station.state.speeds_lent:
                 return
             if self._thread is None:
@@ -121,4 +121,6 @@ def farewell(position: Pointing | None, lost: str | None, reach: Reach | None) -
         return f"The dish ends its move by itself, which nothing can stop; nothing follows it. {where}"
     if reach in (None, Reach.AT_REST):
         return where
+    if reach is Reach.CHECKING:
+        return f"No motion was under way; whether the dish stands still was not read to the end. {where}"
     return f"The dish may still be moving, and no STOP has reached it: look at it, or cut its power. {where}"

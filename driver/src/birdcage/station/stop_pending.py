@@ -13,12 +13,19 @@ class Reach(Enum):
 
     LOOKING = "looking"
     """Nothing was sent yet: two readings must tell first where to aim, or that nothing moves."""
+    CHECKING = "checking"
+    """Nothing was sent, as nothing was known to move; two readings must prove that."""
     SENT = "sent"
     AT_REST = "at rest"
     """Nothing was sent, as nothing moved."""
     ENDS = "ends"
     """Nothing could be sent: the move of one axis ends by itself, and nothing follows it."""
     NOT = "not"
+
+    @property
+    def is_open(self) -> bool:
+        """Whether readings must still tell what STOP is to do."""
+        return self in (Reach.LOOKING, Reach.CHECKING)
 
 
 @dataclass(slots=True)

@@ -105,7 +105,7 @@ class Stopper:
         if grip.means in GRIPS or (grip.lines and self.way.anywhere):
             return Reach.SENT
         if grip.means in LOOKING:
-            return Reach.LOOKING
+            return Reach.LOOKING if grip.means == "look" else Reach.CHECKING
         return Reach.ENDS if grip.means == "end of move" else Reach.NOT
 
     def release(self, stops_seen: int) -> None:
@@ -315,7 +315,7 @@ class Stopper:
 
     def _finish(self, pending: Pending, confirmed: bool | None, sentence: str) -> None:
         earlier = pending.report.confirmed
-        if self.reach is Reach.LOOKING:
+        if self.reach.is_open:
             self.reach = Reach.AT_REST if confirmed or sentence == RELEASED else Reach.NOT
         self._pending, self.due, self._antenna.motion = None, None, None
         self._board.change(motion=None)

@@ -113,6 +113,12 @@ def trouble(view: View) -> tuple[str, str] | None:
     pursuit = pursuit_of(view)
     if pursuit is not None and pursuit.phase is Phase.INTERRUPTED:
         return "warn-row", f"◌ PURSUIT INTERRUPTED  {pursuit.why}"
+    left = None if view.track is None or pursuit is not None else view.track.unfinished
+    if left is not None:
+        return (
+            "warn-row",
+            f"▲ LEFT IN MID-PASS  {left.name}, in reach until {left.reach_end:%H:%M:%S}.  2, c: u resumes",
+        )
     return None
 
 
