@@ -15,7 +15,7 @@ class EscField(Input):
         super().__init__(placeholder=hint, id=id, disabled=True)
         self._hint, self._closes = hint, closes
 
-    def tell(self, view: View) -> None:
+    def show(self, view: View) -> None:
         """Renew the placeholder."""
         words = f"{self._hint}, {esc_text(view, closes=self._closes)}"
         if self.placeholder != words:

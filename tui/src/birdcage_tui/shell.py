@@ -212,23 +212,18 @@ class Shell(Surface):
         if not self.is_running or not self.screen_stack:
             return
         self._painted = self._loop_time()
-        view = self.view()
-        base = self.screen_stack[0]
+        view, base = self.view(), self.screen_stack[0]
         with self.batch_update():
-            shown = (
+            for part in (
                 *(screen.query_one_optional(TopRow) for screen in self.screen_stack),
                 *(base.query_one_optional(kind) for kind in (BadDayRow, KeyBar, GotoLine)),
                 self.sheet if self.sheet is not None and self.sheet.is_open else None,
                 self._seen(),
-            )
-            for part in shown:
+                *(screen for screen in self.screen_stack if isinstance(screen, Dialog)),
+                base.focused if isinstance(base.focused, EscField) else None,
+            ):
                 if part is not None:  # none is left when the app ends
                     part.show(view)
-            for screen in self.screen_stack[1:]:
-                if isinstance(screen, Dialog):
-                    screen.show(view)
-            if isinstance(base.focused, EscField):
-                base.focused.tell(view)
         if self._frames is not None:
             if view.animated:
                 self._frames.resume()
@@ -390,14 +385,13 @@ class Shell(Surface):
 
     async def on_event(self, event: events.Event) -> None:
         """STOP comes before bindings, widgets and frames."""
-        if isinstance(event, events.Key) and not event.is_forwarded:
-            stopped = any(event is other for other in self.stopped_keys) or self.stop_key(event)
-            if stopped:
-                self.end_tour()
-                self.note("STOP.")
-                self._changed()
-                return
-        await super().on_event(event)
+        key = event if isinstance(event, events.Key) and not event.is_forwarded else None
+        if key is None or not (any(key is other for other in self.stopped_keys) or self.stop_key(key)):
+            await super().on_event(event)
+            return
+        self.end_tour()
+        self.note("STOP.")
+        self._changed()
 
     def end_tour(self) -> None:
         """Let the demo do nothing by itself any more."""
