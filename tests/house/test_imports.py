@@ -29,6 +29,7 @@ WITH_ARRAYS = (
     "birdcage.sky.reach",
     "birdcage.sky.sun_crossing",
     "birdcage.sky.sun_vectors",
+    "birdcage.sky.search_worker",
     "birdcage.sky.watch_hunt",
     "birdcage.tracking.",
 )

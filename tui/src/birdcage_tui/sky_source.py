@@ -71,7 +71,7 @@ class WatchedSky:
         self._threads = threads
         self._observer = setup.observer
         self._limits: ReachLimits | None = None
-        self._watch = SkyWatch(setup.catalogue, self._seen, setup.clock, observer=setup.observer)
+        self._watch = SkyWatch(setup.catalogue, self._seen, setup.clock, observer=setup.observer, apart=threads)
         self._jobs: queue.SimpleQueue[Callable[[], None] | None] = queue.SimpleQueue()
         self._converter = Converter()
         self._converter.feed, self._converter.hear_first = setup.feed, setup.feed_is_set

@@ -3,7 +3,7 @@
 Textual's driver ends its input thread, and the app with it, at the first byte that is not UTF-8 and at sequences that
 its parser does not expect. It reads a closed terminal again and again, and draws on stderr, wherever that leads. Its
 output thread dies at the first write that fails, and then the app waits for it for ever. Nothing else is changed here
-(docs/decisions/0021).
+(docs/decisions/0024).
 """
 
 from __future__ import annotations

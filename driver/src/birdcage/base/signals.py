@@ -3,7 +3,7 @@
 Python runs a signal handler on the main thread, between two of its instructions. A main thread that waits for a
 terminal which takes no more output never gets there. So the C handler writes the signal's number into a pipe
 (`signal.set_wakeup_fd`), and a thread reads it: STOP goes out from there. If the main thread then does not leave in
-time, the process ends all the same (docs/decisions/0021).
+time, the process ends all the same (docs/decisions/0024).
 """
 
 from __future__ import annotations

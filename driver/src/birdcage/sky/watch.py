@@ -1,7 +1,7 @@
 """Watches the sky for a face: what is up now, once a second, and what comes over, in a thread of its own.
 
-The heavy libraries are loaded by that thread, which a face starts after its first paint. On a virtual clock there is
-no thread: a test calls `step`.
+The heavy libraries are loaded by that thread, which a face starts after its first paint; the search for passes is in a
+process of its own where STOP must not wait for it. On a virtual clock there is no thread: a test calls `step`.
 """
 
 from __future__ import annotations
@@ -20,12 +20,13 @@ from birdcage.base.store import fingerprint
 from birdcage.base.wake import Wake
 from birdcage.sky.observer import Observer
 from birdcage.sky.reach_limits import ReachLimits
+from birdcage.sky.search_job import SearchJob
+from birdcage.sky.search_process import SearchFailed, SearchProcess
 from birdcage.sky.watch_model import SkyNow, UpNow
 from birdcage.sky.watch_source import Watched, frozen_set, read_catalogue
 
 if TYPE_CHECKING:
     from birdcage.sky.propagate import Fleet
-    from birdcage.sky.watch_hunt import PassHunt
 
 LOOK_S = 1.0
 PUBLISH_S = 0.25
@@ -36,6 +37,8 @@ BREATH_S = 0.002
 """Between two bites of work, so that who waits for the processor or the GIL gets it."""
 ROLL_HOURS = 6.0
 """A search is done again when it is this old."""
+MOST_FAILURES = 3
+"""So many times a process that searches is replaced by another one."""
 
 
 @dataclass(slots=True)
@@ -57,11 +60,14 @@ class SkyWatch:
 
     def __init__(
         self, catalogue: Path, publish: Callable[[SkyNow], None], clock: Clock, *,
-        observer: Observer | None = None, limits: ReachLimits | None = None,
+        observer: Observer | None = None, limits: ReachLimits | None = None, apart: bool = False,
     ) -> None:  # fmt: skip
+        """Watch the satellites of the file `catalogue`. `apart`: search for passes in a process of its own."""
         self._path, self._publish, self._clock = catalogue, publish, clock
         self._orders = _Orders(observer, limits or ReachLimits())
         self._lock, self._wake = threading.Lock(), Wake()
+        self._process = SearchProcess(catalogue, self._wake.set) if apart else None
+        self._failures = 0
         self._thread: threading.Thread | None = None
         self._closing = False
         self.crash: BaseException | None = None
@@ -71,8 +77,8 @@ class SkyWatch:
         self._view: tuple[datetime, float, float] | None = None
         self._watched: Watched | None = None
         self._fleet: Fleet | None = None
-        self._hunt: PassHunt | None = None
-        self._next_hunt: PassHunt | None = None
+        self._hunt: SearchJob | None = None
+        self._next_hunt: SearchJob | None = None
         """One that replaces `_hunt` once it is done: the list keeps standing meanwhile."""
         self._seen: tuple[object, ...] = ()
         self._up: tuple[UpNow, ...] = ()
@@ -93,6 +99,8 @@ class SkyWatch:
         self._wake.set()
         if self._thread is not None:
             self._thread.join(timeout_s)
+        if self._process is not None:
+            self._process.close()
         if self._thread is None or not self._thread.is_alive():
             self._wake.close()
 
@@ -130,6 +138,17 @@ class SkyWatch:
 
         Takes some 10 ms at most, but for the first one and those after a change of the catalogue.
         """
+        try:
+            return self._step()
+        except SearchFailed:
+            if self._process is None or self._closing or self._failures >= MOST_FAILURES:
+                raise
+            self._failures += 1
+            self._process.close()
+            self._hunt = self._next_hunt = None  # with the next step another one begins
+            return self._clock.monotonic()
+
+    def _step(self) -> float:
         self._take_in()
         now, monotonic = self._now(), self._clock.monotonic()
         if monotonic >= self._look_at:
@@ -144,6 +163,9 @@ class SkyWatch:
             return monotonic
         if self._untold:
             self._tell(now, monotonic)
+        current = self._next_hunt or self._hunt
+        if current is not None and not current.idle:  # another process searches: look what it has found
+            return min(self._look_at, monotonic + PUBLISH_S)
         return self._look_at
 
     def _run(self) -> None:
@@ -154,6 +176,8 @@ class SkyWatch:
                 if not self._closing:
                     self._clock.wait(None, max(until, self._clock.monotonic() + BREATH_S), self._wake)
         except BaseException as crash:  # noqa: BLE001 - a face without a sky still drives its dish
+            if self._closing:
+                return
             # Kept for the face to tell: a traceback from this thread would land in the middle of its screen.
             self.crash = crash
             self._publish(SkyNow(self._clock.utc(), live=True, observer=None, note=f"The sky stopped: {crash!r}"))
@@ -195,27 +219,34 @@ class SkyWatch:
 
     def _keep_hunting(self, now: datetime, *, anew: bool) -> None:
         """Begin a search where there is none, or the one that is there no longer covers the time looked at."""
-        from birdcage.sky.watch_hunt import PassHunt
-
         if self._observer is None or self._watched is None:
             return
         latest = self._next_hunt or self._hunt
         stale = latest is None or not latest.start <= now < latest.start + timedelta(hours=ROLL_HOURS)
         if not (anew or stale):
             return
-        # Passes that are under way shall be found whole: none of a low orbit lasts longer than half an hour.
-        hunt = PassHunt(self._watched, self._observer, self._limits, now - timedelta(minutes=30))
+        hunt = self._begin_hunt(self._watched, self._observer, now)
         if self._hunt is None or not self._hunt.start <= now < self._hunt.ends():
             self._hunt, self._next_hunt = hunt, None
         else:
             self._next_hunt = hunt
 
+    def _begin_hunt(self, watched: Watched, observer: Observer, now: datetime) -> SearchJob:
+        # Passes that are under way shall be found whole: none of a low orbit lasts longer than half an hour.
+        start = now - timedelta(minutes=30)
+        if self._process is not None:
+            return self._process.begin(observer, self._limits, start, now)
+        from birdcage.sky.watch_hunt import PassHunt
+
+        return PassHunt(watched, observer, self._limits, start)
+
     def _work(self, now: datetime) -> bool:
         if self._next_hunt is not None:
-            if self._next_hunt.work(now):
+            worked = self._next_hunt.work(now)
+            if self._next_hunt.idle:
+                self._hunt, self._next_hunt = self._next_hunt, None
                 return True
-            self._hunt, self._next_hunt = self._next_hunt, None
-            return True
+            return worked
         return self._hunt is not None and self._hunt.work(now)
 
     def _looks(self, now: datetime) -> tuple[UpNow, ...]:

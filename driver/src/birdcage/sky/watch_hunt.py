@@ -16,12 +16,9 @@ from birdcage.sky.passes.search import search
 from birdcage.sky.passes.table import PassTable
 from birdcage.sky.propagate import Fleet
 from birdcage.sky.reach_limits import ReachLimits
+from birdcage.sky.search_job import FAVOURITES_HOURS, MOST_OTHERS, OTHERS_HOURS
 from birdcage.sky.watch_source import Watched
 
-FAVOURITES_HOURS = 48.0
-OTHERS_HOURS = 24.0
-MOST_OTHERS = 1000
-"""Reach is worked out for that many of the passes of satellites that are no favourites, the next ones first."""
 _AT_ONCE = 32
 """Satellites to a bite of the search: some 5 ms."""
 _ROWS = 4
@@ -33,10 +30,11 @@ _Key = tuple[int, int]
 
 
 class PassHunt:
-    """One search from one place: favourites first, then all. Not thread-safe; nothing in it waits."""
+    """A `SearchJob` that the caller's own thread does."""
 
     def __init__(self, watched: Watched, observer: Observer, limits: ReachLimits, start: datetime) -> None:
         self.start = start
+        self.idle = False
         self._observer, self._limits = observer, limits
         favourites = sorted(watched.favourites)
         others = [index for index in range(len(watched.elements)) if index not in watched.favourites]
@@ -46,6 +44,7 @@ class PassHunt:
         self._all, self._done, self._between = len(self._jobs), 0, 0
         self._found: list[tuple[Watched, PassTable]] = []
         self._rows: dict[_Key, PassRow] = {}
+        self._fresh: list[PassRow] = []
         self._times = np.empty((0, 2))
         """AOS and LOS of every pass found, in order of AOS; the two below go with it."""
         self._keys = np.empty((0, 2), dtype=np.int64)
@@ -63,8 +62,9 @@ class PassHunt:
 
     def set_limits(self, limits: ReachLimits) -> None:
         """Take other limits: reach is worked out anew, passes stay."""
-        self._limits = limits
+        self._limits, self.idle = limits, False
         self._rows.clear()
+        self._fresh.clear()
 
     def work(self, now: datetime) -> bool:
         """Do one bite; False if there was nothing to do."""
@@ -75,9 +75,17 @@ class PassHunt:
             return True
         for number, index in missing[:_ROWS]:
             watched, table = self._found[number]
-            (self._rows[number, index],) = rows_of(table, watched, self._observer, self._limits, [index])
+            (row,) = rows_of(table, watched, self._observer, self._limits, [index])
+            self._rows[number, index] = row
+            self._fresh.append(row)
         self._between += _ROWS
+        self.idle = not missing
         return bool(missing)
+
+    def fresh(self) -> list[PassRow]:
+        """Return the rows that were worked out since the last call."""
+        fresh, self._fresh = self._fresh, []
+        return fresh
 
     def rows(self, now: datetime) -> tuple[PassRow, ...]:
         """Return the rows so far of passes that are not over, in order of AOS."""
