@@ -339,6 +339,9 @@ def ended_text(event: MoveEnded) -> str:
     """Return how a motion ended, and where."""
     reason = f"{event.reason[:1].upper()}{event.reason[1:]}"
     position = event.position
+    if event.end is End.NOT_TAKEN:
+        reason = "The dish did not take the move: it stands still"
+        return reason if position is None else f"{reason} at {position.az_deg:.2f}°/{position.el_deg:.2f}°."
     if event.end is not End.ARRIVED or position is None:
         return reason
     skew = "" if position.skew_deg is None else f", skew {position.skew_deg:.2f}°"

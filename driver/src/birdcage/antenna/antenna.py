@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 
 from birdcage.antenna.alignment import Alignment
-from birdcage.antenna.blocking import MoveCommands, running
+from birdcage.antenna.blocking import MoveCommands, Without, running
 from birdcage.antenna.config import AntennaConfig, DialectBaud
 from birdcage.antenna.foresight import foresee
 from birdcage.antenna.latch import Latch
@@ -176,6 +176,7 @@ class BirdcageAntenna:
         with self._modelling:
             if self.motion is not None:
                 self.motion = self.motion.with_reading(dish, now, self._clock.rate)
+                self.commands.see(dish, self.motion, self._clock.rate)
         self._rest.see(dish, now)
         az_deg, el_deg = self.alignment.to_true(dish.azimuth, dish.elevation)
         self._last_position = Position(az_deg, el_deg, dish.skew)
@@ -277,12 +278,14 @@ class BirdcageAntenna:
         planned = start_motion(
             self.model, start, turn, dish_el, now, velocity, first=first, rate=rate, turn_known=known is not None
         )
+        stands = (start.azimuth, start.elevation) if under_way is None else under_way.rest
+        without = [Without(deg, under_way is not None) for deg in stands]
         from_rest = under_way is not None or self._rest.rests
         with self.begun(planned):
             taken, sent = self.taken, list[int]()
             for motor, angle in sorted(order, key=lambda each: each[0] != first):
                 runs = running(under_way, self.motion or planned, sent)
-                self.commands.send(motor, angle, runs, known=from_rest)
+                self.commands.send(motor, angle, runs, known=from_rest, without=without[motor])
                 sent.append(motor)
                 self.taken, self._begun_by[motor] = taken + 1, self._clock.monotonic()
                 if motor == first:
@@ -318,7 +321,13 @@ class BirdcageAntenna:
         with self.begun(steered(self.model, before, here, motor, dish_deg, turn, now, clock.rate)):
             try:
                 if self.model.moves_in_turn:
-                    self.commands.send(motor, dish_deg, () if before is None else before.axes, known=True)
+                    self.commands.send(
+                        motor,
+                        dish_deg,
+                        () if before is None else before.axes,
+                        known=True,
+                        without=Without(dish_deg, moving=True),
+                    )
                 else:
                     self.commands.answers[motor] = self._protocol.steer_motor(motor, dish_deg)
             finally:

@@ -1,20 +1,32 @@
-"""Sends the commands of moves to a dish that may wait for a running motor before it takes one (decision 0020)."""
+"""Sends the commands of moves to a dish that may wait for a running motor before it takes one (decision 0023)."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from birdcage.antenna.motion import AxisMotion, DishMotion, longest_s
-from birdcage.protocol.types import Taken
+from birdcage.base.geometry import shortest_turn
+from birdcage.protocol.types import Position, Taken
 
 if TYPE_CHECKING:
     from birdcage.antenna.antenna import BirdcageAntenna
 
 LATE_S = 0.3
 """An answer that comes so much later than others do is late."""
+SEEN_DEG = 0.08
+"""The rest position lies up to 0.06 deg from the command (reference section 7.4), and a step on top."""
 SHARE = 0.8
 """So much of the motor's remaining time has passed at least when a dish answers that has waited for it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Without:
+    """Where an axis comes to rest without the command, and whether it is on its way there."""
+
+    deg: float
+    moving: bool
 
 
 class MoveCommands:
@@ -24,18 +36,22 @@ class MoveCommands:
         self._antenna = antenna
         self.answers: dict[int, Taken] = {}
         """What the dish answered to the last command of each motor."""
+        self._open: dict[int, Without] = {}
+        """The axes of which it is not known whether the dish has taken their last command."""
         self.on_blocking: Callable[[], None] = lambda: None
         """Told when the dish was seen to take no command while a motor runs."""
 
-    def send(self, motor: int, dish_deg: float, runs: tuple[AxisMotion, ...], *, known: bool) -> None:
+    def send(self, motor: int, dish_deg: float, runs: tuple[AxisMotion, ...], *, known: bool, without: Without) -> None:
         """Send one axis to its dish angle; raises as `FirmwareProtocol.move_motor`.
 
         `runs` are the axes that this program has sent, and that may be on their way; `known`: whether the dish was
-        seen at rest before that. Else somebody else may have sent it anywhere.
+        seen at rest before that. Else somebody else may have sent it anywhere. `without` is what the axis does if the
+        dish does not take the command.
         """
         antenna = self._antenna
         protocol, clock = antenna.protocol, antenna.protocol.clock
         now, rate = clock.monotonic(), clock.rate
+        self._open.pop(motor, None)
         usual_s, runs_s = (
             protocol.console.round_trip_s or 0.0,
             max((axis.eta(rate) - now for axis in runs), default=0.0),
@@ -44,12 +60,43 @@ class MoveCommands:
         if not known:
             busy_s = longest_s(antenna.model) / rate
         answer = self.answers[motor] = protocol.move_motor(motor, dish_deg, busy_s=max(0.0, busy_s))
+        if not answer.sure and abs(shortest_turn(without.deg, dish_deg)) > SEEN_DEG:
+            self._open[motor] = without
         if not has_waited(answer.took_s, usual_s, runs_s):
             return
         antenna.begins_now(motor)
         if not antenna.model.moves_in_turn:
             antenna.remember_blocking(blocks=True)
             self.on_blocking()
+
+    @property
+    def are_sure(self) -> bool:
+        """Whether the dish has told of every last command that it took it, or was seen going by it."""
+        return not self._open
+
+    def see(self, dish: Position, motion: DishMotion, rate: float) -> None:
+        """Take in where the dish is: an axis that goes from rest as it was sent has taken its command."""
+        for axis, here in ((motion.azimuth, dish.azimuth), (motion.elevation, dish.elevation)):
+            without = self._open.get(axis.axis.index)
+            if without is None or without.moving or not axis.is_as_modelled(rate):
+                continue
+            if abs(shortest_turn(without.deg, here)) > SEEN_DEG:
+                del self._open[axis.axis.index]
+
+    def not_taken(self, dish: Position, motion: DishMotion) -> tuple[Taken, ...]:
+        """Return the answers that were none, of a dish that stands still; empty where it has moved by its commands.
+
+        An axis that stands away from its target, though it has taken its command, is another matter: then empty, too.
+        """
+        answers = []
+        for axis, here in ((motion.azimuth, dish.azimuth), (motion.elevation, dish.elevation)):
+            if abs(shortest_turn(axis.slew.end_deg, here)) <= SEEN_DEG:
+                continue
+            without = self._open.get(axis.axis.index)
+            if without is None or abs(shortest_turn(without.deg, here)) > SEEN_DEG:
+                return ()
+            answers.append(self.answers[axis.axis.index])
+        return tuple(answers)
 
 
 def has_waited(took_s: float, usual_s: float, runs_s: float) -> bool:

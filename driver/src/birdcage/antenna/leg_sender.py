@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.blocking import Without
 from birdcage.antenna.legs import Leg, leg_motion, plan_legs, skew_leg
-from birdcage.protocol.types import Position
+from birdcage.protocol.types import MOTOR_AZIMUTH, Position
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +59,8 @@ class LegSender:
             elif leg.skew_deg is not None:
                 protocol.turn_skew(leg.skew_deg)
             else:
-                protocol.move_motor(leg.motor, leg.target_deg)
+                stands = self._start.azimuth if leg.motor == MOTOR_AZIMUTH else self._start.elevation
+                antenna.commands.send(leg.motor, leg.target_deg, (), known=True, without=Without(stands, moving=False))
             antenna.taken += 1
 
     @property

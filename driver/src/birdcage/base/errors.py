@@ -9,6 +9,7 @@
       MotionRefused      a limit, or missing knowledge, forbids the motion
         BelowFloor       (also a ValueError) the elevation floor
         PositionUnknown  the axis was not read, or not homed
+      NotTaken           the answer to a move was not known, and the dish stood still
       Held               STOP is latched
       LeaseDenied        somebody else has control
       ConfirmationNeeded a raw line that may do harm was not confirmed
@@ -98,6 +99,12 @@ class PositionUnknown(MotionRefused):
     """Where the dish stands is not known. Reasons: unread, unhomed, unreadable, released."""
 
     reason = "unread"
+
+
+class NotTaken(BirdcageError):
+    """The dish answered a move with nothing, or with what is not known, and stands where it stood."""
+
+    reason = "not_taken"
 
 
 class Held(BirdcageError):

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from birdcage.link.link import Link
 
 BOOT_TIMEOUT_S = 180.0
-_STALLED = re.compile(r"\bSTALLED\b")
+STALLED = re.compile(r"\bSTALLED\b")
 """An obstacle, which is said of the motion under way and not of the question."""
 
 
@@ -152,7 +152,7 @@ class FirmwareProtocol(ABC):
             try:
                 return once() if belief is None else belief.read(once, self.clock)
             except CommandRefused as refused:
-                if refused.reason in ("wrong_menu", "unknown_command") or _STALLED.search(str(refused)):
+                if refused.reason in ("wrong_menu", "unknown_command") or STALLED.search(str(refused)):
                     raise
                 raise UnreadablePosition(str(refused), (str(refused),)) from refused
 

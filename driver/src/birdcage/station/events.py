@@ -17,6 +17,8 @@ class End(Enum):
     SUPERSEDED = "superseded"
     STOPPED = "stopped"
     REFUSED = "refused"
+    NOT_TAKEN = "not taken"
+    """What the dish answered is not known, and it stands still: no fault."""
     FAULT = "fault"
 
 

@@ -8,8 +8,9 @@ from concurrent.futures import Future
 from dataclasses import dataclass
 
 from birdcage.antenna.antenna import BirdcageAntenna
-from birdcage.base.errors import BirdcageError, MotionRefused, NoReply, Stopped
+from birdcage.base.errors import BirdcageError, MotionRefused, NoReply, NotTaken, Stopped
 from birdcage.base.geometry import separation
+from birdcage.protocol.types import Position
 from birdcage.station.board import Board
 from birdcage.station.events import ActivityChanged, End, MoveEnded, MoveProgress, MoveStarted
 from birdcage.station.look import Look
@@ -25,6 +26,8 @@ REST_S = 1.0
 STALL_S = 1.0
 """How long a dish may stand still away from its target, after the time at which it should have moved."""
 
+UNTAKEN_S = 0.3
+"""How long after its answer a dish that has taken a move is seen moving at the latest."""
 BUSY = "busy with the last move"
 """What is told of a dish that waits for a motor before it takes another command."""
 
@@ -47,6 +50,8 @@ class Job:
     """Whether both axes were sent at once, and not in legs."""
     to_rest: bool = False
     """Where it goes is the firmware's own business: it has arrived when it rests."""
+    answered: float = 0.0
+    """When the dish had answered its last command; monotonic seconds."""
     still_since: float | None = None
     last: Pointing | None = None
     damaged: bool = False
@@ -143,6 +148,23 @@ class Mover(ABC):
         job.last = pointing
         job.still_since = (job.still_since or now) if still else None
         return pointing
+
+    def _ends_untaken(self, job: Job, pointing: Pointing) -> bool:
+        """End a motion that the dish has not taken: what it answered is not known, and it has stood still since."""
+        antenna, motion, now = self._antenna, self._antenna.motion, self._board.clock.monotonic()
+        if job.still_since is None or motion is None or now < job.answered + UNTAKEN_S:
+            return False
+        answers = antenna.commands.not_taken(Position(pointing.dish_az_deg, pointing.dish_el_deg), motion)
+        if not answers:
+            return False
+        said = " / ".join(answer.said for answer in answers if answer.said)
+        sentence = (
+            f"The dish answered {said!r} and did not move." if said else "The dish answered nothing and did not move."
+        )
+        antenna.motion = None
+        self.fail(End.NOT_TAKEN, End.NOT_TAKEN.value, NotTaken(sentence))
+        self.activity(Activity.IDLE, "")
+        return True
 
     def _is_stuck(self, job: Job, eta: float) -> bool:
         """Return whether the dish has stood still for too long after it should have moved."""

@@ -100,6 +100,7 @@ class QueuedMover(Mover):
         job.last = job.still_since = None
         self._silence.begin()
         self._sender.send(leg)
+        job.answered = self._board.clock.monotonic()
 
     def _follow(self, job: Job) -> None:
         self.due = self._board.clock.monotonic() + POLL_S
@@ -153,6 +154,8 @@ class QueuedMover(Mover):
             self._leg_over(job)
         elif seen_before and job.still_since is None and self._is_astray(motion, now):
             self._astray()
+        elif self._ends_untaken(job, pointing):
+            return
         elif self._is_stuck(job, eta):
             self.stuck(_stuck_sentence(pointing, off_deg))
         else:

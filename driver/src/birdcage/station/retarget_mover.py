@@ -43,6 +43,7 @@ class RetargetMover(QueuedMover):
         self._point(job, begin, clamp=clamp, leapfrog=leapfrog and self._is_stream(job))
         if permit is not None:
             permit()  # STOP may have come with the last answer: it has ended this motion
+        job.answered = clock.monotonic()
         self.activity(Activity.SLEWING, "")
         self._update()
 
@@ -71,6 +72,8 @@ class RetargetMover(QueuedMover):
         off_el = abs(pointing.dish_el_deg - dish_el)
         if job.still_since is not None and max(off_az, off_el) <= ARRIVED_DEG:
             self._arrive(job, pointing)
+            return
+        if self._ends_untaken(job, pointing):
             return
         eta = self._update()
         if self._is_stuck(job, eta):

@@ -36,7 +36,7 @@ class Grip:
 
 BEHIND = Grip(
     "look",
-    "The dish has not answered the last line: a bare Enter was sent, and it is looked where the dish goes, to aim.",
+    "The dish has not told whether it took the last line: a bare Enter was sent. Looking where it goes, to aim.",
     ("",),
 )
 """Behind a line that the dish may read later than it goes out, a target that is aimed now may lead it back."""
@@ -95,7 +95,8 @@ class Retarget(StopWay):
         motion, activity = self._antenna.motion, self._board.state.activity
         if motion is not None or activity in (Activity.UNKNOWN, Activity.MOVING_UNASKED):
             unanswered_s = self._antenna.protocol.console.unanswered_s()
-            if unanswered_s > LATE_S and self.retarget_works is not False:
+            unsure = motion is not None and not self._antenna.commands.are_sure
+            if (unanswered_s > LATE_S or unsure) and self.retarget_works is not False:
                 return BEHIND
         if motion is not None:
             self._seen = motion.azimuth.least_speed_deg_s, motion.elevation.least_speed_deg_s

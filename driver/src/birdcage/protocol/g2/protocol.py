@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from typing import ClassVar
 
 from birdcage.base.errors import CommandRefused, NoReply, PositionUnknown
+from birdcage.base.geometry import shortest_turn
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.events import Reply
 from birdcage.protocol.command_list import CommandDoc
@@ -20,7 +21,7 @@ from birdcage.protocol.g2.survey import survey
 from birdcage.protocol.hazard import HazardTable
 from birdcage.protocol.model import DishModel
 from birdcage.protocol.nvs import DISABLE_TRACKER, NvsRow
-from birdcage.protocol.protocol import BOOT_TIMEOUT_S
+from birdcage.protocol.protocol import BOOT_TIMEOUT_S, STALLED
 from birdcage.protocol.types import Position, RssiReading, Survey, Taken
 from birdcage.protocol.unhomed import UnreadablePosition, is_unhomed
 
@@ -35,6 +36,13 @@ _MOVE_TAKEN = re.compile(rf"Angle\s*=\s*{_DEGREES}")
 _HOMING_S = 15.0
 _STOW_S = 60.0
 """How long `stow` may keep the shell: no source says whether it does. Only a deadline depends on it."""
+
+
+def _is_told(printed: str, degrees: float, *, turns: bool) -> bool:
+    """Return whether an angle was commanded, by its print: with its own decimals, and on any turn of the cable."""
+    off_deg = shortest_turn(degrees, float(printed)) if turns else float(printed) - degrees
+    places = len(printed.partition(".")[2])
+    return abs(off_deg) <= max(10.0**-places, 0.01) + 0.001
 
 
 class CarryoutG2Protocol(Rooms):
@@ -140,26 +148,25 @@ class CarryoutG2Protocol(Rooms):
 
     def _send_move(self, motor_id: int, degrees: float, busy_s: float) -> Taken:
         line = self._move_line(motor_id, degrees)
-        return self._take_move(degrees, self.console.run("mot", line, busy_s=busy_s, permit=self.permit))
+        reply = self.console.run("mot", line, busy_s=busy_s, permit=self.permit, judged=False)
+        return self._take_move(motor_id, degrees, reply)
 
     def steer_motor(self, motor_id: int, degrees: float) -> Taken:
         """Send one axis to an absolute angle, as one of a stream: each replaces the one before (section 7.4)."""
         self._check_move(motor_id, degrees)
         line = self._move_line(motor_id, degrees)
-        return self._take_move(degrees, self.console.hurry("mot", line, permit=self.permit))
+        return self._take_move(motor_id, degrees, self.console.hurry("mot", line, permit=self.permit, judged=False))
 
-    def _take_move(self, degrees: float, reply: Reply) -> Taken:
-        line = reply.command
-        taken = [float(m[1]) for m in map(_MOVE_TAKEN.search, reply.lines) if m]
-        if taken and abs(taken[-1] - degrees) > 0.011:
-            # It moves, and where to is not sure: no refusal.
-            raise NoReply(f"The dish answered `{line}` with an angle of {taken[-1]:.2f}°.", reason="garbage")
-        if not taken:
-            raise CommandRefused(
-                f"The dish did not take `{line}`; it answered {' / '.join(reply.lines)!r}.",
-                reason="bad_parameter",
-            )
-        return Taken(sure=True, said=" / ".join(reply.lines), took_s=self.console.took_s)
+    def _take_move(self, motor_id: int, degrees: float, reply: Reply) -> Taken:
+        """Read the answer to a move. No refusal is known of a G2: without its angle only the position tells."""
+        refusal = self.console.refusal(reply)
+        if refusal is not None and STALLED.search(str(refusal)):
+            raise refusal
+        told = [m[1] for m in map(_MOVE_TAKEN.search, reply.lines) if m]
+        if told and not _is_told(told[-1], degrees, turns=motor_id == self.model.azimuth.index):
+            # It moves, and where to is not sure.
+            raise NoReply(f"The dish answered `{reply.command}` with an angle of {told[-1]}°.", reason="garbage")
+        return Taken(sure=bool(told), said=" / ".join(reply.lines), took_s=self.console.took_s)
 
     @staticmethod
     def _move_line(motor_id: int, degrees: float) -> str:
