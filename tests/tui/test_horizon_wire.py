@@ -73,7 +73,7 @@ async def test_a_slew_gives_no_point(house):
 
 def test_the_watch_of_the_sky_takes_it_over_the_settings(tmp_path):
     clock = VirtualClock()
-    place = PlaceSettings(latitude_deg=39.1, longitude_deg=-95.7, horizon=((0.0, 5.0),))
+    place = PlaceSettings(latitude_deg=39.1, longitude_deg=-95.7, horizon=((0.0, 5.0), (180.0, 5.0)))
     shown = []
     source = make_sky(Settings(place=place), Paths.in_folder(tmp_path), clock, demo=True, threads=False)(
         shown.append, print
@@ -83,7 +83,7 @@ def test_the_watch_of_the_sky_takes_it_over_the_settings(tmp_path):
     source.start()
     source.step()
     before = shown[-1]
-    source.keep(state, None, HorizonMask([(0.0, 64.0)]))
+    source.keep(state, None, HorizonMask([(0.0, 64.0), (180.0, 64.0)]))
     clock.advance(2.0)
     source.step()
     trees = shown[-1]
@@ -91,7 +91,7 @@ def test_the_watch_of_the_sky_takes_it_over_the_settings(tmp_path):
     clock.advance(2.0)
     source.step()
     source.close()
-    assert before.mask == HorizonMask([(0.0, 5.0)])
-    assert trees.mask == HorizonMask([(0.0, 64.0)])
+    assert before.mask == HorizonMask([(0.0, 5.0), (180.0, 5.0)])
+    assert trees.mask == HorizonMask([(0.0, 64.0), (180.0, 64.0)])
     assert sum(row.reach_s for row in trees.rows) < sum(row.reach_s for row in before.rows) / 4
     assert not shown[-1].mask
