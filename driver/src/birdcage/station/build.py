@@ -50,7 +50,8 @@ def open_session(
     transcript = Transcript(paths.transcripts if settings.link.transcript else None, version=version)
     journal, wear = Journal(paths.journal), WearBook(paths.journal)
     rules = rules_from(settings)
-    held_keeper = HeldKeeper(paths.state, partial(dish_identity, list_ports=ports))
+    identity = partial(dish_identity, list_ports=ports)
+    held_keeper = HeldKeeper(paths.state, identity)
 
     def open_port(name: str, rate: int) -> Link:
         return open_link(name, baud=rate, clock=clock, transcript=transcript)
@@ -68,6 +69,7 @@ def open_session(
             reconnect=reconnect,
             backup_folder=paths.backups,
             state_folder=paths.state,
+            identify=identity,
             held_keeper=held_keeper,
             **{each.name: getattr(rules, each.name) for each in fields(rules)},
             remark=lambda text: transcript.remark(text, clock.utc()),

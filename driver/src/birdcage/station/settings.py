@@ -80,6 +80,8 @@ class StationSettings(Rules):
     """Where tables are kept before the dish's settings are written."""
     state_folder: Path | None = None
     """Where speeds that a pursuit changes are kept until they are put back."""
+    identify: Callable[[str], str | None] = lambda _port: None
+    """The identity of the dish at a port, under which it is remembered; None for one that ends with the program."""
     held_keeper: HeldKeeper | None = None
     """Keeps HELD for the programs that come after; None where it ends with this one."""
     remark: Callable[[str], None] = lambda _text: None

@@ -23,6 +23,7 @@ from birdcage.station.control import Control
 from birdcage.station.desk import Desk
 from birdcage.station.lent import LentSpeeds
 from birdcage.station.look import Look
+from birdcage.station.move_memory import MoveMemory
 from birdcage.station.pursuing import Pursuing
 from birdcage.station.queued_mover import QueuedMover
 from birdcage.station.raw import MenuCommand, Verdict
@@ -34,7 +35,6 @@ from birdcage.station.rewire import Rewire
 from birdcage.station.settings import StationSettings
 from birdcage.station.state import MOVING, StationState
 from birdcage.station.stop_pending import Reach
-from birdcage.station.stop_ways import stop_way
 from birdcage.station.stopper import Stopper
 from birdcage.station.talk import Talk
 from birdcage.station.vigil import Vigil
@@ -72,7 +72,7 @@ class Station:
         self._mover = QueuedMover(board, antenna, look) if queues else RetargetMover(board, antenna, look)
         self._stopper = Stopper(board, antenna, self._control, self._mover, look)
         protocol.on_busy = self._mover.busy
-        antenna.commands.on_blocking = self._is_blocking
+        self._moves = MoveMemory(board, antenna, self._stopper, settings.state_folder, settings.identify)
         applying = Applying(board, antenna, self._mover, self._stopper, look)
         applying.use(settings)
         self._watches = Watches()
@@ -87,7 +87,7 @@ class Station:
         self._pursued = False
         """Whether the last piece of work was the pursuit's: then a request has its turn."""
         self._connection = Connection(board, antenna, settings, look, self._wake, self._on_wake, self._vigil.on_line)
-        self._connection.on_port = self._control.meet
+        self._connection.on_port = self._meet
         rewire = Rewire(
             board, antenna, settings, self._connection, self._stopper, look, self._vigil, self._wake, self._on_wake
         )
@@ -255,10 +255,10 @@ class Station:
         else:
             self._guard(self._vigil.tick)
 
-    def _is_blocking(self) -> None:
-        """The dish takes no command of a move while a motor runs: move and stop it accordingly from now on."""
-        self._stopper.way = stop_way(self._board, self._antenna)
-        self._board.change(dish=self._antenna.kind)
+    def _meet(self, port: str) -> None:
+        """A port is about to be opened: what is remembered of its dish counts."""
+        self._control.meet(port)
+        self._moves.meet(port)
 
     def _connect(self) -> None:
         if self._connection.attempt():

@@ -1,0 +1,77 @@
+"""That a dish waits for its motors is remembered of that dish, and of no other."""
+
+from __future__ import annotations
+
+import pytest
+from birdcage.link.identity import dish_folder
+from birdcage.protocol.model import SecondMove
+from birdcage.station.requests import Connect, Goto
+
+from .conftest import Bench
+from .test_waiting_dish import WAITS, busy_told, sent_since, stands_at
+
+
+def at(tmp_path, address=WAITS, identity="usb:A"):
+    bench = Bench(address, {"state_folder": tmp_path, "identify": lambda _port: identity}).connect()
+    bench.watch("position")
+    bench.step(2.0)
+    return bench
+
+
+def test_the_next_program_moves_one_axis_at_a_time_from_the_first_move_on(tmp_path):
+    first = at(tmp_path)
+    first.do(Goto(0, 30, "you"))
+    first.session.close()
+    second = at(tmp_path)
+    assert second.state.dish.second_other is SecondMove.BLOCK
+    since = second.clock.monotonic()
+    second.station.submit(Goto(0, 30, "you"))
+    second.step(1.0)
+    assert len(sent_since(second, since)) == 1
+    assert second.state.motion.stop_means == "end of move"
+    second.step(8.0)
+    assert stands_at(second, 0, 30)
+    assert busy_told(second) == []
+
+
+@pytest.mark.parametrize("identity", ["usb:B", None])
+def test_another_dish_or_one_without_a_name_is_not_it(tmp_path, identity):
+    at(tmp_path).do(Goto(0, 30, "you"))
+    assert at(tmp_path, identity=identity).state.dish.second_other is SecondMove.UNKNOWN
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", '{"firmware": "hal205", "second_move": "block"}', "[" * 2000])
+def test_a_damaged_file_or_one_of_another_firmware_tells_nothing(tmp_path, text):
+    folder = dish_folder(tmp_path, "usb:A")
+    folder.mkdir(parents=True)
+    (folder / "moves.json").write_text(text)
+    assert at(tmp_path, "g2?seed=1&az=-180").state.dish.second_other is SecondMove.UNKNOWN
+
+
+def test_what_cannot_be_written_is_learnt_all_the_same(tmp_path):
+    (tmp_path / "dishes").write_text("in the way")
+    bench = at(tmp_path)
+    bench.do(Goto(0, 30, "you"))
+    assert bench.state.dish.second_other is SecondMove.BLOCK
+
+
+def test_it_is_forgotten_where_another_port_is_chosen(tmp_path):
+    bench = Bench(WAITS, {"state_folder": tmp_path, "identify": lambda port: f"path:{port}"}).connect()
+    bench.do(Goto(0, 30, "you"))
+    bench.step(2.0)
+    bench.do(Connect("sim:other", None))
+    bench.step(3.0)
+    assert bench.state.dish.second_other is SecondMove.UNKNOWN
+    bench.do(Connect("sim:test", None))
+    bench.step(3.0)
+    assert bench.state.dish.second_other is SecondMove.BLOCK
+
+
+def test_it_is_kept_while_the_adapter_is_out(tmp_path):
+    bench = at(tmp_path, identity=None)
+    bench.do(Goto(0, 30, "you"))
+    bench.device.unplug()
+    bench.step(3.0)
+    bench.device.plug()
+    bench.step(8.0)
+    assert bench.state.dish.second_other is SecondMove.BLOCK
