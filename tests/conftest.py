@@ -11,7 +11,19 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from hypothesis import settings
+
+
+def _keep_bytecode() -> None:
+    """Compile each module once and not once a process, beside the packages: no source tree gets a file of ours."""
+    if sys.prefix != sys.base_prefix:
+        sys.dont_write_bytecode, sys.pycache_prefix = False, str(Path(sys.prefix) / "pycache")
+        os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+        os.environ["PYTHONPYCACHEPREFIX"] = sys.pycache_prefix  # programs that tests start
+
+
+_keep_bytecode()
+
+from hypothesis import settings  # noqa: E402
 
 sys.path.insert(0, str(Path(__file__).parent / "shared"))  # importlib mode puts no folder on the path by itself
 
