@@ -58,9 +58,9 @@ def test_stop_comes_before_any_painting():
     async def order(app, pilot):
         seen = []
         app.station.stop = lambda by: seen.append("stop")
-        paint, stop_key = app.paint, app.stop_key
+        paint, take = app.paint, app.keys.take
         app.paint = lambda: (seen.append("paint"), paint())
-        app.stop_key = lambda event: (seen.append("key"), stop_key(event))[1]
+        app.keys.take = lambda event: (isinstance(event, Key) and seen.append("key"), take(event))[1]
         await pilot.press("space")
         await pilot.pause(0.2)
         assert seen[seen.index("key") + 1] == "stop", "frames before the key are painted as ever"
@@ -83,21 +83,21 @@ def test_the_reading_thread_stops_before_the_event_loop_hears_of_it():
         def stop_application_mode(self): ...
         def write(self, data): ...
 
-    app = SimpleNamespace(stops=[], stopped_keys=[])
-    app.stop_key = lambda event: event.key == "space" and (app.stops.append("you") or True)
+    app = SimpleNamespace(stops=[], read=[])
+    app.keys = SimpleNamespace(read=lambda key: (app.read.append(key.key), app.stops.append("you")))
     driver = stop_first(Wire)(app)
     driver.send_message(Key("space", " "))
-    driver.send_message(Key("a", "a"))
-    assert sent == [("space", ["you"]), ("a", ["you"])]
-    assert [event.key for event in app.stopped_keys] == ["space"]
+    assert sent == [("space", ["you"])]
+    assert app.read == ["space"]
 
 
 def test_a_key_that_the_reading_thread_spent_is_not_spent_twice():
     async def twice(app, pilot):
         event = Key("space", " ")
-        app.stopped_keys.append(event)
+        app.keys.read(event)
+        assert app.station.stops == ["you"]
         await app.on_event(event)
-        assert app.station.stops == []
+        assert app.station.stops == ["you"]
 
     run(twice)
 

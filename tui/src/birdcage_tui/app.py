@@ -275,6 +275,7 @@ class BirdcageApp(Shell):
     def leave(self, by: str = YOU, status: int = 0) -> None:
         """STOP first if anything moves; give the terminal back; `main` closes the session."""
         self._stop_what_moves(by)
+        self.keys.close()
         self.sky.close()
         self.exit(return_code=status)
 
@@ -284,6 +285,13 @@ class BirdcageApp(Shell):
         self.track.close()
         if moving:
             self.station.stop(by, leaving=True)
+
+    def _handle_exception(self, error: Exception) -> None:
+        """End the app by an error. A layer or a page that was still being made when a person left is none."""
+        if self.keys.closed:
+            self._close_messages_no_wait()
+        else:
+            super()._handle_exception(error)
 
     def end_by_signal(self, number: int) -> None:
         """End as Ctrl+Q does. Any thread: STOP goes out from here, as the app's own thread may be stuck."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TypeVar, cast
+from typing import cast
 
 from rich.text import Text
 from textual import on
@@ -13,14 +13,13 @@ from textual.screen import ModalScreen
 from textual.widgets import Static
 
 from birdcage_tui.host import Host
+from birdcage_tui.layer import Found, Layer
 from birdcage_tui.status import TopRow
 from birdcage_tui.stop_words import esc_text
 from birdcage_tui.view import View
 
-Found = TypeVar("Found")
 
-
-class Dialog(ModalScreen[Found]):
+class Dialog(ModalScreen[Found], Layer[Found]):
     """Lies over a page, and leaves row 1 alive."""
 
     KEYS = ""

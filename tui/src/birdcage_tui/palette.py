@@ -11,10 +11,11 @@ from textual.command import CommandPalette, DiscoveryHit, Hit, Hits, Provider
 
 from birdcage_tui.commands import COMMANDS, Command
 from birdcage_tui.host import Host
+from birdcage_tui.layer import Layer
 from birdcage_tui.status import TopRow
 
 
-class Palette(CommandPalette):
+class Palette(CommandPalette, Layer[None]):
     """Textual's palette under row 1: status and the mouse's STOP are never covered."""
 
     ID = "--command-palette"

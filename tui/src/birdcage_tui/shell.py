@@ -31,6 +31,7 @@ from birdcage_tui.dialogs import Dialog
 from birdcage_tui.esc_field import EscField
 from birdcage_tui.footer import KeyBar
 from birdcage_tui.goto import GotoLine
+from birdcage_tui.key_queue import KeyQueue
 from birdcage_tui.messages import SkyChanged, StationEvent
 from birdcage_tui.pages.dashboard import DashboardPage
 from birdcage_tui.pages.page import Page
@@ -78,8 +79,6 @@ class Shell(Surface):
         super().__init__(settings or AppSettings())
         self.session = session
         self.station = session.station
-        self.stopped_keys: deque[events.Key] = deque(maxlen=16)
-        """Keys that have stopped the dish already, on the thread that read them."""
         self.under_way: set[Future[object]] = set()
         """Motions that you asked for and that are not at their end."""
         self.step_deg = 1.0
@@ -116,6 +115,7 @@ class Shell(Surface):
         self.folded = False
         """Whether the pocket view stands in for every page."""
         self._paging = Paging(self)
+        self.keys = KeyQueue(self, super().on_event, self.stop_key, self._stopped)
         self._frames: Timer | None = None
         self._late = False
         self._start_objects = StartObjects()
@@ -371,24 +371,23 @@ class Shell(Surface):
 
     def stop_key(self, event: events.Key) -> bool:
         """Stop the dish if this key means STOP now. Any thread; nothing is painted before it."""
-        if not is_stop_key(event.key, focused_widget(lambda: self.focused), may_move=self.view_may_move()):
+        if not is_stop_key(event.key, focused_widget(lambda: self.focused), self.view_may_move):
             return False
         self.station.stop(YOU)
         return True
 
     def view_may_move(self) -> bool:
         """Return whether anything moves or may move by itself. Any thread."""
-        if self._tour.running:
+        if self._tour.running or self.under_way:
             return True
-        utc, desk = self.session.clock.utc(), self.track.now
-        return bool(self.under_way) or View(self.station.state, 0.0, utc, self.settings, track=desk).may_move
+        return View(self.station.state, 0.0, self.session.clock.utc(), self.settings, track=self.track.now).may_move
 
     async def on_event(self, event: events.Event) -> None:
         """STOP comes before bindings, widgets and frames."""
-        key = event if isinstance(event, events.Key) and not event.is_forwarded else None
-        if key is None or not (any(key is other for other in self.stopped_keys) or self.stop_key(key)):
+        if not await self.keys.take(event):
             await super().on_event(event)
-            return
+
+    def _stopped(self) -> None:
         self.end_tour()
         self.note("STOP.")
         self._changed()

@@ -11,17 +11,14 @@ from textual.message import Message
 from textual.widget import Widget
 from textual.widgets import Input, TextArea
 
-StopKey = Callable[[Key], bool]
-"""Stops if that key means STOP at this moment; returns whether it did. Called from any thread."""
 
-
-def is_stop_key(key: str, focused: Widget | None, *, may_move: bool) -> bool:
+def is_stop_key(key: str, focused: Widget | None, may_move: Callable[[], bool]) -> bool:
     """Return whether `key` means STOP: Ctrl+C always, Space outside text fields, Esc while anything may move."""
     if key == "ctrl+c":
         return True
     if key == "space":
         return not isinstance(focused, Input | TextArea)
-    return key == "escape" and may_move
+    return key == "escape" and may_move()
 
 
 def focused_widget(get: Callable[[], Widget | None]) -> Widget | None:
@@ -33,7 +30,7 @@ def focused_widget(get: Callable[[], Widget | None]) -> Widget | None:
 
 
 def stop_first(base: type[Driver]) -> type[Driver]:
-    """Return that driver with one thing added: keys go through the app's `stop_key` as soon as they were read.
+    """Return that driver with one thing added: the app's `keys` see each one as soon as it was read.
 
     Textual hands a key from its input thread to the event loop, where it waits for whatever frame is being painted.
     `Station.stop` may be called from any thread, and so it is, here.
@@ -50,9 +47,9 @@ def stop_first(base: type[Driver]) -> type[Driver]:
             return 0 if queue is None else queue.qsize()
 
         def send_message(self, message: Message) -> None:
-            stop_key: StopKey | None = getattr(self._app, "stop_key", None)
-            if isinstance(message, Key) and stop_key is not None and stop_key(message):
-                self._app.stopped_keys.append(message)
+            keys = getattr(self._app, "keys", None)
+            if isinstance(message, Key) and keys is not None:
+                keys.read(message)
             super().send_message(message)
 
     return StopFirst

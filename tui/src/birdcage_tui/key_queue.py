@@ -1,0 +1,136 @@
+"""Keys one at a time: each has done all that it does before the next is looked at, however many arrive together.
+
+Textual hands a key to what has the focus at that moment, and does not wait for what comes of it. The next key of the
+same write would go to the same widget: to a dialog that the first one has closed, or past the field that it has opened.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections import deque
+from collections.abc import Awaitable, Callable
+from contextlib import suppress
+
+from textual.app import App
+from textual.events import Event, Key, Paste
+from textual.message_pump import MessagePump
+from textual.widget import Widget
+
+Typed = Key | Paste
+PATIENCE_S = 1.0
+"""How long a key waits for the one before it, at most: a page takes a while on its first visit."""
+READ_AHEAD = 1024
+"""Keys that are remembered while the app's thread takes none: it paints, or is stuck."""
+LOOK_S = 0.005
+"""Between two looks at whether a page, or a search of the palette, is ready."""
+
+
+class KeyQueue:
+    """Deals with what is typed, in its order; only STOP overtakes.
+
+    `stop_key` stops the dish if a key means STOP now, and returns whether it did; `tell_stop` says so on the screen.
+    """
+
+    def __init__(
+        self,
+        app: App[None],
+        deal: Callable[[Typed], Awaitable[None]],
+        stop_key: Callable[[Key], bool],
+        tell_stop: Callable[[], object],
+    ) -> None:
+        self._app, self._deal, self._stop_key, self._tell_stop = app, deal, stop_key, tell_stop
+        self._read: deque[tuple[Key, bool]] = deque(maxlen=READ_AHEAD)
+        """Keys that were read and not taken yet, and whether each has stopped the dish already."""
+        self._waiting: deque[Typed] = deque()
+        self._settling: asyncio.Task[None] | None = None
+        self.closed = False
+        """Whether the app ends: nothing is dealt with any more, STOP excepted."""
+
+    def read(self, key: Key) -> None:
+        """Stop at once if that is what it means. Called on the thread that reads the keys, before `take`."""
+        self._read.append((key, self._stop_key(key)))
+
+    async def take(self, event: Event) -> bool:
+        """Deal with a key or a paste now, or as soon as its turn comes; return False for what goes on by itself."""
+        if not isinstance(event, Typed):
+            return False
+        if event.is_forwarded:
+            return self.closed or not self._app.screen_stack  # no page is left for it
+        if isinstance(event, Key) and (self._has_stopped(event) or self._stop_key(event)):
+            self._spent_on_stop()
+        elif self.closed or any(stopped for _, stopped in tuple(self._read)):
+            pass  # a STOP was typed after it, and has gone out: it comes too late
+        elif self._waiting or self._settling is not None:
+            self._waiting.append(event)
+        else:
+            await self._begin(event)
+        return True
+
+    def _has_stopped(self, key: Key) -> bool:
+        """Return whether it has stopped the dish when it was read; what was read before it is taken."""
+        while any(each is key for each, _ in tuple(self._read)):
+            each, stopped = self._read.popleft()
+            if each is key:
+                return stopped
+        return False
+
+    def _spent_on_stop(self) -> None:
+        self._waiting.clear()  # done after STOP, an Enter that was typed before it would let go of HELD
+        self._tell_stop()
+
+    def close(self) -> None:
+        """Deal with nothing any more."""
+        self.closed = True
+        self._waiting.clear()
+
+    async def _begin(self, typed: Typed) -> None:
+        await self._deal(typed)
+        self._settling = asyncio.create_task(self._settle())
+
+    async def _settle(self) -> None:
+        try:
+            with suppress(TimeoutError):
+                await asyncio.wait_for(settled(self._app), PATIENCE_S)
+        finally:
+            self._settling = None
+            if self._waiting:
+                self._app.call_later(self._next)
+
+    async def _next(self) -> None:
+        """Deal with the one that has waited longest. What came before it may have left a text field."""
+        if not self._waiting or self._settling is not None:
+            return
+        typed = self._waiting.popleft()
+        if isinstance(typed, Key) and self._stop_key(typed):
+            self._spent_on_stop()
+        else:
+            await self._begin(typed)
+
+
+async def settled(app: App[None]) -> None:
+    """Wait until a key that the app was given has gone its way: from what has the focus outward, with what it began.
+
+    Each of them works through its own queue, in order; so a callback at the end of a queue runs when all before it is
+    done. What a widget tells the layer around it takes a second lap, and what opens another layer one more.
+    """
+    first = True
+    while app.screen_stack:  # it is empty when the app ends
+        screen, focused = app.screen, app.focused
+        outward: list[MessagePump] = [screen if focused is None else focused]
+        while isinstance(outward[-1], Widget) and outward[-1].parent is not None:
+            outward.append(outward[-1].parent)
+        for pump in (*outward, app):
+            await _idle(pump)
+        while any(not worker.is_finished for worker in app.workers):
+            await asyncio.sleep(LOOK_S)
+        same = bool(app.screen_stack) and app.screen is screen and app.focused is focused
+        if same and not first and not any(pump.message_queue_size for pump in outward):
+            return
+        first = False
+
+
+async def _idle(pump: MessagePump) -> None:
+    """Wait until it has done what its queue holds now; one that is closed does nothing any more."""
+    done = asyncio.Event()
+    if pump.call_later(done.set):
+        await done.wait()
