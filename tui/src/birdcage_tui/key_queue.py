@@ -46,6 +46,11 @@ class KeyQueue:
         self.closed = False
         """Whether the app ends: nothing is dealt with any more, STOP excepted."""
 
+    @property
+    def is_idle(self) -> bool:
+        """Whether all that was typed has been dealt with."""
+        return not self._waiting and self._settling is None
+
     def read(self, key: Key) -> None:
         """Stop at once if that is what it means. Called on the thread that reads the keys, before `take`."""
         self._read.append((key, self._stop_key(key)))

@@ -11,7 +11,7 @@ Found = TypeVar("Found")
 
 
 class Layer(Screen[Found]):
-    """Closes once. The one way in which anything over a page is closed; the base after one of Textual's modal screens."""
+    """Closes once: the one way in which anything over a page is closed. The base after one of Textual's own."""
 
     def dismiss(self, result: Found | None = None) -> AwaitComplete:
         """Close with a result; do nothing where it is closed already, or where another layer lies over it.

@@ -38,8 +38,13 @@ class CommandProvider(Provider):
         reason = command.refused(cast(Host, self.app).view())
         return f"{command.shown}  {command.help}" + ("" if reason is None else f" Not now: {reason}")
 
+    _chosen = False
+
     def _do(self, command: Command) -> None:
-        cast(Host, self.app).action_command(command.name)
+        """Do it, once for each palette: Textual would do it for a second Enter or click as well."""
+        if not self._chosen:
+            self._chosen = True
+            cast(Host, self.app).action_command(command.name)
 
     async def discover(self) -> Hits:
         """Yield all, before anything is typed."""
