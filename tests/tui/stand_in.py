@@ -117,7 +117,7 @@ def slewing(clock):
     state, now = at_rest(clock), clock.monotonic()
     return replace(
         state,
-        motion=Motion(231.0, 25.0, 160.7, 40.21, now - 0.6, now + 0.62, 0.3, "retarget"),
+        motion=Motion(231.0, 25.0, 160.7, 40.21, now - 0.6, now + 0.62, 0.3, "retarget", az_way_deg=-70.3),
         position=replace(state.position, az_deg=201.3, el_deg=32.9, dish_az_deg=201.3),
         target_az_deg=160.7,
         target_el_deg=40.21,
@@ -222,7 +222,7 @@ def travler_slew(clock):
     state, now = travler(clock), clock.monotonic()
     return replace(
         state,
-        motion=Motion(231.0, 25.0, 160.7, 40.21, now - 4.6, now + 7.1, 0.4, "abort"),
+        motion=Motion(231.0, 25.0, 160.7, 40.21, now - 4.6, now + 7.1, 0.4, "abort", az_way_deg=-70.3),
         position=replace(
             state.position, az_deg=201.3, el_deg=32.9, dish_az_deg=201.3, at=now, modelled=True, read_at=now - 4.6
         ),
@@ -238,7 +238,9 @@ def travler_step(clock):
     state, now = travler(clock), clock.monotonic()
     return replace(
         state,
-        motion=Motion(189.16, 42.87, 193.0, 42.87, now - 0.6, now + 9.2, 3.2, "end of move", rests_at=now + 3.2),
+        motion=Motion(
+            189.16, 42.87, 193.0, 42.87, now - 0.6, now + 9.2, 3.2, "end of move", rests_at=now + 3.2, az_way_deg=3.84
+        ),
         target_az_deg=193.0,
         activity=Activity.SLEWING,
         holder="you",
@@ -250,7 +252,7 @@ def travler_skew(clock):
     state, now = travler(clock), clock.monotonic()
     return replace(
         state,
-        motion=Motion(189.16, 42.87, 189.16, 42.87, now - 2.6, now + 5.2, 5.2, "end of move", 110.0, now + 5.2),
+        motion=Motion(189.16, 42.87, 189.16, 42.87, now - 2.6, now + 5.2, 5.2, "end of move", 110.0, now + 5.2, 0.0),
         target_skew_deg=110.0,
         activity=Activity.SLEWING,
         holder="you",

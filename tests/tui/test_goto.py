@@ -8,6 +8,7 @@ import stand_in
 from birdcage.base.clock import VirtualClock
 from birdcage.base.config.sections import NoGoSector
 from birdcage.base.presets import Preset
+from birdcage.protocol.model import Turn
 from birdcage.station.requests import Goto
 from birdcage_tui.goto import GotoLine, foretell
 from birdcage_tui.goto_text import Aim, Part, Wish, parse, resolve
@@ -198,6 +199,25 @@ def test_a_sector_is_no_hindrance_above_it_or_the_other_way_round():
 def test_the_long_way_round_is_told_when_the_cable_leaves_no_other():
     said = foretell("300 40", view_of(cable_min_deg=-400.0, cable_max_deg=-100.0))[1]
     assert "249.16° counterclockwise" in said
+
+
+def of_unknown_turn(**changes):
+    position = stand_in.at_rest(VirtualClock()).position
+    return view_of(position=replace(position, cable_deg=None), turn=Turn.UNKNOWN, **changes)
+
+
+def test_both_ways_round_are_told_while_the_turn_of_the_cable_is_unknown():
+    said = foretell("10 40", of_unknown_turn())[1]
+    assert "179.16° CCW or 180.84° CW" in said
+    assert re.search(r"up to [\d.]+ s$", said)
+    assert len(said) <= 80
+    assert "5.00° counterclockwise" in foretell("-5", of_unknown_turn())[1], "no turn of the cable makes that another"
+
+
+def test_a_sector_on_either_way_round_is_named_while_the_turn_of_the_cable_is_unknown():
+    ink, said = foretell("10 25", of_unknown_turn(no_go_sectors=(NoGoSector(220.0, 240.0, 30.0),)))
+    assert ink == "warn"
+    assert "may pass, as the turn of the cable is not known, the no-go sector 220° to 240°" in said
 
 
 @pytest.mark.parametrize("name", ["held", "lost", "not-homed", "fault", "refused"])

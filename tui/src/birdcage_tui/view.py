@@ -11,7 +11,7 @@ from birdcage.base.geometry import shortest_turn
 from birdcage.base.presets import Preset
 from birdcage.station.pursuit import Phase
 from birdcage.station.raw import CONSOLE
-from birdcage.station.state import MOVING, Activity, Link, StationState
+from birdcage.station.state import MOVING, Activity, Link, Motion, StationState
 
 from birdcage_tui.clock_told import ClockTold
 from birdcage_tui.control.horizon_state import HorizonState
@@ -28,6 +28,8 @@ YOU = "you"
 """The lease holder's name of whoever sits at this terminal."""
 STALE_S = 2.0
 """A value older than this dims and shows its age."""
+NEAR_DEG = 1.0
+"""So far beyond its target an axis may be that has overshot it."""
 LATE_S = 1.5
 """A watched dish that has answered nothing for so long is late: told within 2 s, with LISTEN_S between looks."""
 
@@ -185,14 +187,14 @@ class View:
 
     @property
     def to_go_deg(self) -> float | None:
-        """How far the larger of the two axes has to go, from the last position read."""
+        """How far the larger of the two axes has to go, from the last position read; None where that is not known."""
         motion, position = self.state.motion, self.state.position
         if motion is None or position is None:
             return None
-        turn = abs(shortest_turn(position.az_deg, motion.to_az_deg))
+        turn = _turn_left(position.az_deg, motion)
         if motion.to_skew_deg is not None:
             return None if position.skew_deg is None else abs(motion.to_skew_deg - position.skew_deg)
-        return max(turn, abs(motion.to_el_deg - position.el_deg))
+        return None if turn is None else max(turn, abs(motion.to_el_deg - position.el_deg))
 
     @property
     def progress(self) -> float | None:
@@ -202,3 +204,12 @@ class View:
             return None
         span = motion.eta - motion.started
         return 1.0 if span <= 0 else min(1.0, max(0.0, (self.now - motion.started) / span))
+
+
+def _turn_left(az_deg: float, motion: Motion) -> float | None:
+    """Return how far the azimuth has to turn from where it is; None while which way round it goes is not known."""
+    if motion.az_way_deg is None:
+        return None
+    short_deg = shortest_turn(az_deg, motion.to_az_deg)
+    beyond = short_deg * motion.az_way_deg < 0 and abs(short_deg) > NEAR_DEG  # nearer, it has overshot a little
+    return 360.0 - abs(short_deg) if beyond else abs(short_deg)

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from birdcage.base.errors import BelowFloor, MotionRefused, PositionUnknown
 from birdcage.base.geometry import shortest_turn
 from birdcage.protocol.model import DishModel
-from birdcage.protocol.turning import goes_short
+from birdcage.protocol.turning import AzimuthWay, azimuth_way
 from birdcage.protocol.types import Position
 
 
@@ -184,16 +184,13 @@ class MotionGate:
         return None
 
     def cable_turns(self, az_deg: float) -> tuple[float, ...]:
-        """Return the turns of the cable that reach `az_deg`, nearest first; only with a known cable angle.
+        """Return the turns of the cable that reach `az_deg`, nearest first; only with a known cable angle."""
+        return () if self.cable_deg is None or self.position is None else self.way_to(az_deg).turns
 
-        How the firmware chooses among them is unknown (reference section 7.4); the nearest that fits is assumed.
-        """
-        cable, limits = self.cable_deg, self.cable_limits
-        if cable is None or limits is None or self.position is None:
-            return ()
-        nearest = cable + shortest_turn(self.position.azimuth, az_deg)
-        fits = [turn for k in (-2, -1, 0, 1, 2) if limits[0] <= (turn := nearest + 360.0 * k) <= limits[1]]
-        return tuple(sorted(fits, key=lambda turn: abs(turn - cable)))
+    def way_to(self, az_deg: float) -> AzimuthWay:
+        """Return how the azimuth will turn to `az_deg` from the last position that was read."""
+        here = az_deg if self.position is None else self.position.azimuth
+        return azimuth_way(self.model, here, az_deg, self.cable_deg, self.cable_limits)
 
     @property
     def cable_limits(self) -> tuple[float, float] | None:
@@ -269,20 +266,16 @@ class MotionGate:
     def _check_sectors(self, start: Position, az_deg: float, el_deg: float) -> None:
         """Refuse a motion that cuts a sector: the axes may move together or in turn, so the whole box counts."""
         lowest = min(start.elevation, el_deg)
-        turn = shortest_turn(start.azimuth, az_deg)
-        if abs(turn) < self.model.azimuth.step_deg and el_deg >= start.elevation:
+        short_deg = shortest_turn(start.azimuth, az_deg)
+        if abs(short_deg) < self.model.azimuth.step_deg and el_deg >= start.elevation:
             return  # straight up is the way out of a sector
-        round_about = 0.0
-        if self.cable_deg is not None and (turns := self.cable_turns(az_deg)):
-            turn = turns[0] - self.cable_deg
-        elif turn and not goes_short(self.model, start.azimuth, turn):
-            round_about = turn - math.copysign(360.0, turn)
+        way = self.way_to(az_deg)
         for sector in self.bounds.sectors:
             if lowest >= sector.below_el_deg:
                 continue
-            if sector.overlaps(start.azimuth, turn):
+            if sector.overlaps(start.azimuth, way.deg):
                 raise self._in_the_way(sector, az_deg, el_deg, lowest)
-            if round_about and sector.overlaps(start.azimuth, round_about):
+            if way.other_deg is not None and sector.overlaps(start.azimuth, way.other_deg):
                 raise self._in_the_way(sector, az_deg, el_deg, lowest, round_about=True)
 
     def _in_the_way(

@@ -1,7 +1,11 @@
-"""Which way round an azimuth goes while the turn of its cable is not known, as far as that is certain."""
+"""Which way round an azimuth goes: decided here, for the gate and for whoever tells it beforehand."""
 
 from __future__ import annotations
 
+import math
+from dataclasses import dataclass
+
+from birdcage.base.geometry import shortest_turn
 from birdcage.protocol.model import DishModel
 
 LONGEST_SURE_DEG = 175.0
@@ -31,3 +35,42 @@ def goes_short(model: DishModel, start_deg: float, turn_deg: float) -> bool:
         return False
     low, wide = min(start_deg, start_deg + turn_deg) - CLEAR_DEG, abs(turn_deg) + 2.0 * CLEAR_DEG
     return all((border - low) % 360.0 > wide for border in borders(model))
+
+
+@dataclass(frozen=True, slots=True)
+class AzimuthWay:
+    """How the azimuth turns to a target; signed degrees, clockwise positive."""
+
+    deg: float
+    """The way that is expected."""
+    other_deg: float | None = None
+    """The way that it may take instead, the other way round; None where there is no doubt."""
+    turns: tuple[float, ...] = ()
+    """The turns of the cable that reach the target, nearest first; only where its turn is known."""
+
+    @property
+    def longest_deg(self) -> float:
+        """How far it may have to turn, without a sign."""
+        return max(abs(self.deg), abs(self.other_deg or 0.0))
+
+
+def azimuth_way(
+    model: DishModel, start_deg: float, az_deg: float, cable_deg: float | None, limits: tuple[float, float] | None
+) -> AzimuthWay:
+    """Return how the azimuth gets from `start_deg` to `az_deg`.
+
+    `cable_deg` is the turn of the cable, None where it is not known, and `limits` how far it may turn; None where
+    nothing winds up. With a known turn the nearest that fits is taken: how the firmware chooses is not documented
+    (reference section 7.4). Without one, the other way round is ruled out only where no turn makes the dish take it.
+    """
+    short_deg = shortest_turn(start_deg, az_deg)
+    if limits is None:
+        return AzimuthWay(short_deg)
+    if cable_deg is not None:
+        nearest = cable_deg + short_deg
+        fits = [turn for k in (-2, -1, 0, 1, 2) if limits[0] <= (turn := nearest + 360.0 * k) <= limits[1]]
+        turns = tuple(sorted(fits, key=lambda turn: abs(turn - cable_deg)))
+        return AzimuthWay(turns[0] - cable_deg if turns else short_deg, turns=turns)
+    if abs(short_deg) < model.azimuth.step_deg or goes_short(model, start_deg, short_deg):
+        return AzimuthWay(short_deg)
+    return AzimuthWay(short_deg, short_deg - math.copysign(360.0, short_deg))

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from concurrent.futures import Future
 from dataclasses import dataclass
 
 from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.motion import AGAINST_DEG_S
 from birdcage.base.errors import BirdcageError, MotionRefused, NoReply, NotTaken, Stopped
-from birdcage.base.geometry import separation
+from birdcage.base.geometry import separation, shortest_turn
 from birdcage.protocol.types import Position
 from birdcage.station.board import Board
 from birdcage.station.events import ActivityChanged, End, MoveEnded, MoveProgress, MoveStarted
@@ -183,6 +185,7 @@ class Mover(ABC):
         shown = Motion(
             start.az_deg if start else commanded[0], start.el_deg if start else commanded[1], *commanded, now, eta,
             stop_power_s, stop_means, to_skew_deg=job.skew_deg, rests_at=rests_at,
+            az_way_deg=self._way(commanded) if job.skew_deg is None else 0.0,
         )  # fmt: skip
         self._board.change(motion=shown)
         if job.skew_deg is not None:
@@ -192,6 +195,22 @@ class Mover(ABC):
             self._board.change(target_az_deg=commanded[0], target_el_deg=commanded[1])
         self.activity(Activity.SLEWING, "")
         self._board.tell(MoveStarted(*self._board.stamp(), shown, job.holder))
+
+    def _way(self, commanded: tuple[float, float]) -> float | None:
+        """Return how far the azimuth will turn; None where it may go either way round."""
+        way = self._antenna.protocol.gate.way_to(self._antenna.alignment.to_dish(*commanded)[0])
+        return way.deg if way.other_deg is None else None
+
+    def _seen_way(self, shown: Motion) -> float | None:
+        """Return how far the azimuth turns, by the readings where they tell another way round than was thought."""
+        motion = self._antenna.motion
+        rate_deg_s = None if motion is None or motion.silent else motion.azimuth.rate_deg_s
+        if shown.to_skew_deg is not None or rate_deg_s is None or abs(rate_deg_s) <= AGAINST_DEG_S:
+            return shown.az_way_deg
+        if shown.az_way_deg is not None and shown.az_way_deg * rate_deg_s >= 0:
+            return shown.az_way_deg
+        short_deg = shortest_turn(shown.from_az_deg, shown.to_az_deg)
+        return short_deg if short_deg * rate_deg_s >= 0 else short_deg - math.copysign(360.0, short_deg)
 
     def _is_stream(self, job: Job) -> bool:
         """Return whether a target follows another one of its holder's closely."""

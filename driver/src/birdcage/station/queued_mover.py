@@ -248,11 +248,16 @@ class QueuedMover(Mover):
         if shown is None:
             return
         power, eta = stop_power(self._antenna.model, self._antenna.motion, clock.rate), self._eta(job)
-        if abs(eta - shown.eta) <= POLL_S and power.means == shown.stop_means == "abort":
+        way_deg = self._seen_way(shown)
+        same = power.means == shown.stop_means == "abort" and way_deg == shown.az_way_deg
+        if abs(eta - shown.eta) <= POLL_S and same:
             return
         self._board.change(
-            motion=replace(shown, eta=eta, stop_power_s=power.seconds, stop_means=power.means, rests_at=power.rests_at)
-        )
+            motion=replace(
+                shown, eta=eta, stop_power_s=power.seconds, stop_means=power.means, rests_at=power.rests_at,
+                az_way_deg=way_deg,
+            )
+        )  # fmt: skip
 
 
 def _off_deg(pointing: Pointing, az_deg: float, el_deg: float) -> float:

@@ -90,10 +90,12 @@ class RetargetMover(QueuedMover):
         if shown is None or motion is None:
             return clock.monotonic() if shown is None else shown.eta
         eta, power = motion.eta(clock.rate), stop_power(self._antenna.model, motion, clock.rate)
-        if abs(eta - shown.eta) > POLL_S or power.means != shown.stop_means:
+        way_deg = self._seen_way(shown)
+        if abs(eta - shown.eta) > POLL_S or power.means != shown.stop_means or way_deg != shown.az_way_deg:
             self._board.change(
                 motion=replace(
-                    shown, eta=eta, stop_power_s=power.seconds, stop_means=power.means, rests_at=power.rests_at
+                    shown, eta=eta, stop_power_s=power.seconds, stop_means=power.means, rests_at=power.rests_at,
+                    az_way_deg=way_deg,
                 )
-            )
+            )  # fmt: skip
         return eta

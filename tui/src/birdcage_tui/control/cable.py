@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 
+from birdcage.station.turning import cable_limits
+
 from birdcage_tui.canvas import Cells
-from birdcage_tui.control.reach import cable_limits, turns_to
+from birdcage_tui.control.reach import turns_to
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
 

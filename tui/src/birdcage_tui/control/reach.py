@@ -10,6 +10,8 @@ from dataclasses import dataclass
 from birdcage.base.geometry import shortest_turn
 from birdcage.kinematics import plan_slew
 from birdcage.station.state import StationState
+from birdcage.station.turning import AzimuthWay, cable_limits
+from birdcage.station.turning import way_to as azimuth_way_to
 
 from birdcage_tui.goto_text import Aim, wind_of
 from birdcage_tui.view import View
@@ -22,43 +24,26 @@ TOUCH_DEG = 0.005
 class Way:
     """A move from where the dish is: signed degrees of each axis, clockwise and up positive."""
 
-    az_deg: float
+    az: AzimuthWay
     el_deg: float
-    cable_deg: float | None
-    """The turn of the cable at its end; None when it is not known."""
     seconds: float | None
-
-
-def cable_limits(state: StationState) -> tuple[float, float] | None:
-    """Return how far the cable may turn, as the station has it; None where there is no such limit."""
-    if state.cable_min_deg is not None and state.cable_max_deg is not None:
-        return state.cable_min_deg, state.cable_max_deg
-    cable = state.dish.cable if state.dish is not None else None
-    return None if cable is None else (cable.min_deg, cable.max_deg)
+    """The longest that it takes, whichever way round."""
 
 
 def turns_to(state: StationState, az_deg: float) -> tuple[float, ...]:
     """Return the turns of the cable that reach `az_deg`, nearest first; empty when none fits or it is not known."""
-    position, limits = state.position, cable_limits(state)
-    if position is None or position.cable_deg is None or limits is None:
-        return ()
-    cable = position.cable_deg
-    nearest = cable + shortest_turn(position.az_deg, az_deg)
-    fits = [turn for k in (-2, -1, 0, 1, 2) if limits[0] <= (turn := nearest + 360.0 * k) <= limits[1]]
-    return tuple(sorted(fits, key=lambda turn: abs(turn - cable)))
+    way = azimuth_way_to(state, az_deg)
+    return () if way is None else way.turns
 
 
 def way_to(view: View, az_deg: float, el_deg: float) -> Way | None:
     """Return the way to a direction; None while the dish's own is not known."""
     state, position = view.state, view.state.position
-    if position is None:
+    az = azimuth_way_to(state, az_deg)
+    if position is None or az is None:
         return None
-    turns = turns_to(state, az_deg)
-    az_way = shortest_turn(position.az_deg, az_deg)
-    if turns and position.cable_deg is not None:
-        az_way = turns[0] - position.cable_deg
     el_way = el_deg - position.el_deg
-    return Way(az_way, el_way, turns[0] if turns else None, _seconds(state, az_way, el_way))
+    return Way(az, el_way, _seconds(state, az.longest_deg, el_way))
 
 
 def _seconds(state: StationState, az_way: float, el_way: float) -> float | None:
@@ -103,26 +88,24 @@ def _cable(state: StationState, az_deg: float) -> str | None:
 
 
 def _sector(state: StationState, az_deg: float, el_deg: float) -> str | None:
-    position = state.position
-    if position is None:
+    position, az = state.position, azimuth_way_to(state, az_deg)
+    if position is None or az is None:
         return None
-    turns = turns_to(state, az_deg)
-    way = shortest_turn(position.az_deg, az_deg)
-    if turns and position.cable_deg is not None:
-        way = turns[0] - position.cable_deg
-    start = position.az_deg if way >= 0 else position.az_deg + way
     lowest = min(position.el_deg, el_deg)
-    if abs(way) < TOUCH_DEG and el_deg >= position.el_deg:
+    if abs(az.deg) < TOUCH_DEG and el_deg >= position.el_deg:
         return None  # straight up is the way out of a sector
     for low_az, high_az, below, reason in state.no_go_sectors:
         width = (high_az - low_az) % 360.0
-        met = (start - low_az) % 360.0 <= width or (low_az - start) % 360.0 <= abs(way)
-        if lowest < below and met:
-            why = f" ({reason})" if reason else ""
-            return (
-                f"The way passes the no-go sector {low_az:.0f}° to {high_az:.0f}°{why}, {below - lowest:.2f}° too low: "
-                f"go above {below:.0f}° first."
-            )
+        for way in (az.deg,) if az.other_deg is None else (az.deg, az.other_deg):
+            start = position.az_deg if way >= 0 else position.az_deg + way
+            met = (start - low_az) % 360.0 <= width or (low_az - start) % 360.0 <= abs(way)
+            if lowest < below and met:
+                why = f" ({reason})" if reason else ""
+                does = "passes" if way == az.deg else "may pass, as the turn of the cable is not known,"
+                return (
+                    f"The way {does} the no-go sector {low_az:.0f}° to {high_az:.0f}°{why}, {below - lowest:.2f}° too "
+                    f"low: go above {below:.0f}° first."
+                )
     return None
 
 
@@ -133,12 +116,20 @@ def way_words(view: View, aim: Aim) -> str:
     way = way_to(view, aim.az_deg, aim.el_deg)
     if way is None:
         return f"{where}   how far is not known"
-    turn = "clockwise" if way.az_deg > 0 else "counterclockwise"
-    az_way = "azimuth stays" if abs(way.az_deg) < TOUCH_DEG else f"{abs(way.az_deg):.2f}° {turn}"
     el_way = (
         "elevation stays"
         if abs(way.el_deg) < TOUCH_DEG
         else f"{abs(way.el_deg):.2f}° " + ("up" if way.el_deg > 0 else "down")
     )
-    takes = "" if way.seconds is None else f", {way.seconds:.1f} s"
-    return f"{where}   {az_way}, {el_way}{takes}"
+    upto = "" if way.az.other_deg is None else "up to "
+    takes = "" if way.seconds is None else f", {upto}{way.seconds:.1f} s"
+    return f"{where}   {_turn_words(way.az)}, {el_way}{takes}"
+
+
+def _turn_words(way: AzimuthWay) -> str:
+    """Return how far it turns and which way round; both ways where the turn of the cable would tell, and is unknown."""
+    if abs(way.deg) < TOUCH_DEG:
+        return "azimuth stays"
+    if way.other_deg is None:
+        return f"{abs(way.deg):.2f}° {'clockwise' if way.deg > 0 else 'counterclockwise'}"
+    return " or ".join(f"{abs(deg):.2f}° {'CW' if deg > 0 else 'CCW'}" for deg in (way.deg, way.other_deg))

@@ -6,13 +6,13 @@ from typing import cast
 
 from birdcage.base.geometry import shortest_turn, wrap_360
 from birdcage.sky.sun import sun
+from birdcage.station.turning import cable_limits
 from textual import events
 
 from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.control.compass import Compass
 from birdcage_tui.control.horizon_draw import draw_skyline
 from birdcage_tui.control.needle import draw_needle
-from birdcage_tui.control.reach import cable_limits
 from birdcage_tui.control.tape import ROWS, draw_tape
 from birdcage_tui.control.unknown import why_unknown
 from birdcage_tui.host import Host
@@ -98,8 +98,8 @@ class RosePane(Pane, can_focus=True):
         ):
             canvas.line(*compass.dot(state.target_az_deg, 0.3), *compass.dot(state.target_az_deg, 0.93), "target", 3)
         motion = state.motion
-        if motion is not None and view.link_up:
-            way = shortest_turn(motion.from_az_deg, motion.to_az_deg)
+        if motion is not None and motion.az_way_deg is not None and view.link_up:
+            way = motion.az_way_deg
             gone = way * (view.progress or 0.0)
             compass.arc(canvas, motion.from_az_deg, gone, 0.55, "accent", 4.0)
             compass.arc(canvas, motion.from_az_deg + gone, way - gone, 0.55, "accent", 1.0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from birdcage.base.geometry import separation, shortest_turn
+from birdcage.base.geometry import separation
 from birdcage.sky.geostationary import slots_in_sight
 from textual import events
 
@@ -63,10 +63,9 @@ class SkyPane(Pane):
                 x, y = polar.dot(position.az_deg, position.el_deg)
                 canvas.circle(x - 0.5, y - 0.5, radius, "dim" if view.stale else "accent")
         motion = state.motion
-        if motion is None:
-            return
-        start_az, start_el = motion.from_az_deg, motion.from_el_deg
-        turn = shortest_turn(start_az, motion.to_az_deg)
+        if motion is None or motion.az_way_deg is None:
+            return  # which way round it goes is not known yet
+        start_az, start_el, turn = motion.from_az_deg, motion.from_el_deg, motion.az_way_deg
         points = [
             polar.dot(start_az + turn * part / PATH, start_el + (motion.to_el_deg - start_el) * part / PATH)
             for part in range(PATH + 1)
@@ -81,9 +80,10 @@ class SkyPane(Pane):
         state, position = view.state, view.state.position
         motion = state.motion
         if motion is not None and view.progress is not None and view.link_up:
-            turn = shortest_turn(motion.from_az_deg, motion.to_az_deg) * view.progress
             el_deg = motion.from_el_deg + (motion.to_el_deg - motion.from_el_deg) * view.progress
-            cells.put(*polar.cell(motion.from_az_deg + turn, el_deg), "◌", "accent")
+            if motion.az_way_deg is not None:
+                turn = motion.az_way_deg * view.progress
+                cells.put(*polar.cell(motion.from_az_deg + turn, el_deg), "◌", "accent")
             cells.put(*polar.cell(motion.to_az_deg, motion.to_el_deg), "+", "accent-strong")
         if state.target_az_deg is not None and state.target_el_deg is not None:
             ink = "target-strong"
