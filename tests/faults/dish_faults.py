@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from .fault import ANY, FAR, MOVING, REST, Expect, Fault, skew
+from birdcage.sim.g2.sleep import TIMER
+
+from .fault import ANY, FAR, MOVING, REST, Expect, Fault, nothing, skew
 from .stage import Stage
 
 
@@ -70,6 +72,12 @@ def wander(stage: Stage) -> None:
     stage.device.wander(0, 40.0)
 
 
+def fall_asleep(stage: Stage) -> None:
+    """Let the time of NVS 38 be over."""
+    board = stage.device.board
+    board.sleep._heard_s = board.now_s - board.nvram.active[TIMER]
+
+
 STALLED = {MOVING: Expect(fault="stall", held="fault", motion="stall", stop="at once|after a look")}
 """Once it is told, its model is gone: STOP aims by two readings."""
 LONG = {REST: 20.0, MOVING: 30.0}
@@ -91,7 +99,28 @@ DISH_FAULTS = (
     ),
     Fault(
         "refused", "The dish refuses the command", refuse, obey, before=True,
-        expect={MOVING: Expect(motion="bad_parameter", stop="nothing|after a look")},
+        expect={
+            MOVING: Expect(motion="not_taken", stop="nothing|after a look|at once"),
+            "hal205 in mid-move": Expect(motion="bad_parameter", stop="nothing|after a look"),
+        },
+    ),
+    Fault(
+        "no answer", "It answers a move with nothing", nothing, dialects=("g2",), options={"g2": "&move_reply=none"},
+        expect={MOVING: Expect(motion="arrives")},
+    ),
+    Fault(
+        "waits", "It takes no command before its motor stands", nothing, dialects=("g2",),
+        options={"g2": "&second_move=block&second_other=block"}, lasts_s=LONG,
+        expect={MOVING: Expect(motion="arrives", stop="nothing")},
+    ),
+    Fault(
+        "dozes", "Asleep after NVS 38: the next byte wakes it, and is lost", fall_asleep, dialects=("g2",),
+        options={"g2": "&sleep=wake"}, expect={REST: Expect("silent|-", held="link|-")},
+    ),
+    Fault(
+        "asleep", "Asleep after NVS 38: silent until it is switched off and on", fall_asleep, power_cycle,
+        dialects=("g2",), options={"g2": "&sleep=silent"}, own_motion=True,
+        expect={REST: Expect("silent", fault="reboot", held="link")},
     ),
     Fault("reboot", "The dish restarts", reboot, expect=RESTARTED, own_motion=True, lasts_s=BOOT),
     Fault("brown-out", "A brown-out: it restarts, homing forgotten", brown_out, expect=RESTARTED, lasts_s=LONG),

@@ -12,6 +12,7 @@ from .verdict import worst_link
 UNREADABLE = "“an answer cannot be read”"
 SHORT = (
     (r"The dish is silent", "“The dish is silent”"),
+    (r"The dish answered .* and did not move", "“The dish did not move”"),
     (r"What arrives on|The dish talks on|Only our own|The dish answered|.*do not fit together", UNREADABLE),
     (r"The dish refused", "“The dish refused the command”"),
     (r".* is gone:", "“The port is gone”"),
@@ -20,6 +21,7 @@ SHORT = (
     (r"The (\w+) is stalled", r"“The \1 is stalled”"),
     (r"The dish has restarted", "“The dish has restarted”"),
     (r"The dish moves though nobody asked", "“The dish moves though nobody asked”"),
+    (r"The dish is busy with the last move", "“The dish is busy with the last move”"),
     (r"The dish no longer knows where it is", "“The dish no longer knows where it is”"),
     (r"The dish lost its position", "“The dish lost its position”"),
     (r"not homed", "“not homed”"),
@@ -66,7 +68,8 @@ def does(seen: Outcome) -> str:
     if seen.motion != "-":
         words.append("the move arrives" if seen.motion == "arrives" else "the move is given up")
     words += ["holds"] if seen.held else []
-    stop = "STOP finds no port" if seen.stop.means == "no link" else STOPS[seen.stop.sends]
+    by_means = {"no link": "STOP finds no port", "end of move": "STOP waits for the end of the move"}
+    stop = by_means.get(seen.stop.means, STOPS[seen.stop.sends])
     words.append(f"{stop}, {PROVED[seen.stop.confirmed]}")
     text = "; ".join(each for each in words if each)
     return text[0].upper() + text[1:]

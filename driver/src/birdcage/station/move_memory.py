@@ -32,6 +32,8 @@ class MoveMemory:
         self._key: str | None = None
         self._file: Path | None = None
         self._told = {"firmware": antenna.protocol.name, "second_move": SecondMove.BLOCK.value}
+        self.on_learnt: Callable[[], None] = lambda: None
+        """Told when the dish was seen to wait."""
         antenna.commands.on_blocking = self._learn
 
     def meet(self, port: str) -> None:
@@ -57,6 +59,7 @@ class MoveMemory:
 
     def _learn(self) -> None:
         self._use()
+        self.on_learnt()
         if self._file is not None:
             with suppress(OSError):  # then the next program learns it anew
                 write_aside_and_rename(self._file, json.dumps(self._told).encode())

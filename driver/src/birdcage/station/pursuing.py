@@ -23,7 +23,7 @@ from birdcage.station.pursuit import Phase, Pursuit
 from birdcage.station.state import Activity, Link
 from birdcage.station.stopper import Stopper
 from birdcage.station.telling import Telling
-from birdcage.station.voyages import refuse, voyage_for
+from birdcage.station.voyages import controller_that_suits, refuse, voyage_for
 from birdcage.station.watches import Watches
 from birdcage.tracking.steps import Answer, Step
 
@@ -87,8 +87,7 @@ class Pursuing:
         if live is not None and live.holder == request.holder and same_pass(live.plan, request.plan):
             self._renew(request.plan)
             return live.number
-        voyage, name = voyage_for(request, self._board, self._antenna, self._hear)
-        link = self._board.state.link
+        (voyage, name), link = voyage_for(request, self._board, self._antenna, self._hear), self._board.state.link
         if link.state is not Link.UP:
             raise LinkError(f"Nothing is followed without a link to the dish ({link.detail}).", reason=link.state.value)
         self._antenna.protocol.gate.require_position()
@@ -136,6 +135,12 @@ class Pursuing:
         live = self._live
         if live is not None and live.holder == holder and (self._leads or live.phase is Phase.COUNTDOWN):
             self._over(words.by_hand(holder), keep_lease=True)
+
+    def suit_dish(self) -> None:
+        """The dish takes commands otherwise than was known: steer accordingly from the next stretch on."""
+        if self._live is not None and self._voyage is not None:
+            name, self._voyage.controller = controller_that_suits(self._live.options, self._antenna)
+            self._told.change(controller=name)
 
     def _renew(self, plan: Plan) -> None:
         assert self._voyage is not None, "a live pursuit has one"

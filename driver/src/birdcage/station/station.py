@@ -82,6 +82,7 @@ class Station:
         )  # fmt: skip
         self._vigil.on_interrupted = self._pursuing.interrupted
         self._pursuing.on_slow = self._vigil.slow
+        self._moves.on_learnt = self._pursuing.suit_dish
         if settings.state_folder is not None:
             self._pursuing.remember_speeds(LentSpeeds(settings.state_folder, settings.port, settings.firmware))
         self._pursued = False

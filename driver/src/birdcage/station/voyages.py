@@ -12,7 +12,9 @@ from birdcage.base.errors import MotionRefused
 from birdcage.station.board import Board
 
 if TYPE_CHECKING:
+    from birdcage.station.pursuit import PursuitOptions
     from birdcage.station.requests import Pursue
+    from birdcage.tracking.controller import Controller
     from birdcage.tracking.plan import Plan
     from birdcage.tracking.planning.bounds import Bounds
     from birdcage.tracking.voyage import Notice, Voyage
@@ -46,6 +48,16 @@ def voyage_for(
         beam_deg * math.sqrt(loss_db / 12.0) if beam_deg is not None and loss_db is not None else 0.0,
     )  # fmt: skip
     return voyage, name
+
+
+def controller_that_suits(options: PursuitOptions, antenna: BirdcageAntenna) -> tuple[str, Controller]:
+    """Return the controller that was asked for, or the one that suits the dish where that one must not steer it."""
+    from birdcage.tracking.steering.choice import controller_for
+
+    try:
+        return controller_for(antenna.model, options.controller, velocity_allowed=options.velocity_allowed)
+    except MotionRefused:
+        return controller_for(antenna.model)
 
 
 def _bounds(board: Board) -> Bounds:
