@@ -41,6 +41,30 @@ def test_move_ends_at_its_target(run, as_json, pty_dish) -> None:
     assert as_json(result)["azimuth_deg"] == pytest.approx(truth.az_deg, abs=0.01)
 
 
+WAITS = "second_move=block&second_other=block&az=-180&el=45"
+
+
+@pytest.mark.parametrize("pty_dish", [WAITS], indirect=True, ids=["waits"])
+def test_a_dish_that_waits_for_its_motor_is_not_called_deadlocked_and_stays_where_it_was_sent(run, pty_dish, tmp_path):
+    """Reference 2.6: the elevation is taken, and answered, when the azimuth has stopped."""
+    at_home = {"BIRDCAGE_HOME": str(tmp_path)}
+    result = run("move", "--az", 0, "--el", 30, port=pty_dish.path, env=at_home)
+    assert result.exit_code == 0, result.stderr
+    assert "deadlock" not in result.stderr
+    assert [line.split()[:2] for line in pty_dish.moves()] == [["a", "0"], ["a", "1"]], "and no target of STOP's"
+    truth = pty_dish.device.truth()
+    assert not truth.moving
+    assert truth.el_deg == pytest.approx(30, abs=0.06)
+    (remembered,) = tmp_path.glob("state/dishes/*/moves.json")
+    assert "block" in remembered.read_text()
+
+
+@pytest.mark.parametrize("pty_dish", ["move_reply=none&az=-180&el=45"], indirect=True, ids=["answers nothing"])
+def test_a_move_that_is_answered_with_nothing_arrives(run, pty_dish):
+    result = run("move", "--az", 170, "--el", 40, port=pty_dish.path)
+    assert result.exit_code == 0, result.stderr
+
+
 @pytest.mark.parametrize(("target", "said"), [
     ((10, 80), "15.00° above the limit of 65.00°"), ((10, 5), "13.00° below the floor of 18.00°"),
 ])  # fmt: skip

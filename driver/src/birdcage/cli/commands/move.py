@@ -98,8 +98,10 @@ class Shown:
 
     def __call__(self, event: Event) -> None:
         """Hear an event."""
-        from birdcage.station.events import MoveProgress
+        from birdcage.station.events import ActivityChanged, MoveProgress
 
+        if isinstance(event, ActivityChanged) and event.text:
+            self._progress.show(f"The dish is {event.text} …")
         if isinstance(event, MoveProgress):
             at = event.position
             mark = "~" if at.modelled else " "
