@@ -26,6 +26,22 @@ def run(test, name="idle", size=(80, 24), *, key=None, state=None, **options):
     return asyncio.run(body())
 
 
+def run_each(test, names=tuple(stand_in.STATES), size=(80, 24), **options):
+    """Return what `test(app, pilot)` returns in each of these states, by name: one app that goes through them all."""
+
+    async def through(app, pilot):
+        found = {}
+        for name in names:
+            stand_in.change_to(app, name)
+            app.paint()
+            await pilot.pause()
+            await pilot.pause()
+            found[name] = await test(app, pilot)
+        return found
+
+    return run(through, names[0], size, **options)
+
+
 async def read(app, _pilot):
     """Return all text that is seen."""
     return stand_in.text_of(app)

@@ -316,6 +316,16 @@ def app_in(name, *, theme="dusk", tour=False, heard=True, **settings):
     return app
 
 
+def change_to(app, name):
+    """Let an app that runs show another state, as if it had been in it from the start."""
+    state = STATES[name](app.session.clock)
+    app.station.state = state
+    app.settings = replace(app.settings, place=PLACE if state.demo else None)
+    app.signals.tuner.clear()
+    if state.position is not None:
+        app.signals.tuner.extend(samples(app.session.clock))
+
+
 def text_of(app):
     """What a person reads, row by row."""
     strips = app.screen._compositor.render_strips()

@@ -46,8 +46,7 @@ def squeezed(text):
 
 
 @pytest.mark.parametrize("size", SIZES, ids=str)
-@pytest.mark.parametrize("name", stand_in.STATES)
-def test_everything_is_inside_the_screen_and_nothing_overlaps(name, size):
+def test_everything_is_inside_the_screen_and_nothing_overlaps(size):
     async def regions(app, pilot):
         kinds = (StatusLine, PocketReading, PocketKeys, StopBar, SignalPane, SkyPane)
         shown = [
@@ -57,15 +56,15 @@ def test_everything_is_inside_the_screen_and_nothing_overlaps(name, size):
         ]
         return [(type(one), one.region) for one in shown if one.display and one.region.area], app.screen.region
 
-    found, screen = run(regions, name, size)
-    assert {StatusLine, PocketReading, PocketKeys, StopBar} <= {kind for kind, _ in found}
-    for kind, region in found:
-        assert screen.contains_region(region), kind
-    for (one, first), (other, second) in itertools.combinations(found, 2):
-        assert not first.overlaps(second), (one, other)
-    bar = next(region for kind, region in found if kind is StopBar)
-    assert bar.width == screen.width
-    assert bar.bottom == screen.bottom
+    for name, (found, screen) in stage.run_each(regions, size=size).items():
+        assert {StatusLine, PocketReading, PocketKeys, StopBar} <= {kind for kind, _ in found}, name
+        for kind, region in found:
+            assert screen.contains_region(region), (name, kind)
+        for (one, first), (other, second) in itertools.combinations(found, 2):
+            assert not first.overlaps(second), (name, one, other)
+        bar = next(region for kind, region in found if kind is StopBar)
+        assert bar.width == screen.width, name
+        assert bar.bottom == screen.bottom, name
 
 
 @pytest.mark.parametrize("size", SIZES, ids=str)
@@ -80,15 +79,15 @@ def test_the_first_questions_are_answered(size):
 
 
 @pytest.mark.parametrize("size", SIZES, ids=str)
-@pytest.mark.parametrize("name", ["held", "fault", "lost", "silent", "not-homed", "refused"])
-def test_what_is_wrong_is_told_to_the_last_word(name, size):
+def test_what_is_wrong_is_told_to_the_last_word(size):
     async def told(app, pilot):
         pane = app.query_one(PocketReading)
         text = "\n".join("".join(segment.text for segment in strip) for strip in pane._strips)
         return squeezed(text), squeezed(bad_day(app.view())[1])
 
-    text, words = run(told, name, size)
-    assert words in text
+    wrong = ("held", "fault", "lost", "silent", "not-homed", "refused")
+    for name, (text, words) in stage.run_each(told, wrong, size).items():
+        assert words in text, name
 
 
 def test_the_stop_bar_stops_on_the_press_and_space_anywhere():
