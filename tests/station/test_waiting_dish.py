@@ -22,7 +22,8 @@ def begun(address=WAITS, *, press_s=None, **options):
     """
     bench = Bench(address, options).connect()
     bench.watch("position")
-    bench.step(2.0)
+    bench.step(8.0)
+    assert bench.state.surveyed
     bench.pressed = None
 
     def press():

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from birdcage.antenna.motion import AxisMotion, DishMotion, longest_s
 from birdcage.base.geometry import shortest_turn
+from birdcage.protocol.model import SecondMove
 from birdcage.protocol.types import Position, Taken
 
 if TYPE_CHECKING:
@@ -17,6 +18,8 @@ LATE_S = 0.3
 """An answer that comes so much later than others do is late."""
 SEEN_DEG = 0.08
 """The rest position lies up to 0.06 deg from the command (reference section 7.4), and a step on top."""
+SLOWER = 4.0
+"""So many times as long as at its greatest speeds a dish may take whose own speeds were not read yet."""
 SHARE = 0.8
 """So much of the motor's remaining time has passed at least when a dish answers that has waited for it."""
 
@@ -34,6 +37,7 @@ class MoveCommands:
 
     def __init__(self, antenna: BirdcageAntenna) -> None:
         self._antenna = antenna
+        antenna.protocol.busy_s = self.busy_s
         self.answers: dict[int, Taken] = {}
         """What the dish answered to the last command of each motor."""
         self._open: dict[int, Without] = {}
@@ -59,6 +63,8 @@ class MoveCommands:
         busy_s = max((axis.ends_by(rate) - now for axis in runs), default=0.0)
         if not known:
             busy_s = longest_s(antenna.model) / rate
+        if antenna.model.has_speeds and not antenna.speeds_deg_s:
+            busy_s *= SLOWER  # it may have been set to less than such dishes can do
         answer = self.answers[motor] = protocol.move_motor(motor, dish_deg, busy_s=max(0.0, busy_s))
         if not answer.sure and abs(shortest_turn(without.deg, dish_deg)) > SEEN_DEG:
             self._open[motor] = without
@@ -68,6 +74,14 @@ class MoveCommands:
         if not antenna.model.moves_in_turn:
             antenna.remember_blocking(blocks=True)
             self.on_blocking()
+
+    def busy_s(self) -> float:
+        """Return how long the dish may leave a reading unanswered: one that waits for its motors may wait with that."""
+        antenna = self._antenna
+        motion, clock = antenna.motion, antenna.protocol.clock
+        if motion is None or antenna.model.second_same is not SecondMove.BLOCK:
+            return 0.0
+        return max(0.0, motion.over_by(clock.rate) - clock.monotonic())
 
     @property
     def are_sure(self) -> bool:

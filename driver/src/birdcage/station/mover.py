@@ -141,6 +141,8 @@ class Mover(ABC):
         if self._job is not job:
             return None  # STOP was taken in the middle of the exchange
         job.damaged = False
+        if self._board.state.activity_text == BUSY:
+            self.activity(Activity.SLEWING, "")
         now = self._board.clock.monotonic()
         self.due = now + POLL_S
         if pointing is None:

@@ -123,7 +123,7 @@ class CarryoutG2Protocol(Rooms):
 
     def _read_position(self) -> Position:
         self.enter_motor_menu()
-        return self._position_in(self.console.run("mot", "a"))
+        return self._position_in(self.console.run("mot", "a", busy_s=self.busy_s()))
 
     def _position_in(self, reply: Reply) -> Position:
         angles = {int(m[1]): float(m[2]) for m in _ANGLE.finditer(" ".join(reply.lines))}
