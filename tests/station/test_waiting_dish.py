@@ -76,6 +76,7 @@ def test_while_it_waits_it_is_shown_on_its_way_and_busy_with_the_last_move():
     assert seen[0].activity is Activity.SLEWING
     assert seen[0].activity_text == "busy with the last move"
     assert (seen[0].motion.to_az_deg, seen[0].motion.to_el_deg) == (pytest.approx(0.0), pytest.approx(30.0))
+    assert seen[0].motion.stop_means == "none", "nothing that is sent now is read before the motor stands"
     assert bench.state.activity_text == ""
 
 

@@ -85,6 +85,8 @@ def motion_text(view: View) -> str:
         to_go_deg, left_s = view.to_go_deg, state.motion.eta - view.now
         going = "" if to_go_deg is None else f" {to_go_deg:.1f}° to go,"
         word = "SLEWING" if state.motion.to_skew_deg is None else "SKEW"
+        if state.activity_text:
+            return f"{word}: {state.activity_text}"
         if state.motion.az_way_deg is None:
             return f"{word}  which way round shows in a moment"
         return f"{word}{going} {left_s:.1f} s" if left_s > 0 else f"{word}{going} overdue {-left_s:.1f} s"

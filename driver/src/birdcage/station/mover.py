@@ -6,7 +6,7 @@ import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from concurrent.futures import Future
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import AGAINST_DEG_S
@@ -78,7 +78,10 @@ class Mover(ABC):
 
     def busy(self) -> None:
         """The dish does not answer a motor command: it waits for the motor that runs."""
-        if self._job is not None and self._board.state.activity is Activity.SLEWING:
+        shown = self._board.state.motion
+        if self._job is not None and shown is not None and self._board.state.activity is Activity.SLEWING:
+            # STOP is not read either before that motor stands.
+            self._board.change(motion=replace(shown, stop_means="none", stop_power_s=None, rests_at=None))
             self.activity(Activity.SLEWING, BUSY)
 
     @property

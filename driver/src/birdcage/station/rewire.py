@@ -111,5 +111,5 @@ class Rewire:
             case Link.SILENT:
                 # STOP may still reach it. Nobody will see it arrive: its motion counts until it must have ended.
                 clock = self._board.clock
-                return motion is not None and clock.monotonic() < motion.eta(clock.rate)
+                return motion is not None and clock.monotonic() < motion.over_by(clock.rate)
         return False

@@ -1,0 +1,24 @@
+"""What the app says of a dish that waits for its motors, and of a move that was not taken."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from datetime import UTC, datetime
+
+from birdcage.station.events import End, MoveEnded
+from birdcage_tui.words import ended_text, motion_text
+
+from .test_travler import view_of
+
+
+def test_a_dish_that_does_not_answer_a_motor_command_is_busy_with_the_last_move():
+    view = view_of("slewing")
+    busy = replace(view, state=replace(view.state, activity_text="busy with the last move"))
+    assert motion_text(busy) == "SLEWING: busy with the last move"
+    assert motion_text(view).startswith("SLEWING ")
+
+
+def test_a_move_that_was_not_taken_is_told_with_where_the_dish_stands():
+    position = view_of("idle").state.position
+    told = ended_text(MoveEnded(0.0, datetime.now(UTC), End.NOT_TAKEN, "not taken", position))
+    assert told == f"The dish did not take the move: it stands still at {position.az_deg:.2f}°/{position.el_deg:.2f}°."
