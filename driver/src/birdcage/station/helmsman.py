@@ -8,7 +8,7 @@ from concurrent.futures import Future
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import AxisMotion, DishMotion
-from birdcage.base.errors import BirdcageError, CommandRefused, NoReply, PositionUnknown
+from birdcage.base.errors import BirdcageError, CommandRefused, NoReply, PositionUnknown, Stopped
 from birdcage.base.geometry import shortest_turn
 from birdcage.station.board import Board
 from birdcage.station.look import Look
@@ -25,6 +25,8 @@ MOST_LOST = 2
 """So many answers in a row may be lost or damaged while it follows; after one more, the dish counts as silent."""
 ROUNDING_DEG = 0.1
 """A command this little beyond the limit of elevation means the limit: an axis overshoots by 0.06 (section 7.4)."""
+MOST_UNSURE = 3
+"""So many answers in a row that tell nothing make one look whether the dish moves."""
 LATE = "late"
 MOST_LATE = 3
 """So many answers in a row that were not waited for count as one that was lost."""
@@ -54,6 +56,10 @@ class Helmsman:
         self._long: Future[object] | None = None
         """The end of a stream's command that the mover has: until then nothing is said to the dish."""
         self._lost = self._late = 0
+        self._unsure = 0
+        """How many commands in a row were answered with nothing known."""
+        self._stood: Pointing | None = None
+        """Where the dish was at the last reading."""
         self._az_deg: float | None = None
         """Where the azimuth was sent last, unrolled."""
         self._ends_at = 0.0
@@ -98,7 +104,8 @@ class Helmsman:
         """A pursuit begins, or goes on."""
         self.holder, self.step, self._arrival, self._lost, self._late = holder, None, None, 0, 0
         self._ends_at, self._shown_at = 0.0, -math.inf
-        self._unsure_until = self._seen = self._long = None
+        self._unsure_until = self._seen = self._long = self._stood = None
+        self._unsure = 0
 
     def forget_turn(self) -> None:
         """Another pursuit begins: its azimuths are counted from where the dish stands."""
@@ -180,6 +187,7 @@ class Helmsman:
             self._wait_out()
             return None
         self._lost = self._late = 0
+        self._unsure = 0 if self._antenna.commands.answers[step.axis].sure else self._unsure + 1
         if not elevation:
             self._az_deg = deg
         if self._board.clock.monotonic() >= self._shown_at + SHOW_S:
@@ -266,6 +274,17 @@ class Helmsman:
         self._long, self._arrival = self._arrival, None
         return Answer(self.now_s)
 
+    def _see_it_follow(self, here: Pointing) -> None:
+        """Raise Stopped (`not_taken`) where the dish tells nothing of the commands that it gets, and does not move."""
+        before, self._stood = self._stood, here
+        motion = self._antenna.motion
+        if before is None or motion is None or self._unsure < MOST_UNSURE or not self._look.is_still(here, before):
+            return
+        az_deg, el_deg = motion.rest
+        if max(abs(shortest_turn(az_deg, here.dish_az_deg)), abs(el_deg - here.dish_el_deg)) > ARRIVED_DEG:
+            said = " / ".join(sorted({answer.said for answer in self._antenna.commands.answers.values()}))
+            raise Stopped(f"The dish answers {said!r} to its commands, and does not move.", reason="not_taken")
+
     def _show(self) -> None:
         """Show where it was sent, and what stops it."""
         antenna, clock, here = self._antenna, self._board.clock, self._board.state.position
@@ -335,6 +354,7 @@ class Helmsman:
             self._show()
         if pointing is None:
             raise PositionUnknown(LOST, reason="unhomed")
+        self._see_it_follow(pointing)
         now_s = self.now_s
         az_deg = self.unrolled(pointing.dish_az_deg)
         if self._az_deg is None:

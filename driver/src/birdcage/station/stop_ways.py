@@ -209,7 +209,7 @@ class Blocked(Queued):
         if motion is not None and antenna.is_kept:
             return Grip("nothing moved", "The move had not gone out, and is kept. Looking where the dish is.")
         if motion is None:
-            return NOTHING
+            return LOOK if self._board.state.activity in (Activity.UNKNOWN, Activity.MOVING_UNASKED) else NOTHING
         left_s = max(0.0, motion.eta(self._board.clock.rate) - self._board.clock.monotonic())
         return Grip(
             "end of move",
