@@ -3,10 +3,15 @@
 import asyncio
 
 import pytest
+import stage
 import stand_in
 from birdcage_tui import attributes
 from birdcage_tui.themes import LOOKS
 from rich.color import ColorSystem
+
+
+def pieces(app):
+    return [[(text, style) for text, style, _ in strip] for strip in app.screen._compositor.render_strips()]
 
 
 def rows(state, *keys, size=(80, 24), theme="dusk"):
@@ -22,7 +27,7 @@ def rows(state, *keys, size=(80, 24), theme="dusk"):
             await pilot.wait_for_scheduled_animations()
             app.paint()
             await pilot.pause()
-            return [[(text, style) for text, style, _ in strip] for strip in app.screen._compositor.render_strips()]
+            return pieces(app)
 
     return asyncio.run(main())
 
@@ -61,16 +66,16 @@ def test_no_colour_goes_out(keys, theme):
 
 @pytest.mark.usefixtures("no_color")
 @pytest.mark.parametrize("theme", LOOKS)
-@pytest.mark.parametrize(
-    ("state", "words"),
-    [("held", "■ HELD"), ("fault", "✖ FAULT"), ("lost", "○ LINK LOST"), ("not-homed", "▲ NOT HOMED")],
-)
 @pytest.mark.parametrize("size", [(80, 24), (40, 12)], ids=str)
-def test_what_is_wrong_stands_out_without_colour(state, words, size, theme):
-    found = rows(state, size=size, theme=theme)
-    assert style_of(found, words).reverse
-    assert style_of(found, "STOP" if size == (80, 24) else "S T O P").reverse
-    assert not style_of(found, "12:00:00Z").reverse
+def test_what_is_wrong_stands_out_without_colour(size, theme):
+    async def look_at(app, _pilot):
+        return pieces(app)
+
+    wrong = {"held": "■ HELD", "fault": "✖ FAULT", "lost": "○ LINK LOST", "not-homed": "▲ NOT HOMED"}
+    for state, found in stage.run_each(look_at, tuple(wrong), size, theme=theme).items():
+        assert style_of(found, wrong[state]).reverse, state
+        assert style_of(found, "STOP" if size == (80, 24) else "S T O P").reverse, state
+        assert not style_of(found, "12:00:00Z").reverse, state
 
 
 @pytest.mark.usefixtures("no_color")
