@@ -131,7 +131,7 @@ def test_ctrl_c_in_the_middle_of_imports_quits_in_silence():
         "from birdcage.base.signals import interrupt_quits\n"
         "with interrupt_quits(): os.kill(os.getpid(), signal.SIGINT)\n"
     )
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=30, check=False)
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=60, check=False)
     assert (done.returncode, done.stdout, done.stderr) == (130, b"", b"")
 
 

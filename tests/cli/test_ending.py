@@ -21,7 +21,7 @@ def test_a_signal_stops_the_dish_first(start, pty_dish, name) -> None:
     pty_dish.wait_for(lambda truth: truth.cable_deg < -20)
     called = time.monotonic()
     process.send_signal(number)
-    out, err = process.communicate(timeout=40)
+    out, err = process.communicate(timeout=60)
     took_s = time.monotonic() - called
     truth = pty_dish.device.truth()
     assert process.returncode == 128 + number
@@ -40,7 +40,7 @@ def test_a_signal_just_as_the_motion_begins(start, pty_dish) -> None:
     process = start("move", "--port", pty_dish.path, "--firmware", "g2", "--az", 200, "--el", 45)
     pty_dish.wait_for(lambda _truth: "a 0 200.00" in pty_dish.lines())
     process.send_signal(signal.SIGTERM)
-    _out, err = process.communicate(timeout=40)
+    _out, err = process.communicate(timeout=60)
     assert not pty_dish.device.truth().moving
     assert "Stands still at" in err
 
@@ -50,7 +50,7 @@ def test_a_signal_that_comes_twice_ends_it_all_the_same(start, pty_dish) -> None
     pty_dish.wait_for_motion()
     process.send_signal(signal.SIGINT)
     process.send_signal(signal.SIGINT)
-    _out, err = process.communicate(timeout=40)
+    _out, err = process.communicate(timeout=60)
     assert process.returncode == 130
     assert "Traceback" not in err
     assert not pty_dish.device.truth().moving
@@ -91,7 +91,7 @@ def test_a_signal_while_only_looking_sends_no_stop(start, pty_dish) -> None:
     process = start("init", "--port", pty_dish.path, "--firmware", "g2")
     pty_dish.wait_for(lambda _truth: pty_dish.is_open_in(process.pid))
     process.send_signal(signal.SIGINT)
-    _out, err = process.communicate(timeout=40)
+    _out, err = process.communicate(timeout=60)
     assert process.returncode == 130
     assert "Traceback" not in err
     assert pty_dish.moves() == []

@@ -125,7 +125,7 @@ def test_ctrl_c_on_a_dish_that_moves_holds_it_and_the_end_of_a_program_does_not(
     process = start("move", "--port", pty_dish.path, "--firmware", "g2", "--az", 200, "--el", 45)
     pty_dish.wait_for_motion()
     process.send_signal(number)
-    _out, err = process.communicate(timeout=15)
+    _out, err = process.communicate(timeout=60)
     assert process.returncode == 128 + number
     assert ("`birdcage release` lets it move again" in err) is (code == 4)
     position = pty_dish.device.truth()

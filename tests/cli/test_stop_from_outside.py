@@ -52,7 +52,7 @@ def test_a_client_that_asks_again_and_again_moves_nothing_after_stop(start, pty_
     client.start()
     pty_dish.wait_for_motion()
     process = start("stop", "--port", pty_dish.path, "--json")
-    out, err = process.communicate(timeout=15)
+    out, err = process.communicate(timeout=60)
     stopped, told = time.monotonic(), json.loads(out)
     assert (process.returncode, err) == (0, "")
     assert told["confirmed"] is True

@@ -91,7 +91,7 @@ def test_ctrl_c_in_a_move_stops_it_and_exits_130(pty_travler, start) -> None:
     process = start("move", "--az", 300, "--el", 60, "--port", pty_travler.path, "--firmware", "hal205")
     pty_travler.wait_for_motion()
     process.send_signal(signal.SIGINT)
-    _, said = process.communicate(timeout=20)
+    _, said = process.communicate(timeout=60)
     assert process.returncode == 130, said
     pty_travler.wait_for(lambda truth: not truth.moving)
     truth = pty_travler.device.truth()

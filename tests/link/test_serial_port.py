@@ -36,7 +36,7 @@ def pty():
     made.close()
 
 
-def read_within(link, clock, timeout_s=2.0):
+def read_within(link, clock, timeout_s=60.0):
     assert clock.wait(link, clock.monotonic() + timeout_s) is Outcome.READY
     return link.read()
 

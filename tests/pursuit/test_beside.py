@@ -62,7 +62,7 @@ def test_hooks_run_at_the_beginning_and_at_the_end_of_reach(make, tmp_path):
     wait_for(over)
 
 
-def wait_for(path, seconds=10.0):
+def wait_for(path, seconds=60.0):
     clock = RealClock()
     end = clock.monotonic() + seconds
     while not (path.exists() and path.read_text()):

@@ -36,7 +36,7 @@ def python(code):
     return f"{shlex.quote(sys.executable)} -c {shlex.quote(code)}"
 
 
-def until(true, seconds=10.0):
+def until(true, seconds=60.0):
     deadline = time.monotonic() + seconds
     while not true():
         assert time.monotonic() < deadline, "waited in vain"
@@ -258,12 +258,12 @@ clock, lines = RealClock(), queue.Queue()
 hooks = Hooks(HookSettings(at_reach_start={python(STUBBORN)!r}), lambda line: lines.put(line.text), clock, grace_s=0.3)
 hooks.plan(PassFacts("X", clock.utc(), clock.utc() + timedelta(seconds=60)))
 hooks.step()
-while lines.get(timeout=10) != "deaf":
+while lines.get(timeout=60) != "deaf":
     pass
 print(hooks._runs[0]._group.child.pid)
 assert not hooks.close()
 """
-        done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=30, check=True)
+        done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=90, check=True)
         pid = int(done.stdout)
         until(lambda: not alive(pid))
 

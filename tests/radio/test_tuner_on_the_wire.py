@@ -26,7 +26,7 @@ class TestOnItsThread:
         return tuner
 
     def until(self, true):
-        deadline = time.monotonic() + 5.0
+        deadline = time.monotonic() + 60.0
         while not true():
             assert time.monotonic() < deadline
             time.sleep(0.01)
@@ -123,9 +123,11 @@ def test_hamlibs_dummy_in_the_steep_middle_of_a_pass(rigctld):
     tuner = Tuner(settings, clock, lambda now: told.append((clock.utc().timestamp(), now)))
     tuner.start()
     tuner.follow(tuning)
-    time.sleep(1.5)
+    began = time.monotonic()
+    while len(tunings := {now.tuned_hz: at_s for at_s, now in told[::-1] if now.state is RadioState.TUNED}) < 10:
+        assert time.monotonic() < began + 60.0
+        time.sleep(0.01)
+    assert len(tunings) <= 10.0 * (time.monotonic() - began) + 2.0
     assert tuner.close()
-    tunings = {now.tuned_hz: at_s for at_s, now in reversed(told) if now.state is RadioState.TUNED}
-    assert 8 <= len(tunings) <= 16
     # 109 Hz a second; the machine may be busy for a while.
     assert all(abs(freq_hz - tuning.wanted_hz(at_s)[0]) < 109.0 for freq_hz, at_s in tunings.items())

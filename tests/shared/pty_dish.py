@@ -66,7 +66,7 @@ class PtyDish:
     def moves(self, after: float = 0.0) -> list[str]:
         return [line for line in self.lines(after) if line.startswith(("a ", "h ", "g "))]
 
-    def wait_for(self, what, seconds=25.0) -> None:
+    def wait_for(self, what, seconds=60.0) -> None:
         end = time.monotonic() + seconds
         while not what(self.device.truth()):
             assert time.monotonic() < end, self.device.truth()

@@ -27,7 +27,7 @@ def served(tmp_path):
         yield json.loads(process.stdout.readline())["rig"]
     finally:
         process.send_signal(signal.SIGTERM)
-        _, complaints = process.communicate(timeout=10)
+        _, complaints = process.communicate(timeout=60)
     assert (process.returncode, complaints) == (0, "")
 
 
@@ -38,7 +38,7 @@ def test_hamlibs_rigctl_tunes_it_and_reads_the_beacon(served):
 
     def ask(*words):
         done = subprocess.run(
-            [rigctl, "-m", "2", "-r", served, *words], capture_output=True, text=True, timeout=20, check=True
+            [rigctl, "-m", "2", "-r", served, *words], capture_output=True, text=True, timeout=60, check=True
         )
         return done.stdout.split()
 
@@ -52,7 +52,7 @@ def test_hamlibs_rigctl_tunes_it_and_reads_the_beacon(served):
 def test_what_a_receiver_would_hear_needs_a_receiver(tmp_path):
     done = subprocess.run(
         [*BIRDCAGE, "sim", "--tcp", "--beacons", str(tmp_path / "none.json")], capture_output=True, text=True,
-        timeout=20, check=False,
+        timeout=60, check=False,
     )  # fmt: skip
     assert done.returncode == 2
     assert "--rig PORT serves one" in done.stderr

@@ -40,7 +40,7 @@ class Live:
     def wait(self, seconds):
         self.clock.wait(None, self.clock.monotonic() + seconds)
 
-    def wait_until(self, condition, seconds=8.0):
+    def wait_until(self, condition, seconds=60.0):
         end = self.clock.monotonic() + seconds
         while not condition():
             assert self.clock.monotonic() < end
