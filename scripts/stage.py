@@ -26,7 +26,7 @@ from birdcage_tui.app import BirdcageApp
 from birdcage_tui.calibrate.source import make_calibrate
 from birdcage_tui.control.horizon_file import ConfigHorizon
 from birdcage_tui.demo_radio import radio_flags, write_downlinks
-from birdcage_tui.run import DEMO_DELAY_S, DEMO_PARK, DEMO_PLACE, demo_port
+from birdcage_tui.run import DEMO_DELAY_S, DEMO_PARK, DEMO_PLACE, demo_port, name_demo, remember_demo
 from birdcage_tui.settings import AppSettings
 from birdcage_tui.sky_feed import make_sky
 from birdcage_tui.themes import LOOKS
@@ -110,9 +110,11 @@ async def demo(
         dish = f"stage-{uuid4().hex[:8]}"
         here = replace(HERE, radio=radio_of(paths, dish))
         write_downlinks(paths)
+        remember_demo(paths, firmware)
         session = open_session(
-            port=demo_port(firmware, dish), firmware=firmware, baud=None, settings=here, paths=paths, clock=clock
-        )
+            port=demo_port(firmware, dish), firmware=firmware, baud=None, settings=here, paths=paths, clock=clock,
+            identify=name_demo,
+        )  # fmt: skip
         session.start = lambda: None  # stepped here instead of running on its thread
         settings = AppSettings(
             theme=theme,

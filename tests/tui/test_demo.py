@@ -12,7 +12,10 @@ from birdcage.base.clock import VirtualClock
 from birdcage.base.paths import Paths
 from birdcage.station.build import open_session
 from birdcage.station.events import PursuitChanged
+from birdcage.station.known import Turn
 from birdcage.station.pursuit import Phase
+from birdcage_tui import run
+from birdcage_tui.main import parser
 from birdcage_tui.track_source import make_track
 
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
@@ -85,3 +88,25 @@ def test_the_desk_of_the_demo_has_its_passes_at_its_first_look_whoever_is_first(
     source.close()
     session.close()
     assert any(row.kept and row.name.startswith("DEMO") for row in told[0].schedule)
+
+
+def test_the_demo_begins_with_a_cable_that_was_counted_earlier():
+    scenery = stage_of_the_pictures()
+
+    async def play(keys):
+        async with scenery.demo((80, 24)) as on:
+            await on.wait(2.0)
+            await on.press(*keys)
+            return on.app.station.state.turn, on.text()
+
+    turn, dashboard = asyncio.run(play(()))
+    assert turn is Turn.REMEMBERED
+    assert "cable CCW 212°" in dashboard
+    assert "cable, remembered CCW 212° left" in asyncio.run(play(("f2",)))[1]
+
+
+def test_the_demo_of_a_person_begins_so_too(tmp_path):
+    paths = Paths.in_folder(tmp_path)
+    session, _settings = run._build(parser().parse_args(["--demo"]), paths)
+    session.close()
+    assert [path.parent.parent.name for path in tmp_path.rglob("turn.json")] == ["dishes"]

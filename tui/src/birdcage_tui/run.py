@@ -21,6 +21,7 @@ from birdcage.setup.first_run import is_first_run
 from birdcage.station.build import open_session
 from birdcage.station.known import list_firmwares, list_ports
 from birdcage.station.session import Session
+from birdcage.station.turn_memory import Left, leave
 
 from birdcage_tui.app import BirdcageApp
 from birdcage_tui.calibrate.source import make_calibrate
@@ -59,6 +60,18 @@ def demo_port(firmware: str, dish: str = "") -> str:
     # Other dishes count their azimuth from elsewhere, or have a cable that ends elsewhere: they stand as they come.
     stands = f"&az={DEMO_CABLE_DEG}&el={DEMO_EL_DEG}" if firmware == DEMO_FIRMWARE else ""
     return here + stands + (f"&id={dish}" if dish else "")
+
+
+def name_demo(_port: str) -> str:
+    """Return the name under which the demo's dish is remembered, in a folder that is gone afterwards."""
+    return "demo"
+
+
+def remember_demo(paths: Paths, firmware: str) -> None:
+    """Let the demo begin as at the dish of somebody who has used it before: with a cable that was counted."""
+    if firmware == DEMO_FIRMWARE:
+        left = Left(DEMO_CABLE_DEG, DEMO_CABLE_DEG % 360.0, DEMO_EL_DEG)
+        leave(paths.state, name_demo(""), firmware, left)
 
 
 def run(options: argparse.Namespace) -> int:
@@ -189,6 +202,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSetti
         from birdcage_tui.demo_radio import radio_flags, write_downlinks
 
         flags |= radio_flags(paths, dish)
+        remember_demo(paths, demo_firmware)
         write_downlinks(paths)
     settings = load(paths.config_file, environ={} if options.demo else None, flags=flags)
     port = settings.dish.port or _only_port()
@@ -201,6 +215,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSetti
         paths=paths,
         clock=clock,
         survey=not options.skip_init,
+        identify=name_demo if options.demo else None,
     )
     # A first run begins with the setup, and so does one without a port, or with a dish that did not tell what it is:
     # nothing else can be done there.

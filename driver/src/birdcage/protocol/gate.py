@@ -57,6 +57,8 @@ class MotionGate:
         self.position: Position | None = None
         self.unknown_reason = "unread"
         self.cable_deg: float | None = None
+        self.remembers_cable = False
+        """Whether the turn of the cable is an earlier program's count, and not from a homing that this one saw."""
         self.released: set[int] = set()
         """Axes whose motors were released since they were homed: what they report may not be where they are."""
 
@@ -79,11 +81,16 @@ class MotionGate:
     def count_cable(self) -> None:
         """Begin to count: the dish has just found its reference, so its cable stands at its azimuth (`Wrap: 0`)."""
         if self.position is not None and self.model.cable is not None:
-            self.cable_deg = shortest_turn(0.0, self.position.azimuth)
+            self.cable_deg, self.remembers_cable = shortest_turn(0.0, self.position.azimuth), False
+
+    def remember_cable(self, cable_deg: float) -> None:
+        """Go on with a count that was begun earlier."""
+        self.cable_deg, self.remembers_cable = cable_deg, True
 
     def forget(self, reason: str) -> None:
         """Forget the position: `unread`, `unhomed`, `unreadable`, `released`, `raw`."""
         self.position, self.unknown_reason, self.cable_deg = None, reason, None
+        self.remembers_cable = False
 
     def release(self) -> None:
         """Take in that the motors were released: only homing tells where the axes are."""

@@ -12,6 +12,9 @@ class Turn(Enum):
 
     REPORTED = "reported"
     COUNTED = "counted"
+    """From a homing that this program saw."""
+    REMEMBERED = "remembered"
+    """Counted when it was last left, and the dish stands where it stood then."""
     UNKNOWN = "unknown"
 
 

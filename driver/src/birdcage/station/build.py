@@ -40,17 +40,19 @@ def open_session(
     survey: bool = True,
     reconnect: bool = True,
     ports: PortLister = list_ports,
+    identify: Callable[[str], str | None] | None = None,
 ) -> Session:
     """Build a session that will speak `firmware` over `port`; nothing is opened before it is started or stepped.
 
     An empty `port` is none yet: the link is then lost, and nothing is looked for before `Connect` names one.
-    `survey` reads identity and limits once the dish rests; `reconnect` looks for a lost port again. KeyError for a
-    firmware that this version does not speak.
+    `survey` reads identity and limits once the dish rests; `reconnect` looks for a lost port again. `identify` names
+    the dish at a port for what is remembered of it, in place of the port's own identity. KeyError for a firmware that
+    this version does not speak.
     """
     transcript = Transcript(paths.transcripts if settings.link.transcript else None, version=version)
     journal, wear = Journal(paths.journal), WearBook(paths.journal)
     rules = rules_from(settings)
-    identity = partial(dish_identity, list_ports=ports)
+    identity = identify or partial(dish_identity, list_ports=ports)
     held_keeper = HeldKeeper(paths.state, identity)
 
     def open_port(name: str, rate: int) -> Link:

@@ -5,12 +5,12 @@ from __future__ import annotations
 from birdcage.link.opening import has_speed
 from birdcage.link.ports import PortInfo, list_ports
 from birdcage.link.system import Hindrance, SystemFacts, look_at_system
-from birdcage.protocol.model import DishModel, SearchSwitch
+from birdcage.protocol.model import DishModel, SearchSwitch, Turn
 from birdcage.protocol.registry import FIRMWARE_REGISTRY
 
 __all__ = [
-    "DishModel", "Hindrance", "PortInfo", "SearchSwitch", "SystemFacts", "has_speed", "list_firmwares", "list_models",
-    "list_ports", "look_at_system",
+    "DishModel", "Hindrance", "PortInfo", "SearchSwitch", "SystemFacts", "Turn", "has_speed", "list_firmwares",
+    "list_models", "list_ports", "look_at_system",
 ]  # fmt: skip
 
 

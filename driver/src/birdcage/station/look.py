@@ -32,6 +32,8 @@ class Look:
         """Whether the console may be in another menu than the motors'."""
         self.on_forgotten: Callable[[], None] = lambda: None
         """Told when the dish was homed and, without anybody's doing, no longer is."""
+        self.on_read: Callable[[], None] = lambda: None
+        """Told when the gate has a position that was just read, before anybody is told."""
 
     def forget_survey(self) -> None:
         """The dish may be another one, or have other settings: read them again when the link comes up."""
@@ -59,7 +61,9 @@ class Look:
 
     def _turn(self) -> Turn:
         gate = self._antenna.protocol.gate
-        return gate.model.turn if gate.cable_deg is None else Turn.COUNTED
+        if gate.cable_deg is None:
+            return gate.model.turn
+        return Turn.REMEMBERED if gate.remembers_cable else Turn.COUNTED
 
     def first(self) -> None:
         """Look where the dish is, after the link came up."""
@@ -82,6 +86,7 @@ class Look:
         gate = self._antenna.protocol.gate
         dish = gate.position
         assert dish is not None, "it was read just now"
+        self.on_read()
         at, utc = self._board.stamp()
         pointing = Pointing(
             wrap_360(true.azimuth), true.elevation, dish.azimuth, dish.elevation, at, utc, cable_deg=gate.cable_deg,

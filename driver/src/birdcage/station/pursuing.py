@@ -344,7 +344,7 @@ class Pursuing:
             except Held:
                 return
             if cut.cable_deg is not None:
-                self._antenna.protocol.gate.cable_deg = cut.cable_deg
+                self._antenna.protocol.gate.remember_cable(cut.cable_deg)
         state = self._board.state
         at_rest = state.activity is Activity.IDLE and state.position is not None and state.position_lost is None
         if state.link.state is Link.UP and state.fault is None and at_rest:

@@ -117,10 +117,10 @@ class RawEffects:
         if verdict.grade >= Grade.MOVES:
             self._may_move()
         if "position" in forgets:
-            cable_deg = gate.cable_deg
+            cable_deg, remembers = gate.cable_deg, gate.remembers_cable
             gate.forget("raw")
             if "turn" not in forgets:
-                gate.cable_deg = cable_deg
+                gate.cable_deg, gate.remembers_cable = cable_deg, remembers
             turn = gate.model.turn if gate.cable_deg is None else self._board.state.turn
             self._board.change(position_lost=RAW_COMMAND, turn=turn)
         if "homed" in forgets:

@@ -37,6 +37,7 @@ from birdcage.station.state import MOVING, StationState
 from birdcage.station.stop_pending import Reach
 from birdcage.station.stopper import Stopper
 from birdcage.station.talk import Talk
+from birdcage.station.turn_memory import TurnMemory
 from birdcage.station.vigil import Vigil
 from birdcage.station.watches import Watches
 
@@ -85,6 +86,10 @@ class Station:
         self._moves.on_learnt = self._pursuing.suit_dish
         if settings.state_folder is not None:
             self._pursuing.remember_speeds(LentSpeeds(settings.state_folder, settings.port, settings.firmware))
+        self._turns = TurnMemory(
+            board, protocol.gate, settings.firmware, settings.state_folder, settings.identify
+        )  # fmt: skip
+        look.on_read, self._vigil.on_restart = self._turns.recall, self._turns.drop
         self._pursued = False
         """Whether the last piece of work was the pursuit's: then a request has its turn."""
         self._connection = Connection(board, antenna, settings, look, self._wake, self._on_wake, self._vigil.on_line)
@@ -216,6 +221,7 @@ class Station:
             try:
                 self._connection.close()
             finally:
+                self._turns.close()
                 self._antenna.adopt(None)
                 self._wake.close()
 
@@ -260,6 +266,7 @@ class Station:
         """A port is about to be opened: what is remembered of its dish counts."""
         self._control.meet(port)
         self._moves.meet(port)
+        self._turns.meet(port)
 
     def _connect(self) -> None:
         if self._connection.attempt():

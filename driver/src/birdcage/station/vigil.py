@@ -54,6 +54,8 @@ class Vigil:
         """Where the dish rested before a reading that says otherwise, until a second one agrees with either."""
         self.on_interrupted: Callable[[str], None] = lambda _reason: None
         """Told before the latch closes: `link`, `fault` or `clock`."""
+        self.on_restart: Callable[[], None] = lambda: None
+        """Told when the dish was heard to start: nothing that was counted before holds."""
         self._starting = Starting(board, antenna, mover)
         mover.on_stall, mover.on_astray = self._stalled, self._moves_unasked
         look.on_forgotten = self._forgotten
@@ -217,6 +219,7 @@ class Vigil:
             self._starting.hear(line, met=self._met)
             return
         self._starting.ended()
+        self.on_restart()
         fault = self._board.state.fault
         if not self._met:
             self._mover.activity(Activity.INITIALIZING, line.strip())

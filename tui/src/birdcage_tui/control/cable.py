@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from birdcage.station.known import Turn
 from birdcage.station.turning import cable_limits
 
 from birdcage_tui.canvas import Cells
@@ -11,6 +12,8 @@ from birdcage_tui.control.reach import turns_to
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
 
+ROOM_TO_SAY = 78
+"""From this width on a gauge without words says where its figure comes from."""
 ENDS = 2
 """Hatched cells beyond each stop."""
 
@@ -35,6 +38,8 @@ class CablePane(Pane):
             return
         left, right = max(0.0, turn - limits[0]), max(0.0, limits[1] - turn)
         name = "" if cells.height > 2 else "cable "  # its frame names it
+        if name and state.turn is Turn.REMEMBERED and cells.width >= ROOM_TO_SAY:
+            name = "cable, remembered "
         head, tail = f"{name}CCW {left:3.0f}° left ", f" CW {right:3.0f}° left"
         start, width = 1 + len(head), cells.width - 2 - len(head) - len(tail)
         if width < 12:
@@ -100,7 +105,8 @@ class CablePane(Pane):
     @staticmethod
     def _words(cells: Cells, view: View, turn: float, there: float | None, limits: tuple[float, float]) -> None:
         """Say where it stands, and what the target would leave."""
-        x = cells.put(1, 2, f"stands at {turn:+.1f}° from home", "dim")
+        known = ", remembered from when it was last left" if view.state.turn is Turn.REMEMBERED else ""
+        x = cells.put(1, 2, f"stands at {turn:+.1f}° from home{known}", "dim")
         if there is not None and abs(there - turn) >= 0.05:
             left = f"CCW {there - limits[0]:.0f}°, CW {limits[1] - there:.0f}° left"
             cells.put(x, 2, f"   the target brings it to {there:+.1f}°: {left}", "target")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from birdcage.station.known import Turn
+
 from birdcage_tui.canvas import Cells
 from birdcage_tui.digits import angle_text, put_big, width_of
 from birdcage_tui.pane import Pane
@@ -12,6 +14,9 @@ from birdcage_tui.track.pursuing import pursuit_of
 from birdcage_tui.track.words import error_words, headline, los_words, next_words
 from birdcage_tui.view import View
 from birdcage_tui.words import age_text, motion_text
+
+ROOM_TO_SAY = 52
+"""From this width on the gauge says where its figure comes from, unless it was counted from a homing just now."""
 
 
 def motion_ink(view: View) -> str:
@@ -42,9 +47,10 @@ def cable_gauge(cells: Cells, y: int, view: View) -> None:
         cells.put(cells.width - 1 - len(words), y, words, ink)
         return
     left, right = turn - cable.min_deg, cable.max_deg - turn
-    x = cells.put(1, y, "cable ", "dim")
-    x = cells.put(x, y, f"CCW {left:3.0f}° ", "text")
     tail = f" {right:3.0f}° CW"
+    remembered = state.turn is Turn.REMEMBERED and cells.width >= ROOM_TO_SAY
+    x = cells.put(1, y, "cable, remembered " if remembered else "cable ", "dim")
+    x = cells.put(x, y, f"CCW {left:3.0f}° ", "text")
     width = cells.width - 1 - x - len(tail) - 2
     if width < 3:
         return
