@@ -1,7 +1,8 @@
 """How long a thread waits for its turn beside the search for passes: none, in this process, and in one of its own.
 
-The thread sleeps for 10 ms and makes four system calls, as a key does on its way from the terminal to the dish; what that
-takes beyond the 10 ms is printed. 6,000 satellites, whose catalogue changes all the time. The first row is the machine's.
+The thread sleeps for 10 ms and makes four system calls, as a key does on its way from the terminal to the dish. Printed
+is what that takes beyond the 10 ms. 6,000 satellites, whose catalogue changes all the time. The first row is the
+machine's own.
 """
 
 from __future__ import annotations
