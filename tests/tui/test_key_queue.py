@@ -1,6 +1,7 @@
 """Keys that arrive together: each is dealt with where the one before it has led, and none ends the app."""
 
 import asyncio
+from types import SimpleNamespace
 
 import horizon_stand_in
 import pytest
@@ -10,6 +11,7 @@ from birdcage.station.requests import Goto, Home, Jog, Release
 from birdcage_tui.commands import BY_NAME
 from birdcage_tui.dialogs import QuestionScreen
 from birdcage_tui.goto import GotoLine
+from birdcage_tui.key_queue import settled
 from burst import key_of, settle, typed, write
 from stage import run
 
@@ -146,3 +148,12 @@ def test_a_page_that_never_comes_holds_no_key_back_for_long():
 def test_a_deleted_preset_costs_one_key_each(kept):
     after("f2", "p", "d", "d", presets_file=kept)
     assert len(load_presets(kept).entries) == 10
+
+
+def test_a_layer_that_is_closing_with_something_in_its_queue_holds_nothing_up():
+    """Ctrl+Q in mid-slew closes them so: waiting in a circle, the app would hang for good."""
+    closing = SimpleNamespace(call_later=lambda _callback: False, message_queue_size=3)
+    app = SimpleNamespace(
+        screen_stack=[closing], screen=closing, focused=None, workers=(), call_later=lambda _callback: False
+    )
+    asyncio.run(asyncio.wait_for(settled(app), 20.0))

@@ -124,18 +124,21 @@ async def settled(app: App[None]) -> None:
         outward: list[MessagePump] = [screen if focused is None else focused]
         while isinstance(outward[-1], Widget) and outward[-1].parent is not None:
             outward.append(outward[-1].parent)
-        for pump in (*outward, app):
-            await _idle(pump)
+        # One that is closed does nothing any more, whatever its queue holds: waiting for it would be for ever.
+        taking = [pump for pump in (*outward, app) if await _idle(pump)]
         while any(not worker.is_finished for worker in app.workers):
             await asyncio.sleep(LOOK_S)
         same = bool(app.screen_stack) and app.screen is screen and app.focused is focused
-        if same and not first and not any(pump.message_queue_size for pump in outward):
+        if same and not first and not any(pump.message_queue_size for pump in outward if pump in taking):
             return
         first = False
+        await asyncio.sleep(0.0)  # another lap gives the rest of the app its turn, and patience its end
 
 
-async def _idle(pump: MessagePump) -> None:
-    """Wait until it has done what its queue holds now; one that is closed does nothing any more."""
+async def _idle(pump: MessagePump) -> bool:
+    """Wait until it has done what its queue holds now; return False at once for one that is closed."""
     done = asyncio.Event()
-    if pump.call_later(done.set):
-        await done.wait()
+    if not pump.call_later(done.set):
+        return False
+    await done.wait()
+    return True
