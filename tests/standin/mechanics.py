@@ -139,9 +139,13 @@ class Mechanics:
             motor, begun = self.motors[axis], self.now()
             reference = 0.0 if axis == 0 else float(self._nvs.ram[103])
             self.homed[axis] = False
+            usual = motor.max_speed, motor.accel
+            motor.max_speed = max(usual[0], 2.0 * abs(reference - motor.at(begun)) / self.habits.homing_s[axis])
+            motor.accel = max(usual[1], 4.0 * motor.max_speed)
             motor.go(begun, reference)
             yield max(begun + self.habits.homing_s[axis], motor.ends)
             motor.freeze(self.now())
+            motor.max_speed, motor.accel = usual
             self.homed[axis] = True
             yield "wrap_min:-42333 wrap_max:2333\nAZ - Angle: 1 Wrap: 0\n" if axis == 0 else "EL homed\n"
 

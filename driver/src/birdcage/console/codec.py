@@ -180,6 +180,8 @@ class Codec:
         if not self._echo:
             return False
         heard = text.replace(_UNREADABLE, "").strip()  # noise on a line at rest comes just before the echo
+        while (token := next((each for each in self._menus if each and heard.startswith(each)), None)) is not None:
+            heard = heard.removeprefix(token).strip()  # a prompt behind a prompt: a line before it had no echo of ours
         waiting = next((owed for owed in self._owed if not owed.echoed and self._echoes(heard, owed.command)), None)
         if waiting is None:
             return False
