@@ -12,7 +12,7 @@ NEAR_DEG = 0.08
 WIRE_S = 0.3
 """How long what a command has sent at its end may be under way."""
 STANDS = re.compile(r"[Ss]tands still at (-?[\d.]+)°/(-?[\d.]+)°")
-SHOWN = re.compile(r"\r\x1b\[K[^\r\n]*")
+SHOWN = re.compile(r"\r\x1b\[K[^\r\n]*(?=\r\x1b\[K)|\r\x1b\[K")
 NOT_STOPPED = re.compile(r"not answered|goes on|may still|not known|not confirmed|look at it|cut (its|the) power|12 V")
 DEADLOCKED = re.compile("deadlocked")
 ONLY_DEADLOCKED = re.compile(r"(?<!, or )(?<!, or its shell is )(?<!and its shell is )deadlocked")

@@ -16,6 +16,9 @@ from birdcage.console.learner import SETTLE_S
 from birdcage.console.raw import Typed
 from birdcage.console.talker import Talker
 
+_LEAVING = 3
+"""Round trips that leaving a menu may take, one more than it has."""
+
 
 class Console(Talker):
     """A session with a text console. Synchronous; one thread, except for `interject`.
@@ -214,7 +217,9 @@ class Console(Talker):
         """
         wire = self._wire
         self._limit = self.clock.monotonic() + within_s
-        if not self.in_step and wire.quiet_at(strictly=True) >= self._limit:
+        # Enter and `q` take a round trip each: what is left unanswered would answer the next program's first lines.
+        too_slow = _LEAVING * (self._round_trip_s or 0.0) > within_s
+        if too_slow or (not self.in_step and wire.quiet_at(strictly=True) >= self._limit):
             self._limit = None
             return False
         try:
@@ -224,6 +229,10 @@ class Console(Talker):
         finally:
             self._limit = None
         return True
+
+    def mistrust(self) -> None:
+        """Take nothing that comes for an answer before the line has been quiet: a reply was another line's."""
+        self._wire.lost = True
 
     def interject(self, lines: Sequence[str]) -> None:
         """Write `lines` at once, from any thread, also in the middle of an exchange; `settle` collects the replies.

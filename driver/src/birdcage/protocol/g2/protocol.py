@@ -123,7 +123,11 @@ class CarryoutG2Protocol(Rooms):
 
     def _read_position(self) -> Position:
         self.enter_motor_menu()
-        return self._position_in(self.console.run("mot", "a", busy_s=self.busy_s()))
+        reply = self.console.run("mot", "a", busy_s=self.busy_s())
+        if not reply.lines:
+            # Whatever it knows, `a` prints two lines: this was the answer to an Enter that was still under way.
+            self.console.mistrust()
+        return self._position_in(reply)
 
     def _position_in(self, reply: Reply) -> Position:
         angles = {int(m[1]): float(m[2]) for m in _ANGLE.finditer(" ".join(reply.lines))}
