@@ -23,7 +23,7 @@ HEALTHY: dict[str, tuple[Row, ...]] = {
     ),
     "answer": ({}, {"move_answer": "empty"}, {"move_answer": "np"}, {"move_answer": "OK"}, {"takes_moves": False}),
     "root": ({}, {"root_q": "dies"}, {"root_q": "unknown", "unknown_text": "???"}, {"unknown_text": ""}),
-    "sleep": ({}, {"sleep_s": 45.0}, {"sleep_s": 45.0, "asleep": "late"}),
+    "sleep": ({}, {"sleep_s": 45.0}),
     "speed": ({}, {"az_speed": 12.0, "el_speed": 8.0}, {"az_speed": 30.0, "el_speed": 4.0, "accel": 60.0}),
     "homed": (
         {}, {}, {"homed": False}, {"homed": False, "unhomed_as": "hundredths"},
@@ -38,7 +38,7 @@ STRANGE: dict[str, tuple[Row, ...]] = {
     "prompts": ({}, *({"prompts": name} for name in ("lower", "none", "alike", "hash", "renamed"))),
     "loss": ({}, {"loss": 0.002}, {"loss": 0.02}),
     "answers": ({}, {"latency_s": 1.5}, {"latency_s": 4.0}, {"latency_s": 12.0}),
-    "sleep": ({}, {"sleep_s": 30.0, "asleep": "deaf"}),
+    "sleep": ({}, {"sleep_s": 30.0, "asleep": "late"}, {"sleep_s": 30.0, "asleep": "deaf"}),
     "turn": ({}, {"shows_turn": True}),
     "homed": ({}, {"homed": False, "unhomed_as": "nan"}, {"homed": False, "unhomed_as": "--"}),
     "baud": ({}, {"baud": 57600}),

@@ -92,7 +92,7 @@ class Verdict:
         if said.words[0] == "stop" and code == 0 and dish.moves():
             wrong.append("`stop` is content, and the dish moves")
         if said.words[0] == "move" and code == 0 and "--no-wait" not in said.words:
-            if dish.moves():
+            if dish.moves() and dish.habits.decimals > 1:  # else its numbers can't tell
                 wrong.append("`move` is content, and the dish moves")
             wrong += self._far("`move` is content", (said.words[2], said.words[4]), near)
         if said.words[0] == "home" and code == 0 and not all(dish.mechanics.homed):

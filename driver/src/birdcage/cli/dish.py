@@ -255,6 +255,8 @@ def _leave(dish: Dish, begun: float, error: BaseException, wanted: Wanted) -> No
         report = dish.settle(begun, leaving=True) or dish.state.last_stop
         if report is not None:
             error.add_note(report.sentence)
+            if report.confirmed is None and report.means != "nothing moved":
+                error.add_note(f"STOP was not confirmed within {CONFIRM_S:.0f} s: look at the dish, or cut its power.")
     farewell = dish.close()
     held = None if isinstance(error, Held) else find_held(wanted.paths, dish.state.port or wanted.port)
     if held is not None:

@@ -53,7 +53,8 @@ def no_reply(port: str, command: str, seen: bytes, waited_s: float, *, busy: boo
     if not seen:
         return NoReply(
             f"The dish is silent: {asked} on {port} brought nothing in {waited_s:.1f} s. Its power is off, the cable "
-            "is out at the dish, the baud rate is wrong, or its shell is deadlocked, which only a power cycle ends.",
+            "is out at the dish, the baud rate is wrong, it takes longer to wake up, or its shell is deadlocked, which "
+            "only a power cycle ends.",
             reason="silent",
         )
     if is_garbage(seen):

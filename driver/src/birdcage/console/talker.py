@@ -158,7 +158,7 @@ class Talker:
         Lines before the prompt are nobody's: boot text.
         """
         if not self.dialect.learnt:
-            return self._transact("", on_line=self._on_line).menu
+            return self._transact("", on_line=self._on_line, wakes=True).menu
         if self._wire.lost:
             self._wire.codec.unlearn()  # a prompt learnt wrong may be why a reply is missing
         if not self._wire.codec.knows_prompts or self._wire.codec.unfinished:
@@ -254,10 +254,12 @@ class Talker:
         on_line: LineSink | None = None,
         permit: Callable[[], None] | None = None,
         busy_s: float = 0.0,
+        *,
+        wakes: bool = False,
     ) -> Reply:
         sent = self.clock.monotonic()
         ticket = self._wire.send(line, takes_s + busy_s, permit)
-        reply = self._await(line, ticket, takes_s + self.delay_s, on_line, busy_s)
+        reply = self._await(line, ticket, takes_s + self.delay_s, on_line, busy_s, wakes=wakes)
         self.took_s = self.clock.monotonic() - sent
         if not takes_s and not busy_s:
             self._round_trip_s = self.took_s
@@ -284,12 +286,18 @@ class Talker:
         late.answered(ticket, line, sent, proves=proves)
         return reply
 
-    def _await(self, line: str, ticket: int, timeout_s: float, on_line: LineSink | None, busy_s: float = 0.0) -> Reply:
+    def _await(
+        self, line: str, ticket: int, timeout_s: float, on_line: LineSink | None, busy_s: float = 0.0, *,
+        wakes: bool = False,
+    ) -> Reply:  # fmt: skip
         wire, timeout_s = self._wire, timeout_s + busy_s
         deadline = self.clock.monotonic() + timeout_s
         if self._limit is not None:
             deadline = min(deadline, self._limit)
         try:
+            soon = min(deadline, self.clock.monotonic() + timeout_s / 2)
+            if wakes and not self._is_answered_by(soon, ticket, on_line) and not wire.seen:
+                wire.press_enter()  # a dish that sleeps (NVS 38) may lose the line that wakes it
             if busy_s and not self._is_answered_by(min(deadline, self.clock.monotonic() + LATE_S), ticket, on_line):
                 self.on_busy()
             while (reply := wire.taken(ticket)) is None and wire.pump(deadline, ticket, on_line):
