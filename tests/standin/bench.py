@@ -1,4 +1,4 @@
-"""A station on the stand-in dish, in one thread on a virtual clock: the one module here that knows birdcage."""
+"""A station on the stand-in dish, in one thread on a virtual clock."""
 
 from __future__ import annotations
 

@@ -13,6 +13,9 @@ from .dish import StandIn
 from .habits import PROMPTS, Habits
 from .ports import PtyDish
 
+KNOWS_BIRDCAGE = ("bench.py", "typed.py", "conftest.py")
+"""What holds the dish to birdcage; the dish itself may not."""
+
 
 class Hand:
     """Types at a stand-in, on a clock that it turns itself."""
@@ -36,7 +39,7 @@ class Hand:
 
 def test_it_imports_nothing_of_birdcage():
     for path in Path(__file__).parent.glob("*.py"):
-        if path.name.startswith("test_") or path.name in ("conftest.py", "bench.py"):
+        if path.name.startswith("test_") or path.name in KNOWS_BIRDCAGE:
             continue
         for node in ast.walk(ast.parse(path.read_text())):
             names = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
