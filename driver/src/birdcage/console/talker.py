@@ -106,7 +106,7 @@ class Talker:
         if self._new:
             # Nothing of ours is under way yet: look at once. A `q` waits until `doubt_until` all the same.
             self._new = False
-            menu = self._probe()
+            menu = self._probe(wakes=True)
             self._let_others_finish()
             return self.menu or menu
         if self.dialect.learnt and not self._wire.lost:
@@ -115,7 +115,7 @@ class Talker:
             # It talks on: perhaps a stream, which any key ends.
             self._wire.press_enter()
             self._quiet(strictly=False)
-        return self._probe()
+        return self._probe(wakes=True)
 
     def _let_others_finish(self) -> None:
         """Hear out what the program before us has asked, on a dish that is slow enough for that to be under way.
@@ -152,13 +152,13 @@ class Talker:
                 return False
             wire.pump(min(goal, give_up))
 
-    def _probe(self) -> str:
+    def _probe(self, *, wakes: bool = False) -> str:
         """Ask for the menu and return it: by a bare Enter and the prompt that it brings, or by help.
 
-        Lines before the prompt are nobody's: boot text.
+        Lines before the prompt are nobody's: boot text. `wakes`: Enter is pressed once more where no byte comes.
         """
         if not self.dialect.learnt:
-            return self._transact("", on_line=self._on_line, wakes=True).menu
+            return self._transact("", on_line=self._on_line, wakes=wakes).menu
         if self._wire.lost:
             self._wire.codec.unlearn()  # a prompt learnt wrong may be why a reply is missing
         if not self._wire.codec.knows_prompts or self._wire.codec.unfinished:
