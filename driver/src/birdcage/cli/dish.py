@@ -13,7 +13,7 @@ from contextlib import ExitStack, contextmanager
 import click
 
 from birdcage.base.clock import Clock, RealClock
-from birdcage.base.errors import BirdcageError, ConfigError, Held, LinkError, NoReply
+from birdcage.base.errors import BirdcageError, ConfigError, LinkError, NoReply
 from birdcage.base.signals import SignalListener
 from birdcage.cli import exits
 from birdcage.cli.app import Ended
@@ -258,8 +258,8 @@ def _leave(dish: Dish, begun: float, error: BaseException, wanted: Wanted) -> No
             if report.confirmed is None and report.means != "nothing moved":
                 error.add_note(f"STOP was not confirmed within {CONFIRM_S:.0f} s: look at the dish, or cut its power.")
     farewell = dish.close()
-    held = None if isinstance(error, Held) else find_held(wanted.paths, dish.state.port or wanted.port)
-    if held is not None:
+    held = find_held(wanted.paths, dish.state.port or wanted.port)
+    if held is not None and held.note.sentence not in str(error):
         error.add_note(f"{held.note.sentence} `birdcage release` lets it move again.")
     if stopped or isinstance(error, Ended):
         error.add_note(farewell)

@@ -53,8 +53,7 @@ class Control:
                 )
                 self._tell_held(held)
             raise Held(
-                f"{'HELD' if held is None else held.sentence} Nothing was sent: a person releases it, here or with "
-                "`birdcage release`."
+                f"{'HELD.' if held is None else held.sentence} Nothing was sent: `birdcage release` lets it move again."
             )
         if state.motion_refused_because is not None:
             raise MotionRefused(state.motion_refused_because, reason="settings")
