@@ -181,7 +181,7 @@ def test_a_raw_motion_that_the_dish_refused_is_not_retargeted(bench):
     bench.station.stop("you")
     bench.step(2)
     assert bench.moves_since(since) == []
-    assert bench.state.last_stop.means == "nothing moved"
+    assert bench.state.last_stop.means == "look"
 
 
 def test_stop_leaves_at_once_again_when_the_console_is_back_in_the_motor_menu():
