@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import tomllib
 
 import pytest
@@ -135,6 +136,25 @@ def test_every_way_of_writing_toml(tmp_path, text):
     assert settings.problems == ()
     assert (settings.dish.port, settings.dish.firmware, settings.feed.active) == ("b", "g2", "x")
     assert settings.feeds["x"].beam_deg == 4.0
+
+
+@pytest.mark.parametrize("call", ["os.fsync", "Path.replace"])
+@pytest.mark.parametrize("end", [OSError(errno.ENOSPC, "No space left on device"), SystemExit()], ids=["full", "ended"])
+def test_what_ends_in_the_middle_of_writing_leaves_the_old_file_whole(file, monkeypatch, call, end):
+    seen = []
+
+    def fail(*_):
+        seen.append(file.read_text())
+        raise end
+
+    monkeypatch.setattr(f"birdcage.base.paths.{call}", fail)
+    with pytest.raises((ConfigError, SystemExit)) as error:
+        edit(file, {"dish.port": "/dev/ttyUSB0"})
+    monkeypatch.undo()
+    assert isinstance(error.value, SystemExit) or "can't be written (No space left on device)" in str(error.value)
+    assert seen == [OWN]
+    assert file.read_text() == OWN
+    assert [each.name for each in file.parent.iterdir()] == ["birdcage.toml"]
 
 
 def test_a_link_stays_a_link(tmp_path):

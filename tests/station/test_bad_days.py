@@ -133,6 +133,39 @@ def test_a_dish_that_moves_though_nobody_asked_is_a_fault(bench):
     assert bench.state.activity is Activity.IDLE
 
 
+@pytest.mark.parametrize("line", ["a 0 201", "a 0 199.5", "a 1 46"])
+def test_a_small_way_that_nobody_asked_for_is_a_fault_too(bench, line):
+    bench.watch("position", rate_hz=1.0)
+    bench.do(Goto(200, 45, "you"))
+    bench.step(3)
+    bench.sim.write(line.encode() + b"\r")
+    bench.step(4)
+    assert bench.state.fault.what == "The dish moves though nobody asked"
+    assert bench.state.held.reason == "fault"
+    since = bench.clock.monotonic()
+    with pytest.raises(Held):
+        bench.do(Goto(100, 45, "Gpredict"))
+    assert bench.moves_since(since) == []
+
+
+def test_so_is_a_dish_that_creeps_away_less_than_that_from_reading_to_reading(bench):
+    bench.watch("position", rate_hz=1.0)
+    bench.do(Goto(200, 45, "you"))
+    bench.step(3)
+    for creep in range(1, 6):
+        bench.sim.write(f"a 1 {45 - creep / 5}\r".encode())
+        bench.step(1.5)
+    assert bench.state.fault.reason == "moved"
+
+
+def test_a_dish_that_is_asked_to_go_has_not_crept(bench):
+    bench.watch("position", rate_hz=1.0)
+    for step in range(6):
+        bench.do(Goto(200 + step / 5, 45, "you"))
+        bench.step(3)
+    assert (bench.state.fault, bench.state.activity) == (None, Activity.IDLE)
+
+
 def test_stop_on_a_motion_nobody_asked_for_retargets_ahead_of_it():
     bench = Bench("g2?seed=1&az_speed=10").connect()
     bench.watch("position")

@@ -52,6 +52,8 @@ class Vigil:
         """Whether the dish has answered this station before: else its boot text is the beginning, not a restart."""
         self._doubted: Pointing | None = None
         """Where the dish rested before a reading that says otherwise, until a second one agrees with either."""
+        self._rested: Pointing | None = None
+        """Where the dish was first seen at rest since it last moved: it may also creep from one reading to the next."""
         self.on_interrupted: Callable[[str], None] = lambda _reason: None
         """Told before the latch closes: `link`, `fault` or `clock`."""
         self.on_restart: Callable[[], None] = lambda: None
@@ -131,6 +133,9 @@ class Vigil:
         # After a motion that nobody follows, or out of sight, a slow dish must not pass for one at rest.
         least_deg = STILL_DEG if self._unsettled or activity is not Activity.IDLE else UNASKED_DEG
         if self._look.apart_deg(doubted or before, after) <= least_deg:
+            if activity is Activity.IDLE and self._has_crept(doubted or before, after):
+                self._moves_unasked()
+                return
             self._antenna.motion = None
             self._unsettled = False
             self._mover.activity(Activity.IDLE, "")
@@ -146,6 +151,13 @@ class Vigil:
             self._doubted = before  # a digit may have been lost on the wire: only a second reading is proof
         elif activity is Activity.IDLE:
             self._moves_unasked()
+
+    def _has_crept(self, before: Pointing, after: Pointing) -> bool:
+        """Return whether a dish of which each reading agrees with the last one is elsewhere than where it rested."""
+        rested, since = self._rested, self._board.state.activity_since
+        if rested is None or rested.at < since:
+            rested = self._rested = before if before.at >= since else after
+        return self._look.apart_deg(rested, after) > UNASKED_DEG
 
     def _moves_unasked(self) -> None:
         self._mover.activity(Activity.MOVING_UNASKED, "")
