@@ -255,6 +255,7 @@ def next_steps(view: View) -> list[tuple[str, str]]:
         back = "The port is looked for again by itself." if link is Link.LOST else "It is asked again by itself."
         return [
             ("warn-strong", "The adapter is gone." if link is Link.LOST else "The port is there, the dish is silent."),
+            *_unconfirmed_stop(view),
             ("text", state.link.detail or back),
             ("dim", f"Check the cable, then the dish's {power_switch(view).removesuffix(' switch')}. {back}"),
             ("dim", "It stays held until you press Enter." if state.held else "birdcage sends no motion meanwhile."),
@@ -290,6 +291,14 @@ def next_steps(view: View) -> list[tuple[str, str]]:
         steps.append(("text", view.clock.cost))
     steps.append(("dim", "? keys   : commands   1-0 pages"))
     return steps
+
+
+def _unconfirmed_stop(view: View) -> list[tuple[str, str]]:
+    """Return what a STOP that did not get through, or that the dish did not follow, says of what is left to do."""
+    stopped = view.state.last_stop
+    if view.state.held is None or stopped is None or stopped.confirmed is not False:
+        return []
+    return [("warn-strong", stopped.sentence)]
 
 
 def _doing(view: View) -> tuple[str, str]:
@@ -329,7 +338,9 @@ def _unplanned(view: View) -> str | None:
     if activity is Activity.INITIALIZING:
         return "The dish is starting."
     if activity is Activity.STOPPING:
-        return "Not seen at rest yet."
+        stopped = state.last_stop
+        in_vain = stopped is not None and (stopped.confirmed is False or stopped.means == "none")
+        return stopped.sentence if stopped is not None and in_vain else "Not seen at rest yet."
     if activity in (Activity.SLEWING, Activity.FOLLOWING) or state.motion is not None:
         return "The dish is moving."
     if state.raw_motion:

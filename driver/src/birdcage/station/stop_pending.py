@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 from birdcage.station.state import Pointing, StopReport
+from birdcage.station.stop_ways import Grip
 
 
 class Reach(Enum):
@@ -46,3 +47,5 @@ class Pending:
     """What else came of it."""
     lines: tuple[str, ...] = ()
     """What was sent, and is repeated as it was: a dish whose answers alone were lost must not be sent on."""
+    unsent: Grip | None = None
+    """What the port has not taken, until it does."""

@@ -25,7 +25,7 @@ ANSWER_S = 0.3
 POLL_S = 0.05
 READINGS = 4
 """So many exchanges it takes at most until two positions that can be believed agree."""
-UNKNOWN = "The dish does not know where it is: whether it stands still is not known."
+UNKNOWN = "The dish does not know where it is, so whether it stands still is not known: if it moves, cut its power."
 RELEASED = "The motors are released: nothing drives the dish, and where it is, is not known. Home it."
 
 
@@ -45,7 +45,7 @@ class Stopper:
         self._mover, self._look = mover, look
         self.may_release = False
         """Whether the user lets STOP release the motors as its last rung."""
-        self._calls: deque[tuple[StopReport, tuple[str, ...], str]] = deque()
+        self._calls: deque[tuple[StopReport, Grip, str]] = deque()
         self.count = 0
         """How often STOP was called: what was asked for before the last call no longer holds."""
         # Reentrant: a signal handler may call STOP on top of the STOP that it interrupted.
@@ -75,14 +75,14 @@ class Stopper:
             if now - self._last_call < COALESCE_S:
                 return
             self._last_call = now
-            grip = self._grip()
+            grip = done = self._grip()
             try:
                 if grip.lines:
                     self._antenna.protocol.interject(grip.lines)
             except LinkError as error:
-                grip = Grip("no link", str(error))
-            self.reach = self._reach(grip)
-            self._calls.append((StopReport(by, now, grip.means, None, grip.sentence), grip.lines, reason))
+                done = Grip("no link", f"Nothing could be sent: cut the power of the dish. {error}")
+            self.reach = self._reach(done)
+            self._calls.append((StopReport(by, now, done.means, None, done.sentence), grip, reason))
             if not leaving:
                 self._control.keep(by, self._board.clock.utc(), reason)
 
@@ -125,13 +125,15 @@ class Stopper:
     def take_calls(self) -> None:
         """Publish the STOPs that were called since, on the station's thread."""
         while self._calls:
-            report, lines, reason = self._calls.popleft()
+            report, grip, reason = self._calls.popleft()
+            lines = grip.lines
             self._control.hold(report.by, reason, keep=False)  # the call has done that
             self._mover.fail(End.STOPPED, f"STOP by {report.by}", Stopped(f"STOP by {report.by} ended the motion."))
             self._publish(report, sent=True)
             if report.means == "no link":
                 self._publish(replace(report, confirmed=False), sent=False)
-                continue
+                if not lines:
+                    continue  # there was no port; where it took nothing it is tried again
             slowest = self._may_crawl(report.means)
             self._mover.activity(Activity.STOPPING, "")
             if report.means == "look" and not lines:
@@ -140,7 +142,8 @@ class Stopper:
             repeats = self._pending.sent if self._pending is not None else 0
             self._pending = Pending(
                 report, repeats + bool(lines), not lines, None, now + self._lasts_s(report.means, slowest=slowest),
-                slowest, lines=lines, grip_is_complete=report.means not in GRIPS,
+                slowest, lines=lines, grip_is_complete=grip.means not in GRIPS,
+                unsent=grip if report.means == "no link" else None,
             )  # fmt: skip
             self.due = now
 
@@ -161,7 +164,9 @@ class Stopper:
             if self._pending is pending and not isinstance(error, Stopped):
                 # Whoever reconnects comes first from here on; the latch holds whatever the dish does.
                 motion = self._antenna.motion
-                self._finish(pending, False, "The link failed before the dish was seen at rest: look at it.")
+                self._finish(
+                    pending, False, "The link failed before the dish was seen at rest: if it moves, cut its power."
+                )
                 self._antenna.motion = motion
             raise
 
@@ -273,6 +278,9 @@ class Stopper:
             return
         pending.sent += 1
         self._antenna.protocol.interject(pending.lines)
+        if pending.unsent is not None:
+            self._look_on(pending, pending.unsent)
+            pending.unsent = None
         self.due = self._board.clock.monotonic()
 
     def _still_moving(self, pending: Pending, earlier: Pointing, pointing: Pointing, now: float) -> None:

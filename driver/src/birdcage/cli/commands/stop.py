@@ -142,7 +142,7 @@ def _stop_it(wanted: Wanted) -> dict[str, Any]:
         report = dish.stop(BY)
         port = dish.state.port
     if report is None:
-        sentence = "STOP was sent; whether the dish stands still is not known."
+        sentence = "STOP was sent; whether the dish stands still is not known. If it moves, cut its power."
         return {"by": BY, "means": "sent", "confirmed": None, "sentence": sentence, "port": port}
     return stop_report(report) | {"port": port}
 
