@@ -73,7 +73,15 @@ def test_beyond_the_wrap(gate):
     assert gate.cable_turns(170) == (-190.0,)
     with pytest.raises(MotionRefused) as refused:
         gate.check(90, 45)
-    assert (refused.value.reason, refused.value.limit_deg, refused.value.by_deg) == ("wrap", 20.0, 70.0)
+    assert (refused.value.reason, refused.value.limit_deg, refused.value.by_deg) == ("wrap", -200.0, 70.0)
+
+
+def test_a_user_widens_no_cable(gate):
+    gate.update(cable_min_deg=-1000.0, cable_max_deg=1000.0)
+    assert gate.cable_limits == (CARRYOUT_G2.cable.min_deg, CARRYOUT_G2.cable.max_deg)
+    gate.see(Position(20.0, 45.0))
+    gate.count_cable()
+    assert gate.cable_turns(30) == (-330.0,)
 
 
 def test_an_unknown_turn_of_a_short_cable_refuses_azimuths(gate):
@@ -161,9 +169,3 @@ def test_a_refusal_says_what_stands_in_the_sector(gate, reason, words):
     with pytest.raises(MotionRefused) as refused:
         gate.check(180, 40)
     assert words in str(refused.value)
-
-
-def test_a_closed_gate_says_why(gate):
-    gate.update(closed_because="[motion] of birdcage.toml could not be read.")
-    with pytest.raises(MotionRefused, match="could not be read"):
-        gate.check(180, 45)

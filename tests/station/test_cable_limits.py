@@ -66,3 +66,29 @@ def test_a_turn_beyond_the_user_s_stop_is_refused_and_nothing_is_sent(from_file)
     with pytest.raises(MotionRefused, match="beyond its stop"):
         dish.do(Jog(-15.0, 0.0, "you"))
     assert dish.cable_deg == pytest.approx(-190, abs=0.1)
+
+
+def test_the_way_that_the_dish_takes_by_itself_counts_not_another_that_would_fit(from_file):
+    """From -300 to azimuth 355 it goes on to -365, and of the user's stop at -350 it knows nothing."""
+    dish = from_file("[motion]\ncable_min_deg = -350\n")
+    dish.do(Home("you"))
+    for az_deg in (200, 60):
+        dish.do(Goto(az_deg, 45, "you"))
+    sent = dish.moves()
+    with pytest.raises(
+        MotionRefused, match=r"15\.0\d° beyond its stop at -350\.00° .*by way of azimuth 207°"
+    ) as refused:
+        dish.do(Goto(355, 45, "you"))
+    assert refused.value.limit_deg == -350.0
+    assert dish.moves() == sent
+    dish.do(Goto(207, 45, "you"))
+    assert dish.do(Goto(355, 45, "you")).cable_deg == pytest.approx(-5, abs=0.1)
+    assert dish.cable_deg == pytest.approx(-5, abs=0.1)
+
+
+@pytest.mark.parametrize(("limits", "az_deg"), [("cable_min_deg = -420", 298), ("cable_max_deg = 10", 20)])
+def test_an_unknown_turn_is_refused_where_one_of_them_leads_beyond(from_file, limits, az_deg):
+    dish = from_file(f"[motion]\n{limits}\n")
+    with pytest.raises(MotionRefused, match=r"its turn is not known.*Home the dish"):
+        dish.do(Goto(az_deg, 45, "you"))
+    assert [line for line in dish.moves() if line != "a"] == []

@@ -197,8 +197,14 @@ def test_a_sector_is_no_hindrance_above_it_or_the_other_way_round():
 
 
 def test_the_long_way_round_is_told_when_the_cable_leaves_no_other():
-    said = foretell("300 40", view_of(cable_min_deg=-400.0, cable_max_deg=-100.0))[1]
-    assert "249.16° counterclockwise" in said
+    assert "210.00° counterclockwise" in foretell("339.16 40", view_of())[1]
+
+
+def test_a_user_s_stop_on_the_way_that_the_dish_takes_is_named():
+    """Another way round would fit, but the dish does not take it by itself."""
+    ink, said = foretell("300 40", view_of(cable_min_deg=-400.0, cable_max_deg=-100.0))
+    assert ink == "warn"
+    assert "would turn the cable 90.84° beyond its stop at -100°" in said
 
 
 def of_unknown_turn(**changes):

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from birdcage.base.errors import BelowFloor, MotionRefused, PositionUnknown
 from birdcage.base.geometry import shortest_turn
 from birdcage.protocol.model import DishModel
-from birdcage.protocol.turning import AzimuthWay, azimuth_way
+from birdcage.protocol.turning import LONGEST_SURE_DEG, AzimuthWay, azimuth_way, is_safe_at_any_turn
 from birdcage.protocol.types import Position
 
 
@@ -44,8 +44,6 @@ class Bounds:
     az_offset_deg: float = 0.0
     el_offset_deg: float = 0.0
     """Added to the angles in sentences and to `limit_deg`: whoever asked speaks true degrees."""
-    closed_because: str | None = None
-    """Why no motion is allowed at all, as a sentence; None normally."""
 
 
 class MotionGate:
@@ -139,8 +137,6 @@ class MotionGate:
         axis = self.model.skew
         if axis is None:
             raise MotionRefused(f"The {self.model.name} has no skew axis. Nothing was sent.", reason="unsupported")
-        if self.bounds.closed_because is not None:
-            raise MotionRefused(self.bounds.closed_because, reason="settings")
         if not math.isfinite(deg):
             raise MotionRefused(
                 f"The skew asked for is {deg}, which is not an angle. Nothing was sent.", reason="not_a_number"
@@ -159,8 +155,6 @@ class MotionGate:
 
     def _check_limits(self, az_deg: float | None, el_deg: float | None) -> Position:
         """Return the position; MotionRefused when it is not known, or when an axis or the cable does not allow it."""
-        if self.bounds.closed_because is not None:
-            raise MotionRefused(self.bounds.closed_because, reason="settings")
         for name, value in (("azimuth", az_deg), ("elevation", el_deg)):
             if value is not None and not math.isfinite(value):
                 raise MotionRefused(
@@ -236,19 +230,32 @@ class MotionGate:
         if limits is None:
             return
         if self.cable_deg is not None and not self.cable_turns(az_deg):
-            nearest = self.cable_deg + shortest_turn(start.azimuth, az_deg)
-            limit, by = self._beyond(nearest, limits)
+            limit, by = self._beyond(self.cable_deg + self.way_to(az_deg).deg, limits)
             raise MotionRefused(
                 f"Azimuth {self._true_az(az_deg):.2f}° would turn the cable {by:.2f}° beyond its stop at "
-                f"{limit:+.2f}° (it stands at {self.cable_deg:+.2f}°). Nothing was sent.",
+                f"{limit:+.2f}° (it stands at {self.cable_deg:+.2f}°). Nothing was sent{self._round_about(az_deg)}.",
                 reason="wrap", limit_deg=limit, by_deg=by,
             )  # fmt: skip
-        if self.cable_deg is None and limits[1] - limits[0] < 360.0:
+        if self.cable_deg is None and not is_safe_at_any_turn(self.model, start.azimuth, az_deg, limits):
             raise MotionRefused(
                 f"The cable may turn from {limits[0]:+.2f}° to {limits[1]:+.2f}° only, and its turn is not known. "
                 "Home the dish with this program, so that it can count. Nothing was sent.",
                 reason="wrap",
             )
+
+    def _round_about(self, az_deg: float) -> str:
+        """Return by which azimuth the dish gets there the other way round, which it does not take by itself."""
+        limits, cable = self.cable_limits, self.cable_deg
+        if limits is None or cable is None:
+            return ""
+        there = cable + self.way_to(az_deg).deg
+        for way in (there + 360.0 - cable, there - 360.0 - cable):
+            if limits[0] <= cable + way <= limits[1] and abs(way) <= 2 * LONGEST_SURE_DEG:
+                here = 0.0 if self.position is None else self.position.azimuth
+                return (
+                    f": by way of azimuth {self._true_az((here + way / 2.0) % 360.0):.0f}° it turns the other way round"
+                )
+        return ""
 
     @staticmethod
     def _beyond(turn_deg: float, limits: tuple[float, float]) -> tuple[float, float]:

@@ -46,7 +46,10 @@ class AzimuthWay:
     other_deg: float | None = None
     """The way that it may take instead, the other way round; None where there is no doubt."""
     turns: tuple[float, ...] = ()
-    """The turns of the cable that reach the target, nearest first; only where its turn is known."""
+    """The turns of the cable that reach the target, the one that the dish takes first; only where its turn is known.
+
+    Empty where that one is not allowed.
+    """
 
     @property
     def longest_deg(self) -> float:
@@ -60,17 +63,33 @@ def azimuth_way(
     """Return how the azimuth gets from `start_deg` to `az_deg`.
 
     `cable_deg` is the turn of the cable, None where it is not known, and `limits` how far it may turn; None where
-    nothing winds up. With a known turn the nearest that fits is taken: how the firmware chooses is not documented
-    (reference section 7.4). Without one, the other way round is ruled out only where no turn makes the dish take it.
+    nothing winds up. With a known turn the nearest is taken that the dish itself allows: how the firmware chooses is
+    not documented (reference section 7.4), and of a user's narrower limits it knows nothing. Without one, the other
+    way round is ruled out only where no turn makes the dish take it.
     """
     short_deg = shortest_turn(start_deg, az_deg)
     if limits is None:
         return AzimuthWay(short_deg)
     if cable_deg is not None:
+        own = limits if model.cable is None else (model.cable.min_deg, model.cable.max_deg)
         nearest = cable_deg + short_deg
-        fits = [turn for k in (-2, -1, 0, 1, 2) if limits[0] <= (turn := nearest + 360.0 * k) <= limits[1]]
+        fits = [turn for k in (-2, -1, 0, 1, 2) if own[0] <= (turn := nearest + 360.0 * k) <= own[1]]
         turns = tuple(sorted(fits, key=lambda turn: abs(turn - cable_deg)))
-        return AzimuthWay(turns[0] - cable_deg if turns else short_deg, turns=turns)
+        if not turns:
+            return AzimuthWay(short_deg)
+        allowed = limits[0] <= turns[0] <= limits[1]
+        return AzimuthWay(turns[0] - cable_deg, turns=turns if allowed else ())
     if abs(short_deg) < model.azimuth.step_deg or goes_short(model, start_deg, short_deg):
         return AzimuthWay(short_deg)
     return AzimuthWay(short_deg, short_deg - math.copysign(360.0, short_deg))
+
+
+def is_safe_at_any_turn(model: DishModel, start_deg: float, az_deg: float, limits: tuple[float, float]) -> bool:
+    """Return whether the cable stays within its limits on the way to `az_deg`, however far it has turned by now."""
+    cable = model.cable
+    if cable is None:
+        return True
+    if limits[1] - limits[0] < 360.0:
+        return False
+    turns = [turn for k in (-2, -1, 0, 1, 2) if cable.min_deg <= (turn := start_deg + 360.0 * k) <= cable.max_deg]
+    return all(azimuth_way(model, start_deg, az_deg, turn, limits).turns for turn in turns)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from birdcage.protocol.turning import AzimuthWay, azimuth_way
+from birdcage.protocol.turning import AzimuthWay, azimuth_way, is_safe_at_any_turn
 from birdcage.station.state import StationState
 
-__all__ = ["AzimuthWay", "cable_limits", "way_to"]
+__all__ = ["AzimuthWay", "cable_limits", "is_safe_at_any_turn", "way_to"]
 
 
 def cable_limits(state: StationState) -> tuple[float, float] | None:

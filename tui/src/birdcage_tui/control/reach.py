@@ -7,10 +7,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from birdcage.base.geometry import shortest_turn
 from birdcage.kinematics import plan_slew
 from birdcage.station.state import StationState
-from birdcage.station.turning import AzimuthWay, cable_limits
+from birdcage.station.turning import AzimuthWay, cable_limits, is_safe_at_any_turn
 from birdcage.station.turning import way_to as azimuth_way_to
 
 from birdcage_tui.goto_text import Aim, wind_of
@@ -73,16 +72,17 @@ def forbidden(state: StationState, az_deg: float, el_deg: float) -> str | None:
 
 
 def _cable(state: StationState, az_deg: float) -> str | None:
-    position, limits = state.position, cable_limits(state)
-    if position is None or limits is None:
+    position, limits, way = state.position, cable_limits(state), azimuth_way_to(state, az_deg)
+    if position is None or limits is None or state.dish is None or way is None:
         return None
     if position.cable_deg is None:
-        if limits[1] - limits[0] < 360.0:
+        to_deg = position.dish_az_deg + way.deg
+        if not is_safe_at_any_turn(state.dish, position.dish_az_deg, to_deg, limits):
             return "The turn of the cable is not known: home the dish first (H), so that it is counted."
         return None
-    if turns_to(state, az_deg):
+    if way.turns:
         return None
-    nearest = position.cable_deg + shortest_turn(position.az_deg, az_deg)
+    nearest = position.cable_deg + way.deg
     limit = limits[0] if limits[0] - nearest > nearest - limits[1] else limits[1]
     return f"Azimuth {az_deg:.2f}° would turn the cable {abs(nearest - limit):.2f}° beyond its stop at {limit:+.0f}°."
 
