@@ -167,7 +167,7 @@ class Stage:
         features = {"position", "rssi"} if self.state.dish.has_rssi else {"position"}
         self.station.submit(Watch("person", frozenset(features), 2.0))
         assert self.until(lambda: self.is_up and self.state.surveyed, 60.0), self.state.link
-        self.step(2.0)
+        self.step(3.5)
 
     def do(self, request, seconds: float = 60.0):
         """Ask for something and wait for it; return what came of it, an error included."""

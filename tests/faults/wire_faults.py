@@ -44,7 +44,7 @@ def no_plan(stage: Stage) -> None:
 
 def noise(stage: Stage) -> None:
     """Make a crackle now and then, out of step with the answers."""
-    if round(stage.now * 10) % 17 == 0:
+    if round(stage.now * 10) % 19 == 0:
         stage.device.say(NOISE.decode("latin-1"))
 
 

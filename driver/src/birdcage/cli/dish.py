@@ -41,7 +41,7 @@ NOTHING_MOVED_S = 1.0
 LEAVE_S = 12.0
 """How long the end of a command may take after a signal, the confirmation of STOP included; then it is ended hard."""
 SURVEY_S = 10.0
-"""The line counts as quiet 4 s after it was opened; a survey takes less than one."""
+"""Where no mark is echoed the line counts as quiet 4 s after it was opened; a survey takes less than two."""
 
 Hear = Callable[[Event], None]
 

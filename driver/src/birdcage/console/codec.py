@@ -19,6 +19,8 @@ LONGEST_LINE = 1024
 """Characters kept of one line; what follows up to its end counts as noise."""
 MOST_LINES = 4096
 """Lines kept of one reply; the rest are told as `Line` only."""
+MARK = " " * 8
+"""A line that does nothing, and that nobody else sends: its echo after a prompt says that all sent before was heard."""
 _UNREADABLE = "\N{REPLACEMENT CHARACTER}"
 
 
@@ -31,6 +33,7 @@ class _Owed:
     """Whether any prompt came since it was sent."""
     excused: bool = False
     """Whether nobody waits for its reply any more."""
+    is_mark: bool = False
     lines: list[str] = field(default_factory=list)
 
 
@@ -95,6 +98,12 @@ class Codec:
         self._tickets += 1
         text = command.strip()
         self._owed.append(_Owed(text, self._tickets, echoed=not self._echo or not text))
+        return self._tickets
+
+    def expect_mark(self) -> int:
+        """Note that `MARK` was sent, and return the ticket of its reply, which comes only if the mark was echoed."""
+        self._tickets += 1
+        self._owed.append(_Owed("", self._tickets, echoed=False, is_mark=True))
         return self._tickets
 
     def owes(self, ticket: int) -> bool:
@@ -164,8 +173,11 @@ class Codec:
         return Reply(done.command, tuple(done.lines), menu, token, done.ticket)
 
     def _end_line(self, events: list[Event]) -> None:
-        text, self._text = self._text.rstrip(), ""
-        self._after_prompt = False
+        raw, self._text = self._text, ""
+        after_prompt, self._after_prompt = self._after_prompt, False
+        text = raw.rstrip()
+        if after_prompt and not text and self._is_mark(raw):
+            return
         if not text or self._is_echo(text.strip()):
             return
         if not self._owed or not self._owed[0].echoed:
@@ -176,13 +188,26 @@ class Codec:
             head.lines.append(text)
         events.append(Line(text, head.ticket))
 
+    def _is_mark(self, blanks: str) -> bool:
+        """Take in the echo of a mark, behind a prompt and perhaps its blank; what was sent before it is over."""
+        waiting = next((owed for owed in self._owed if owed.is_mark and not owed.echoed), None)
+        if waiting is None or len(blanks) - len(MARK) not in (0, 1):
+            return False
+        waiting.echoed = True
+        while self._owed[0] is not waiting:
+            self._owed.popleft()
+        return True
+
     def _is_echo(self, text: str) -> bool:
         if not self._echo:
             return False
         heard = text.replace(_UNREADABLE, "").strip()  # noise on a line at rest comes just before the echo
         while (token := next((each for each in self._menus if each and heard.startswith(each)), None)) is not None:
             heard = heard.removeprefix(token).strip()  # a prompt behind a prompt: a line before it had no echo of ours
-        waiting = next((owed for owed in self._owed if not owed.echoed and self._echoes(heard, owed.command)), None)
+        waiting = next(
+            (owed for owed in self._owed if not owed.echoed and not owed.is_mark and self._echoes(heard, owed.command)),
+            None,
+        )
         if waiting is None:
             return False
         waiting.echoed = True

@@ -210,6 +210,14 @@ class Console(Talker):
             raise NoReply(f"The dish answered `{self.dialect.leave}` but stayed in menu `{now}`.", reason="blocked")
         self._wire.trust_root(before)
 
+    def clear_up(self) -> bool:
+        """Account at once for whatever may be under way, where the console allows it; return whether it is `in_step`.
+
+        Without it a new session, or one after a fault, can leave its menu only after some seconds of quiet.
+        """
+        self._resume()
+        return self.in_step or (self._clear_up() and self.in_step)
+
     def leave_all(self, within_s: float = 2.0) -> bool:
         """Go back to the root if that can be done safely within `within_s`; return whether the dish is there.
 

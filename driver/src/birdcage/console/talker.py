@@ -24,6 +24,10 @@ LATE_S = 0.3
 """A dish that is free answers a short line sooner than this: an older one may be read much later, or was lost."""
 _PROMPT_S = 0.1
 """A dish that answers sooner owes nothing to a program that ran before: another one takes longer to begin."""
+MARK_S = 0.5
+"""How much longer than a usual answer that of a mark is waited for: without it the line must fall quiet."""
+_MOST_MARKS_LOST = 2
+"""A console that does not echo blanks is not asked again."""
 _PROOFS = 3
 """How often a submenu is looked for before `leave` gives up."""
 
@@ -51,6 +55,7 @@ class Talker:
         self._learner = Learner(self._wire, delay_s, on_line)
         self._places = Places(dialect)
         self._new = True
+        self._marks_lost = 0
         self._limit: float | None = None
         self._round_trip_s: float | None = None
         self.took_s = 0.0
@@ -230,13 +235,32 @@ class Talker:
             return False
         return self.dialect.may_leave(line) or (self.menu == self.dialect.root and line.strip() not in ("", HELP))
 
+    def _clear_up(self) -> bool:
+        """Have all that is under way accounted for at once, by a mark; return whether that went well (decision 0026).
+
+        Nothing is sent where a command still has its time: a byte could end it.
+        """
+        wire = self._wire
+        if not self.dialect.echo or self._marks_lost >= _MOST_MARKS_LOST or self.clock.monotonic() < wire.busy_until:
+            return False
+        if self.dialect.learnt and not wire.codec.knows_prompts:
+            return False
+        ticket = wire.send_mark()
+        try:
+            self._await("", ticket, min(self.delay_s, MARK_S + 2 * (self._round_trip_s or 0.0)), None)
+        except NoReply:
+            self._marks_lost += 1
+            return False
+        self._marks_lost = 0
+        return wire.doubt_until is None
+
     def _prove_submenu(self) -> str:
         """Return the menu that a fresh prompt names, with nothing unaccounted for under way, either way."""
         root = self.dialect.root
         self._resume()
         for _ in range(_PROOFS):
             before = self.menu
-            if not self.in_step and not self._quiet(strictly=True):
+            if not self.in_step and not self._clear_up() and not self._quiet(strictly=True):
                 break
             now = self._probe()
             if now == root or (now == before and self.in_step):

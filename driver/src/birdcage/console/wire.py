@@ -13,10 +13,11 @@ from dataclasses import replace
 
 from birdcage.base.clock import Clock, Outcome
 from birdcage.base.wake import Wake
-from birdcage.console.codec import Codec
+from birdcage.console.codec import MARK, Codec
 from birdcage.console.diagnosis import KEPT
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.events import Event, Line, LineSink, Reply, Stray, StrayPrompt, tell
+from birdcage.link.opening import keeps_order
 from birdcage.link.port import Port
 
 
@@ -59,6 +60,11 @@ class Wire:
         self.doubt_until: float | None = clock.monotonic() + 2 * delay_s
         """Until when something unaccounted for may still be under way, either way; None when nothing is."""
         self._hazard_doubt: float | None = None
+        self._beginning = None if keeps_order(link.name) else self.doubt_until
+        """The doubt of a new session, where bytes of an earlier one may come after ours; else None."""
+        self._mark: tuple[int, int] | None = None
+        """The ticket of the mark under way, and how many writes had gone out with it."""
+        self._writes = 0
         self.stray_bytes = 0
         self.seen = bytearray()
         """What arrived since the last line was sent, up to `KEPT` bytes."""
@@ -94,6 +100,22 @@ class Wire:
                 self._hazard_doubt = self.doubt_until
             return self._write([line], now, takes_s)[0]
 
+    def send_mark(self) -> int:
+        """Write the mark, and return its ticket: its reply ends every doubt of what was sent before it."""
+        with self._lock:
+            now = self.clock.monotonic()
+            self.seen.clear()
+            ticket = self._codec.expect_mark()
+            self._sent_at[ticket] = self.last_sent = now
+            self.busy_until = max(self.busy_until, now)
+            try:
+                self._put(MARK.encode("ascii") + self.dialect.line_end)
+            except BaseException:
+                self.forget(ticket)
+                raise
+            self._mark = ticket, self._writes
+            return ticket
+
     def interject(self, lines: Sequence[str]) -> None:
         """Write `lines` in one piece from any thread; the owner collects their replies."""
         with self._lock:
@@ -106,7 +128,7 @@ class Wire:
         with self._lock:
             self.last_sent = self.busy_until = self.clock.monotonic()
             self.doubt(self.last_sent + 2 * self.delay_s)
-            self.link.write(self.dialect.line_end)
+            self._put(self.dialect.line_end)
 
     def trust_root(self, before: float | None) -> None:
         """Take back the doubt that a `q` brought, once the root prompt came; any other doubt stays."""
@@ -129,12 +151,16 @@ class Wire:
         self.busy_until = max(self.busy_until, now + takes_s)
         end = self.dialect.line_end
         try:
-            self.link.write(b"".join(line.encode("ascii") + end for line in lines))
+            self._put(b"".join(line.encode("ascii") + end for line in lines))
         except BaseException:
             for ticket in tickets:
                 self.forget(ticket)
             raise
         return tickets
+
+    def _put(self, data: bytes) -> None:
+        self._writes += 1
+        self.link.write(data)
 
     def taken(self, ticket: int) -> Reply | None:
         """Return the reply to `ticket` once, when it is there."""
@@ -231,6 +257,10 @@ class Wire:
                     sent = self._sent_at.pop(event.ticket, now)
                     if self.doubt_until is not None and sent >= self.doubt_until:
                         self.doubt_until = None
+                    if self._mark == (event.ticket, self._writes):
+                        # Nothing went out since: the wire keeps the order, so nothing else is under way.
+                        early = self._beginning is not None and sent < self._beginning
+                        self.doubt_until = self._beginning if early else None
                     if event.ticket not in self._interjected:
                         self.lost = False
                     if not self._codec.owed:

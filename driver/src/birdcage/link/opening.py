@@ -62,6 +62,14 @@ def has_speed(url: str) -> bool:
     return _scheme(url) not in ("socket", "loop")
 
 
+def keeps_order(url: str) -> bool:
+    """Return whether bytes written to this port come after all that an earlier program wrote to it.
+
+    They do where both go through one queue of this machine, not where a server takes in connections.
+    """
+    return _scheme(url) not in ("socket", "rfc2217", "loop")
+
+
 def is_registered(url: str) -> bool:
     """Return whether a package has registered this kind of port: `sim:g2`, not `localhost:4532`."""
     scheme = _scheme(url)

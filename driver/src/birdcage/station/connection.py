@@ -77,6 +77,7 @@ class Connection:
             self._protocol.console.synchronize()
             self._board.change(menu=self._protocol.console.menu)
             self._look.first()
+            self._look.clear_up()
         except LinkError as error:
             self.lost(error)
             return False

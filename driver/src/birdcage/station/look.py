@@ -128,6 +128,11 @@ class Look:
         reading = self._antenna.protocol.get_rssi(RSSI_ITERATIONS)
         self._board.read("rssi", float(reading.average), "counts")
 
+    def clear_up(self) -> None:
+        """Account for what an earlier program may have sent, so that the survey need not wait for a quiet line."""
+        if self._settings.survey and not self._board.state.surveyed:
+            self._antenna.protocol.console.clear_up()
+
     @property
     def may_leave(self) -> bool:
         """Whether the console can leave its menu at once: else it would first have to wait for a quiet line."""
@@ -154,8 +159,11 @@ class Look:
         if self._antenna.protocol.model.search_switch is SearchSwitch.FOR_GOOD:
             self._board.change(search=Search.OFF if survey.search_disabled else Search.UNKNOWN)
         self.limit(survey)
-        self._board.change(surveyed=True)
-        self._antenna.protocol.enter_motor_menu()
+        try:
+            self._antenna.protocol.enter_motor_menu()
+        finally:
+            # Last: who waits for it may close the port, and a dish that is left in a menu costs the next one time.
+            self._board.change(surveyed=True)
 
     def note_speeds(self, speeds: Mapping[int, float]) -> None:
         """Plan with the speeds that are in force, and show them; what is not among them is not known."""
