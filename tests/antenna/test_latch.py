@@ -40,6 +40,7 @@ def test_a_script_moves_nothing_that_a_person_holds(rig, port):
     file.write(HeldNote("anna", datetime(2026, 11, 22, tzinfo=UTC)))
     moves = [
         lambda: antenna.move_to(200.0, 45.0),
+        lambda: antenna.move_to(200.0, 5.0),
         lambda: antenna.steer(0, 200.0),
         lambda: antenna.protocol.move_motor(0, 200.0),
         lambda: antenna.protocol.home_motor(0),

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.antenna.motion import start_motion
+from birdcage.antenna.motion import plan_axis, start_motion
+from birdcage.antenna.rest import RestWatch
 from birdcage.kinematics import plan_slew
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.types import Position
@@ -59,3 +60,24 @@ def test_an_azimuth_that_turns_the_other_way_round_is_noticed():
     aim = motion.stopped(1.05, 1.0).rest[0] - 360
     rest = position + velocity * abs(velocity) / 800
     assert rest - 10 < aim <= rest
+
+
+def test_a_way_that_may_go_round_the_other_way_is_given_the_time_of_the_longer_one():
+    known, unknown = (
+        start_motion(CARRYOUT_G2, Position(350.0, 45.0), 20.0, 45.0, 0.0, turn_known=each).azimuth
+        for each in (True, False)
+    )
+    assert known.ends_by(1.0) == known.eta(1.0) == unknown.eta(1.0)
+    axis = CARRYOUT_G2.azimuth
+    assert unknown.ends_by(1.0) == pytest.approx(plan_axis(axis, 0.0, 340.0).duration_s)
+
+
+def test_readings_in_too_short_an_order_do_not_tell_rest():
+    watch, here = RestWatch(), Position(180.0, 45.0)
+    watch.see(here, 1.0)
+    watch.see(here, 1.05)
+    assert not watch.rests
+    watch.see(here, 1.15)
+    assert watch.rests
+    watch.see(Position(180.02, 45.0), 1.3)
+    assert not watch.rests

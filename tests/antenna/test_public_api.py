@@ -6,6 +6,7 @@ import threading
 
 import pytest
 from birdcage.antenna import AntennaConfig, BirdcageAntenna
+from birdcage.antenna.alignment import Alignment
 from birdcage.base.clock import VirtualClock
 from birdcage.base.errors import BelowFloor, CommandRefused, MotionRefused, PositionUnknown, WrongThread
 from birdcage.link.link import Link
@@ -101,6 +102,16 @@ def test_floor_the_higher_one_counts(rig):
     high.antenna.initialize()
     with pytest.raises(ValueError, match="floor"):
         high.antenna.move_to(180.0, 39.0)
+
+
+def test_the_floor_is_true_as_all_that_a_script_asks_for():
+    leaning = Rig(min_elevation=40.0, leapfrog_enabled=False)
+    leaning.antenna.align(Alignment(el_offset_deg=2.0))
+    leaning.antenna.initialize()
+    with pytest.raises(BelowFloor, match=r"below the floor of 40\.00°"):
+        leaning.antenna.move_to(180.0, 39.5)
+    leaning.antenna.move_to(180.0, 40.5)
+    assert "a 1 38.50" in leaning.lines()
 
 
 def test_a_single_motor_passes_the_same_gate(rig):

@@ -157,6 +157,13 @@ def test_what_ends_in_the_middle_of_writing_leaves_the_old_file_whole(file, monk
     assert [each.name for each in file.parent.iterdir()] == ["birdcage.toml"]
 
 
+def test_a_library_that_writes_more_than_was_asked_for_writes_nothing(file, monkeypatch):
+    monkeypatch.setattr("tomlkit.dumps", lambda _document: OWN.replace("ttyUSB3", "ttyUSB0").replace("= 12", "= 13"))
+    with pytest.raises(ConfigError, match="nothing was written"):
+        edit(file, {"dish.port": "/dev/ttyUSB0"})
+    assert file.read_text() == OWN
+
+
 def test_a_link_stays_a_link(tmp_path):
     real = tmp_path / "real.toml"
     real.write_text("")

@@ -170,3 +170,13 @@ def test_control_characters_of_a_name_are_lost_as_it_comes_in(tmp_path):
     (preset,) = load_presets(path).entries
     assert (preset.name, preset.note) == ("a[2J", "b")
     assert add_preset(path, replace(preset, name="other")).problems == ()
+
+
+def test_a_library_that_writes_another_number_writes_nothing(path, monkeypatch):
+    import tomlkit
+
+    before, dumps = filled(path).read_text(), tomlkit.dumps
+    monkeypatch.setattr("tomlkit.dumps", lambda document: dumps(document).replace("151.3", "15.3"))
+    with pytest.raises(ConfigError, match="Nothing was written"):
+        add_preset(path, Preset("Tower", 20.0, 30.0))
+    assert path.read_text() == before

@@ -1,10 +1,11 @@
 from __future__ import annotations
 
 import math
+import re
 
 import pytest
 from birdcage.base.errors import BelowFloor, Held, LeaseDenied, LinkError, MotionRefused, PositionUnknown, Superseded
-from birdcage.station.requests import AcquireLease, Goto, Home, Jog, ReleaseLease
+from birdcage.station.requests import AcquireLease, Goto, Home, Jog, Release, ReleaseLease
 from birdcage.station.state import Activity
 
 from .conftest import Bench
@@ -108,6 +109,29 @@ def test_a_stalled_axis_is_a_fault_that_holds_until_acknowledged(bench):
     assert "azimuth" in bench.state.fault.what
     with pytest.raises(Held):
         bench.do(go(200, 45))
+
+
+def test_a_fault_holds_after_a_release_too_until_it_is_acknowledged(bench):
+    bench.do(go(180, 45))
+    bench.station.submit(go(300, 45))
+    bench.step(0.5)
+    bench.device.stall(0)
+    bench.step(6)
+    bench.do(Release("you"))
+    since = bench.clock.monotonic()
+    with pytest.raises(Held, match="fault waits to be acknowledged") as held:
+        bench.do(go(200, 45))
+    assert held.value.reason == "fault"
+    assert bench.moves_since(since) == []
+
+
+def test_a_dish_that_is_stuck_a_few_degrees_off_has_not_arrived(bench):
+    bench.do(go(180, 45))
+    bench.device.firmware.stalled = lambda _axis: None
+    bench.device.stall(0)
+    future = bench.station.submit(go(183, 45))
+    bench.step(8)
+    assert re.search(r"stands still at 179\.\d\d°/44\.\d\d°, \d\.\d\d° from its target", str(future.exception(0)))
 
 
 def test_a_stalled_axis_that_the_dish_does_not_tell_of_is_seen(bench):

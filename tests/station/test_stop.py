@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from birdcage.base.errors import Held, Stopped
 from birdcage.station.requests import Goto, Home, Release
@@ -176,3 +178,18 @@ def test_a_slow_dish_that_takes_its_time_to_the_aim_is_stopped_all_the_same():
     bench.step(10)
     assert bench.state.last_stop.confirmed is True
     assert bench.state.last_stop.means == "retarget"
+
+
+def test_a_dish_that_is_slow_to_take_stop_is_not_turned_back():
+    """The move was taken in 5 ms, and STOP is taken 80 ms after it left."""
+    bench = Bench("g2?seed=1&latency_min=0.005&latency_max=0.005").connect()
+    in_mid_slew(bench)
+    shell = bench.device.shell
+    shell._settings = replace(shell._settings, latency_min=0.08, latency_max=0.08)
+    bench.station.stop("you")
+    seen = []
+    for _ in range(100):
+        bench.step(0.02)
+        seen.append(bench.device.truth().az_deg)
+    assert not bench.device.truth().moving
+    assert max(seen) - seen[-1] < 0.1

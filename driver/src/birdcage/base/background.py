@@ -80,7 +80,7 @@ class BackgroundWriter(Generic[Item]):
             with self._changed:
                 self._busy = False
                 self._changed.notify_all()
-                if ending and not self._waiting:
+                if ending:  # nothing was taken in since
                     break
         if held_back:
             self._handle([], 0)
