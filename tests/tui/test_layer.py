@@ -51,3 +51,13 @@ def test_a_palette_does_one_command():
         return app.step_deg
 
     assert run(body) == 2.0
+
+
+def test_both_keys_of_the_palette_open_the_one_that_leaves_row_1_alone():
+    async def body(app, pilot):
+        await pilot.press("ctrl+p")
+        first = type(app.screen)
+        await pilot.press("ctrl+p")
+        return first, len(app.screen_stack)
+
+    assert run(body) == (Palette, 2)

@@ -69,6 +69,7 @@ class Shell(Surface):
     TITLE = "birdcage"
     CSS_PATH = Path(__file__).with_name("app.tcss")
     AUTO_FOCUS = None
+    ENABLE_COMMAND_PALETTE = False  # Textual's own, over row 1; ours is a command
     COMMANDS = {CommandProvider}  # noqa: RUF012
     BINDINGS = [  # noqa: RUF012
         Binding(key, f"key({key!r})", show=False, priority=priority) for key, priority in commands.KEYS.items()
