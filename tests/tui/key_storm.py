@@ -203,9 +203,11 @@ class Storm:
             await self.press("escape", "escape", "escape", "f1")
             if len(app.screen_stack) == 1 and not isinstance(app.focused, Input):
                 break
-            self.step(1.0)  # a dish that may still move: Esc has stopped it
+            self.step(
+                20.0 if app.station.state.activity is Activity.HOMING else REST_S
+            )  # Esc has stopped what may move
         if len(app.screen_stack) != 1 or isinstance(app.focused, Input):
-            self.note(f"Esc does not lead back: {app.screen}, {app.focused}")
+            self.note(f"Esc does not lead back: {app.screen}, {app.focused}, {app.station.state.activity}")
         for _ in range(3):
             if app.station.state.held is not None or app.station.state.fault is not None:
                 await self.press("enter")

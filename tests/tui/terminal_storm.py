@@ -69,6 +69,8 @@ class TerminalStorm:
         self.until(self._let_go, "Enter does not let go")
 
     def _let_go(self) -> bool:
+        self.app.press(b"\x1b")  # while it may still move, Esc has stopped it, and closed nothing
+        Event().wait(0.2)
         self.app.press(b"\x1bOP\r")
         Event().wait(0.3)
         return not self.is_held()
