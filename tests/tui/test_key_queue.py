@@ -157,3 +157,9 @@ def test_a_layer_that_is_closing_with_something_in_its_queue_holds_nothing_up():
         screen_stack=[closing], screen=closing, focused=None, workers=(), call_later=lambda _callback: False
     )
     asyncio.run(asyncio.wait_for(settled(app), 20.0))
+
+
+@pytest.mark.parametrize("opens", ["question_mark", "colon"])
+@pytest.mark.parametrize("pages", ["pagedown", "pageup"])
+def test_a_list_that_is_not_drawn_yet_takes_keys_that_turn_its_pages(opens, pages):
+    after(opens, pages, pages)

@@ -7,7 +7,7 @@ from typing import cast
 
 from textual import events
 from textual.app import ComposeResult
-from textual.command import CommandPalette, DiscoveryHit, Hit, Hits, Provider
+from textual.command import CommandList, CommandPalette, DiscoveryHit, Hit, Hits, Provider
 
 from birdcage_tui.commands import COMMANDS, Command
 from birdcage_tui.host import Host
@@ -29,6 +29,11 @@ class Palette(CommandPalette, Layer[None]):
     def on_mount(self, _: events.Mount) -> None:
         """Fill row 1, and let the footer know that one types, once the field has the focus."""
         self.call_after_refresh(cast(Host, self.app).paint)
+
+    def _action_command_list(self, action: str) -> None:
+        """Move in the list. Pages of one that is not drawn yet, or has no row here, cannot be turned."""
+        if "page" not in action or self.query_one(CommandList).scrollable_content_region:
+            super()._action_command_list(action)
 
 
 class CommandProvider(Provider):
