@@ -81,3 +81,14 @@ def test_readings_in_too_short_an_order_do_not_tell_rest():
     assert watch.rests
     watch.see(Position(180.02, 45.0), 1.3)
     assert not watch.rests
+
+
+def test_an_azimuth_that_is_seen_going_the_other_way_round_goes_on_that_way():
+    motion = start_motion(CARRYOUT_G2, Position(0.0, 45.0), 170.0, 45.0, 0.0)
+    for at in (0.4, 0.5):
+        motion = motion.with_reading(Position((-20.0 - 60.0 * (at - 0.4)) % 360.0, 45.0), at, 1.0)
+    assert motion.azimuth.slew.end_deg == -190.0
+    assert motion.rest[0] == 170.0
+    turned = [motion.azimuth.modelled(at / 10, 1.0)[0] for at in range(5, 40)]
+    assert turned == sorted(turned, reverse=True)
+    assert motion.eta(1.0) > 0.5 + 160.0 / 65.0

@@ -189,7 +189,7 @@ def test_a_dish_that_is_slow_to_take_stop_is_not_turned_back():
     bench.station.stop("you")
     seen = []
     for _ in range(100):
-        bench.step(0.02)
+        bench.clock.advance(0.02)
         seen.append(bench.device.truth().az_deg)
     assert not bench.device.truth().moving
     assert max(seen) - seen[-1] < 0.1
