@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from dataclasses import replace
 
 import pytest
 from birdcage.console.places import Places, commands
@@ -108,3 +109,12 @@ def test_a_letter_that_noise_cut_off_the_roots_help_hides_no_submenu(places):
     places.judge(("motor", "ngsearch", "n vs", "reboot", "s tow", "q"))
     assert places.judge(SEARCH) is None
     assert places.judge(SEARCH) is not None
+
+
+def test_the_root_of_another_firmware_is_no_submenu_however_often_it_shows():
+    """A `q` would go out from a submenu: at this root it may end the shell."""
+    places = Places(replace(bench.HAL, stranger_marks=frozenset({"mot"})))
+    other = ("Enter <mot> - motors", "Enter <dvb> - tuner", "Enter <eeprom> - table", "q")
+    assert places.judge(ROOT) == "root"
+    assert [places.judge(other) for _ in range(3)] == [None, None, None]
+    assert places.is_stranger(other)
