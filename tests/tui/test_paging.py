@@ -8,7 +8,7 @@ from birdcage.station.requests import Watch
 from birdcage_tui import paging
 from birdcage_tui.commands import COMMANDS, PAGES
 from birdcage_tui.pages.register import MADE
-from textual import events
+from burst import settle, write
 from textual.widgets import ContentSwitcher
 
 NAMES = {name for name, _, _ in PAGES}
@@ -41,8 +41,8 @@ def after(*keys, size=(80, 24)):
         app = stand_in.app_in("idle")
         async with app.run_test(size=size) as pilot:
             await pilot.pause()
-            for key in keys:
-                app.post_message(events.Key(key, None))
+            write(app, *keys)
+            await settle(app)  # however long the pages take: it waits for them, not for a time
             await pilot.pause(0.5)
             switcher = app.query_one("#pages", ContentSwitcher)
             return (
