@@ -55,6 +55,17 @@ def test_a_key_after_junk_arrives(junk):
     assert got[-2:] == ["space", "gone"]
 
 
+@pytest.mark.parametrize("begun", [b"\x1b", b"\x1b[", b"\x1bO", b"\x1b[1;", b"\x1b[<0;1", b"\x1b]0;", b"\x1bP"])
+def test_ctrl_c_waits_for_the_end_of_no_sequence(begun):
+    assert read(begun + b"\x03") == ["ctrl+c", "gone"]
+
+
+def test_a_ctrl_c_in_a_paste_is_text():
+    got = read(b"\x1b[200~a\x03b\x1b[201~ ")
+    assert [type(each).__name__ for each in got[:1]] == ["Paste"]
+    assert got[1:] == ["space", "gone"]
+
+
 @given(some.binary(max_size=60))
 def test_no_bytes_end_the_input_or_eat_the_keys_long_after_them(junk):
     reader, writer = os.pipe()

@@ -29,6 +29,7 @@ LOOK_S = 0.1
 """How often the end of the input thread is looked for."""
 PASTE_S = 0.5
 """So long after the last byte a paste is over even if its end was lost: keys mean STOP again."""
+CTRL_C = "\x03"
 PASTE_BEGINS, PASTE_ENDS = "\x1b[200~", "\x1b[201~"
 X10_REPORT, X10_BYTES = b"\x1b[M", 3
 """The oldest form of a mouse report: three bytes follow, of any value. Textual has no use for it, and drops it."""
@@ -115,6 +116,10 @@ class TerminalFile:
         return False
 
 
+def _is_mid_sequence(parser: XTermParser) -> bool:
+    return parser._timeout_time is not None  # noqa: SLF001 - it waits for the rest, so long
+
+
 class TerminalDriver(LinuxDriver):
     """Reads until the terminal is gone, and tells the app then (`terminal_gone`)."""
 
@@ -139,12 +144,12 @@ class TerminalDriver(LinuxDriver):
                         break
                     text = decoder.decode(data)
                     paste.see(text)
-                    parser = self._feed(parser, text)
+                    parser = self._feed(parser, text, paste)
                 else:
                     decoder.pause()
                     if paste.is_open and monotonic() - heard_at >= PASTE_S:
                         paste.see(PASTE_ENDS)
-                        parser = self._feed(parser, PASTE_ENDS)
+                        parser = self._feed(parser, PASTE_ENDS, paste)
                 parser = self._hand_on(parser, parser.tick)
 
     @staticmethod
@@ -159,9 +164,11 @@ class TerminalDriver(LinuxDriver):
         except OSError:
             return b""
 
-    def _feed(self, parser: XTermParser, text: str) -> XTermParser:
+    def _feed(self, parser: XTermParser, text: str, paste: PasteWatch) -> XTermParser:
         """Parse text, a character at a time: one that breaks the parser costs none of those after it."""
         for char in text:
+            if char == CTRL_C and not paste.is_open and PASTE_ENDS not in text and _is_mid_sequence(parser):
+                parser = XTermParser()  # no sequence of keys holds one: STOP does not wait for the end of what it cuts
             parser = self._hand_on(parser, partial(parser.feed, char))
         return parser
 
