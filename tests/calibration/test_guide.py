@@ -112,7 +112,7 @@ def test_stop_ends_the_way_and_is_told(garden):
     assert garden.guide.view().failure
     garden.guide.go()
     garden.run(3.0)
-    assert "STOP" in garden.guide.view().failure  # held until it is released
+    assert "HELD" in garden.guide.view().failure  # held until it is released
 
 
 def test_limits_hold(garden):

@@ -97,6 +97,6 @@ def test_stop_is_told_and_no_peak_is_taken_of_it(garden, talk):
         return ""
 
     told = talk("n", stop, "g", "q")
-    assert "STOP" in told.err
+    assert "HELD" in told.err
     garden.session.station.submit(Release("test"))
     garden.run(1.0)

@@ -16,7 +16,7 @@ FRESH = "g2?boot=1&nvs20=0&home_fails=1&heading=30&seed=4"
 
 def wires_to_home(house):
     setup = house.setup
-    house.run(12)
+    house.run(16)  # it has booted
     assert setup.current == "link"
     assert house.view("link").mark.value == "failed"
     house.choose("link", "probe")

@@ -100,7 +100,7 @@ async def test_stop_before_the_order_reaches_the_guide_counts_for_it(house):
     await house.step(5.0)
     assert house.device.truth().az_deg == where.az_deg
     assert not house.app.under_way
-    assert "STOP" in house.now.wrong
+    assert "HELD" in house.now.wrong
 
 
 @played
