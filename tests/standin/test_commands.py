@@ -27,6 +27,7 @@ SOME = (
     {"takes_moves": False, "echo": "lower", "latency_s": 0.6, "tracker": True, "root_q": "unknown"},
 )
 """Of the fast set; the soak has every two values of two switches, and hundreds drawn at random."""
+COARSE = {"eol": "\n", "echo_while_busy": True, "decimals": 0, "az_speed": 30.0, "el_speed": 4.0, "accel": 60.0}
 ODD = ({"echo": "off"}, {"prompts": "none"}, {"prompts": "renamed"}, {"loss": 0.02}, {"latency_s": 12.0})
 
 
@@ -38,6 +39,15 @@ def test_an_evening_at_a_dish_in_good_order(terminal, habits):
 @pytest.mark.parametrize("habits", ODD, ids=str)
 def test_an_evening_at_a_dish_out_of_order(terminal, habits):
     assert tell(terminal(**habits), strict=False) == []
+
+
+def test_two_equal_readings_in_whole_degrees_are_no_rest(terminal):
+    hand = terminal(**COARSE, az_deg=0.0, el_deg=30.0)
+    said = hand.run("move", "--az", "200", "--el", "60", interrupted=True)
+    place = hand.dish.where()
+    hand.wait(30.0)
+    assert "tands still" in said.text
+    assert hand.dish.where() == pytest.approx(place)
 
 
 def test_following_a_direction(terminal):

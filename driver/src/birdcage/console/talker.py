@@ -22,8 +22,6 @@ _LOOKS = 4
 """How often help is asked for in a row: a menu that was not seen before takes two."""
 LATE_S = 0.3
 """A dish that is free answers a short line sooner than this: an older one may be read much later, or was lost."""
-_PROMPT_S = 0.1
-"""A dish that answers sooner owes nothing to a program that ran before: another one takes longer to begin."""
 MARK_S = 0.5
 """How much longer than a usual answer that of a mark is waited for: without it the line must fall quiet."""
 _MOST_MARKS_LOST = 2
@@ -111,31 +109,13 @@ class Talker:
         if self._new:
             # Nothing of ours is under way yet: look at once. A `q` waits until `doubt_until` all the same.
             self._new = False
-            menu = self._probe(wakes=True)
-            self._let_others_finish()
-            return self.menu or menu
-        if self.dialect.learnt and not self._wire.lost:
+        elif self.dialect.learnt and not self._wire.lost:
             pass  # no reply is missing: only the menu is in doubt
         elif not self._quiet(strictly=False):
             # It talks on: perhaps a stream, which any key ends.
             self._wire.press_enter()
             self._quiet(strictly=False)
         return self._probe(wakes=True)
-
-    def _let_others_finish(self) -> None:
-        """Hear out what the program before us has asked, on a dish that is slow enough for that to be under way.
-
-        Its prompts would be taken for answers to our own lines: each reply would then be the one before.
-        """
-        wire, round_trip_s = self._wire, self._round_trip_s or 0.0
-        if round_trip_s < _PROMPT_S:
-            return
-        end = self.clock.monotonic() + 2 * self.delay_s
-        while self.clock.monotonic() < end:
-            heard = wire.last_received
-            wire.pump(min(self.clock.monotonic() + 2 * round_trip_s, end))
-            if wire.last_received == heard:
-                return
 
     def _quiet(self, *, strictly: bool) -> bool:
         """Wait until all that was sent has had its time, both ways, and D passed without a byte.

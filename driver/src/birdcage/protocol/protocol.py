@@ -58,6 +58,8 @@ class FirmwareProtocol(ABC):
         self.gate = MotionGate(self.model)
         self.belief: Belief | None = None
         """What readings of the position must pass before anything counts with them; None: each is taken as printed."""
+        self.printed_deg = 0.01
+        """How fine the angles are that the dish prints, as its last reading showed."""
         self.busy_s: Callable[[], float] = lambda: 0.0
         """Asked how long a move may keep the dish from answering a reading of its position."""
         self.on_busy: Callable[[], None] = lambda: None

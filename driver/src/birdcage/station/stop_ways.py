@@ -20,7 +20,9 @@ from birdcage.station.state import Activity, Pointing, Search
 GRACE_S = 1.0
 """How much longer than its stopping power a dish may take to rest, before STOP is reported as not working."""
 PRINTED_DEG = 0.01
-"""Angles are printed in hundredths: two that differ by less may be printed alike."""
+"""Angles are printed in hundredths, as far as sources show: two that differ by less may be printed alike."""
+CREEPS_DEG_S = 0.5
+"""The least speed that readings in coarser numbers must tell from rest."""
 QUEUED_STILL_S = 0.3
 """On a dish that speeds up slowly, readings in shorter order agree in mid-move too."""
 
@@ -120,7 +122,9 @@ class Retarget(StopWay):
         model, motion, known = self._antenna.protocol.model, self._antenna.motion, self._antenna.speeds_deg_s
         axes = model.azimuth, model.elevation
         seen = (None, None) if motion is None else self._seen
-        still_s = 0.0
+        printed_deg = self._antenna.protocol.printed_deg
+        # A dish that brakes or turns round is slow for a moment: hundredths show it in that time, whole degrees do not.
+        still_s = printed_deg / CREEPS_DEG_S if printed_deg > PRINTED_DEG else 0.0
         for axis, seen_deg_s in zip(axes, seen, strict=True):
             told_deg_s = None if slowest else known.get(axis.index)
             # One step a second is the least that a motor can be set to.

@@ -130,7 +130,8 @@ class CarryoutG2Protocol(Rooms):
         return self._position_in(reply)
 
     def _position_in(self, reply: Reply) -> Position:
-        angles = {int(m[1]): float(m[2]) for m in _ANGLE.finditer(" ".join(reply.lines))}
+        printed = {int(m[1]): m[2] for m in _ANGLE.finditer(" ".join(reply.lines))}
+        angles = {axis: float(text) for axis, text in printed.items()}
         if set(angles) != {0, 1}:
             self.gate.forget("unread")
             if _OTHER_ANGLES.search(" ".join(reply.lines)):
@@ -148,6 +149,7 @@ class CarryoutG2Protocol(Rooms):
             raise UnreadablePosition(
                 f"The dish answered `a` with {' / '.join(reply.lines)!r}: no such angles.", reply.lines
             )
+        self.printed_deg = max(10.0 ** -len(text.partition(".")[2]) for text in printed.values())
         return Position(angles[0], angles[1])
 
     def _send_move(self, motor_id: int, degrees: float, busy_s: float) -> Taken:
