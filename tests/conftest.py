@@ -79,7 +79,7 @@ def pytest_collectstart() -> None:
 def pytest_collection_finish() -> None:
     """Keep what all tests share, all of it made by now, out of the garbage collector's sight."""
     gc.freeze()
-    gc.set_threshold(20_000, 10, 10)  # an app is 100,000 objects, and most of them live until it ends
+    gc.set_threshold(100_000, 3, 3)  # an app is 100,000 objects: by the time it is looked at, most have gone
     gc.enable()
 
 

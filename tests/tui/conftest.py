@@ -9,6 +9,7 @@ import textual._time
 import textual.app
 import textual.pilot
 from birdcage.base.presets import Preset, add_preset
+from textual._compositor import Compositor
 from textual._styles_cache import StylesCache
 from textual.css.stylesheet import Stylesheet
 
@@ -33,14 +34,34 @@ def _forget_the_drawn():
     StylesCache.get_inner_outer.cache_clear()
 
 
+_render_update = Compositor.render_update
+
+
 @pytest.fixture(autouse=True)
 def _never_wait(monkeypatch):
     """Let time jump where the app only waits for it."""
     before = asyncio.get_event_loop_policy()
     asyncio.set_event_loop_policy(jumping_loop.Policy())
     monkeypatch.setattr(textual._time, "get_time", jumping_loop.loop_time)
-    monkeypatch.setattr(textual.app, "wait_for_idle", jumping_loop.settle)
-    monkeypatch.setattr(textual.pilot, "wait_for_idle", jumping_loop.settle)
+    undrawn = {}
+
+    async def settle(*_):
+        await jumping_loop.settle()
+        while undrawn:
+            compositor, stack = undrawn.popitem()
+            if compositor.root is not None and compositor.root.is_current:
+                _render_update(compositor, screen_stack=stack)
+
+    def render_later(compositor, full=False, screen_stack=None, simplify=False):
+        if full:  # a picture
+            return _render_update(compositor, full, screen_stack, simplify)
+        # No terminal sees a frame of these apps: what a key leads to is drawn once, when the app has settled.
+        undrawn[compositor] = screen_stack
+        return None
+
+    monkeypatch.setattr(Compositor, "render_update", render_later)
+    monkeypatch.setattr(textual.app, "wait_for_idle", settle)
+    monkeypatch.setattr(textual.pilot, "wait_for_idle", settle)
     yield
     asyncio.set_event_loop_policy(before)
 

@@ -28,5 +28,22 @@ def run(test, name="craft-following", size=(80, 24), keys=("f2", "c"), **options
     return asyncio.run(body())
 
 
+def run_each(test, size):
+    """Return what `test(app, pilot, desk)` returns in each scene, by name: one app that goes through them all."""
+
+    async def through(app, pilot, desk):
+        found = {}
+        for name in track_stand_in.SCENES:
+            track_stand_in.change_to(app, name)
+            await pilot.pause()
+            app.paint()
+            await pilot.pause()
+            await pilot.pause()
+            found[name] = await test(app, pilot, desk)
+        return found
+
+    return run(through, next(iter(track_stand_in.SCENES)), size)
+
+
 async def read(app, _pilot, _desk):
     return stand_in.text_of(app)

@@ -365,3 +365,13 @@ def app_in(name, **options):
     app.track.looks.extend(seen)
     app.track._number = None if state.pursuit is None else state.pursuit.number
     return app
+
+
+def change_to(app, name):
+    """Let an app that runs show another scene, as if it had been in it from the start."""
+    app.station.state, now, seen = SCENES[name](app.session.clock)
+    app.track._number = None if app.station.state.pursuit is None else app.station.state.pursuit.number
+    app.track.looks.clear()
+    app.track.looks.extend(seen)
+    app.track.source.now = now
+    app.track.source.show(now)
