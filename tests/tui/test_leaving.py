@@ -4,6 +4,7 @@ import asyncio
 
 import pytest
 import stand_in
+from burst import write
 
 
 async def after(name, end):
@@ -47,3 +48,20 @@ def test_a_closed_terminal_is_taken_for_a_hangup():
         pilot.app.terminal_gone()
 
     assert asyncio.run(after("idle", close)) == ([], 129)
+
+
+def test_an_end_while_a_layer_is_being_made_is_no_error():
+    """A signal comes whenever it likes; what the layer then misses of itself is nobody's fault."""
+
+    async def ended(turns):
+        app = stand_in.app_in("idle")
+        async with app.run_test() as pilot:
+            await pilot.pause()
+            write(app, "question_mark")
+            for _ in range(turns):
+                await asyncio.sleep(0)
+            app.leave(status=143)
+            await asyncio.sleep(1.0)
+        return app.return_code
+
+    assert {asyncio.run(ended(turns)) for turns in range(3, 9)} == {143}
