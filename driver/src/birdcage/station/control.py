@@ -53,7 +53,8 @@ class Control:
                 )
                 self._tell_held(held)
             raise Held(
-                f"{'HELD.' if held is None else held.sentence} Nothing was sent: `birdcage release` lets it move again."
+                f"{'HELD.' if held is None else held.sentence} Nothing was sent: Enter in the app or "
+                "`birdcage release` lets it move again."
             )
         if state.motion_refused_because is not None:
             raise MotionRefused(state.motion_refused_because, reason="settings")
