@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from birdcage.base.errors import NoReply
+from birdcage.console.codec import MARK
 from birdcage.protocol.g2.tuner_values import AgcReading, read_agc, read_channel, read_identity, read_lock, read_volts
 
 TRK, DVB = b"\r\nTRK>", b"dvb\r\nDVB>"
@@ -142,7 +143,10 @@ def test_the_other_lines(ask, line, answer, question, value):
 def test_a_line_with_a_q_in_it_goes_out_of_a_proven_submenu(play, clock, line, lines):
     text = lines.replace("\n", "\r\n")
     answer = f"{line}\r\n{text}\r\nDVB>".encode()
-    g2, _port = play([(b"\r", TRK), (b"dvb\r", DVB), (b"\r", b"\r\nDVB>"), (f"{line}\r".encode(), answer)])
+    mark = MARK.encode() + b"\r"
+    g2, _port = play([
+        (b"\r", TRK), (b"dvb\r", DVB), (mark, mark + b"\nDVB>"), (b"\r", b"\r\nDVB>"), (f"{line}\r".encode(), answer),
+    ])  # fmt: skip
     g2.enter_dvb_menu()
     clock.advance(5.0)
     found = g2.tuner.frequencies() if line == "freqs" else g2.tuner.quick_lock_status()

@@ -5,6 +5,7 @@ and what it makes of what a dish has printed. The dish is played from the page; 
 from __future__ import annotations
 
 import pytest
+from birdcage.console.codec import MARK
 from birdcage.protocol.g2.motor_values import HomingReport
 from birdcage.protocol.types import Position, RssiReading
 
@@ -76,11 +77,15 @@ MOT>
 
 
 def test_the_q_of_t_g2_move_goes_out_once_an_enter_has_shown_the_submenu(play, clock):
-    g2, port = play([(b"\r", b"\r\nTRK>"), (b"mot\r", b"mot\r\nMOT>"), (b"\r", b"\r\nMOT>"), (b"q\r", b"q\r\nTRK>")])
+    mark = MARK.encode() + b"\r"
+    g2, port = play([
+        (b"\r", b"\r\nTRK>"), (b"mot\r", b"mot\r\nMOT>"), (mark, mark + b"\nMOT>"), (b"\r", b"\r\nMOT>"),
+        (b"q\r", b"q\r\nTRK>"),
+    ])  # fmt: skip
     g2.enter_motor_menu()
     clock.advance(5.0)
     g2.reset_to_root()
-    assert port.written == b"\rmot\r\rq\r"
+    assert port.written == b"\rmot\r" + mark + b"\rq\r"
     assert g2.console.menu == "root"
 
 

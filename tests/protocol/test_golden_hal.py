@@ -64,7 +64,7 @@ class Transcript:
             self.menu = line
         elif line == "a":
             self.say(self.position)
-        elif line and line.split(maxsplit=1)[0] not in HELP[self.menu]:
+        elif line.strip() and line.split(maxsplit=1)[0] not in HELP[self.menu]:
             self.say("Invalid command\n")
 
     def pending(self) -> bool:
@@ -88,8 +88,8 @@ class Transcript:
 
     @property
     def lines(self) -> list[str]:
-        """What was sent, without what only asks: bare Enters and `?`."""
-        return [line for line in self.sent.decode().split("\r")[:-1] if line not in ("", "?")]
+        """What was sent, without what only asks: bare Enters, marks of blanks, and `?`."""
+        return [line for line in self.sent.decode().split("\r")[:-1] if line.strip() not in ("", "?")]
 
 
 def talk(sent: bytes) -> list[str]:
