@@ -142,7 +142,7 @@ class Story(Bench):
         """Whether somebody asked for these bytes, while a person talks."""
         state, serving = self.state, self._serving
         talks = state.holder == CONSOLE and self.station._talk._holder == CONSOLE
-        if not talks or line == "" or state.activity in MOVING or state.link.state is not LinkNow.UP:
+        if not talks or not line.strip() or state.activity in MOVING or state.link.state is not LinkNow.UP:
             return True
         if serving is None or isinstance(serving, ask.AcquireLease):
             return self._fresh and isinstance(serving, ask.AcquireLease)
