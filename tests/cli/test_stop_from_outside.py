@@ -16,7 +16,7 @@ from birdcage.base.paths import Paths
 from birdcage.station.build import open_session
 from birdcage.station.doorbell import Doorbell
 from birdcage.station.requests import Goto
-from birdcage.station.ring import owners_folder
+from birdcage.station.ring import find_owners, owners_folder
 from birdcage.station.state import Link
 
 
@@ -29,7 +29,8 @@ def owner(pty_dish):
     )
     doorbell = Doorbell(session.station, owners_folder(paths))
     session.start()
-    pty_dish.wait_for(lambda _truth: session.station.state.link.state is Link.UP)
+    # Other programs find it once it is announced, a little after the link is up.
+    pty_dish.wait_for(lambda _truth: session.station.state.link.state is Link.UP and find_owners(owners_folder(paths)))
     yield session
     session.close()
     doorbell.close()

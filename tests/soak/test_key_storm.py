@@ -11,6 +11,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.shared.night import by_night
+
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tui"))
 
 from key_storm import WAYS, blow
@@ -20,7 +22,7 @@ EACH = 2000
 
 
 @pytest.mark.soak
-@pytest.mark.parametrize("seed", range(100, 125))
+@pytest.mark.parametrize("seed", by_night(range(100, 125), 2))
 def test_two_thousand_keys_in_one_app(seed):
     storm = asyncio.run(blow(seed, EACH, SIZES[seed % len(SIZES)]))
     assert not storm.wrong, "\n".join(storm.wrong)
@@ -30,7 +32,7 @@ def test_two_thousand_keys_in_one_app(seed):
 
 @pytest.mark.soak
 @pytest.mark.skipif(sys.platform == "win32", reason="needs a pty")
-@pytest.mark.parametrize("seed", range(10, 20))
+@pytest.mark.parametrize("seed", by_night(range(10, 20), 1))
 def test_five_hundred_keys_in_one_terminal(seed, tmp_path):
     from terminal_storm import storm
 

@@ -10,6 +10,8 @@ import random
 
 import pytest
 
+from tests.shared.night import by_night
+
 from .covering import HEALTHY, STRANGE, drawn, pairwise, singles
 from .stories import EVENING, FOLLOWING, tell
 
@@ -55,20 +57,20 @@ def test_following_a_direction(terminal):
 
 
 @pytest.mark.soak
-@pytest.mark.parametrize("habits", singles(HEALTHY) + pairwise(HEALTHY), ids=str)
+@pytest.mark.parametrize("habits", by_night(singles(HEALTHY) + pairwise(HEALTHY), 30), ids=str)
 @pytest.mark.parametrize("story", [EVENING, FOLLOWING], ids=["evening", "following"])
 def test_every_two_habits_meet(terminal, habits, story):
     assert tell(terminal(**habits), story) == []
 
 
 @pytest.mark.soak
-@pytest.mark.parametrize("habits", singles(STRANGE) + pairwise(STRANGE), ids=str)
+@pytest.mark.parametrize("habits", by_night(singles(STRANGE) + pairwise(STRANGE), 15), ids=str)
 def test_every_two_disorders_meet(terminal, habits):
     assert tell(terminal(**habits), strict=False) == []
 
 
 @pytest.mark.soak
-@pytest.mark.parametrize("seed", range(300))
+@pytest.mark.parametrize("seed", by_night(range(300), 20))
 def test_habits_drawn_at_random(terminal, seed):
     rng = random.Random(seed)
     assert tell(terminal(**drawn(HEALTHY, rng), seed=seed)) == []

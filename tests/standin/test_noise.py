@@ -8,6 +8,8 @@ import pytest
 from birdcage.station.requests import AcknowledgeFault, Goto, Release, Watch
 from birdcage.station.state import Activity, Link
 
+from tests.shared.night import by_night
+
 from .bench import Bench
 
 PIECES = (
@@ -77,6 +79,6 @@ def test_thousands_of_random_bytes(seed):
 
 
 @pytest.mark.soak
-@pytest.mark.parametrize("seed", range(100, 125))
+@pytest.mark.parametrize("seed", by_night(range(100, 125), 3))
 def test_a_million_random_bytes(seed):
     _judge(_storm(seed, 40_000))

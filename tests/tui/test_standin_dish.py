@@ -13,6 +13,7 @@ from birdcage.station.station import Station
 from birdcage_tui.app import BirdcageApp
 from birdcage_tui.settings import AppSettings, Place
 
+from tests.shared.night import by_night
 from tests.standin.covering import HEALTHY, STRANGE, pairwise, singles
 from tests.standin.dish import StandIn
 from tests.standin.habits import Habits
@@ -145,13 +146,13 @@ def test_keys_at_random():
 
 
 @pytest.mark.soak
-@pytest.mark.parametrize("habits", [*singles(STRANGE), *pairwise(HEALTHY)], ids=str)
+@pytest.mark.parametrize("habits", by_night([*singles(STRANGE), *pairwise(HEALTHY)], 4), ids=str)
 def test_an_evening_at_every_dish(habits):
     play(evening, habits)
 
 
 @pytest.mark.soak
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", by_night(range(6), 1))
 def test_many_keys_at_random(seed):
     rng = random.Random(seed)
     play(storm, rng.choice(singles(HEALTHY)) | rng.choice(singles(STRANGE)), seed, 400)
