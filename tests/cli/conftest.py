@@ -8,7 +8,14 @@ import sys
 import threading
 
 import pytest
+from birdcage.base.clock import RealClock
+from birdcage.base.config import load
+from birdcage.base.paths import Paths
 from birdcage.cli.app import cli
+from birdcage.station.build import open_session
+from birdcage.station.doorbell import Doorbell
+from birdcage.station.ring import find_owners, owners_folder
+from birdcage.station.state import Link
 from click.testing import CliRunner
 from pty_dish import PtyDish
 
@@ -80,3 +87,19 @@ def start():
 @pytest.fixture
 def as_json():
     return lambda result: json.loads(result.stdout)
+
+
+@pytest.fixture
+def owner(pty_dish):
+    """A program that has the port, as the app is one."""
+    paths = Paths.default()
+    session = open_session(
+        port=pty_dish.path, firmware="g2", baud=None, settings=load(None), paths=paths, clock=RealClock(), survey=False
+    )
+    doorbell = Doorbell(session.station, owners_folder(paths))
+    session.start()
+    # Other programs find it once it is announced, a little after the link is up.
+    pty_dish.wait_for(lambda _truth: session.station.state.link.state is Link.UP and find_owners(owners_folder(paths)))
+    yield session
+    session.close()
+    doorbell.close()

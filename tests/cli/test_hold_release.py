@@ -5,14 +5,7 @@ from __future__ import annotations
 import signal
 
 import pytest
-from birdcage.base.clock import RealClock
-from birdcage.base.config import load
-from birdcage.base.paths import Paths
-from birdcage.station.build import open_session
-from birdcage.station.doorbell import Doorbell
 from birdcage.station.requests import Goto
-from birdcage.station.ring import owners_folder
-from birdcage.station.state import Link
 
 from .conftest import PtyDish
 
@@ -20,21 +13,6 @@ from .conftest import PtyDish
 @pytest.fixture(autouse=True)
 def _anna(monkeypatch):
     monkeypatch.setenv("LOGNAME", "anna")
-
-
-@pytest.fixture
-def owner(pty_dish):
-    """A program that has the port, as the app is one."""
-    paths = Paths.default()
-    session = open_session(
-        port=pty_dish.path, firmware="g2", baud=None, settings=load(None), paths=paths, clock=RealClock(), survey=False
-    )
-    doorbell = Doorbell(session.station, owners_folder(paths))
-    session.start()
-    pty_dish.wait_for(lambda _truth: session.station.state.link.state is Link.UP)
-    yield session
-    session.close()
-    doorbell.close()
 
 
 def moved(pty_dish):
@@ -59,7 +37,7 @@ def test_a_dish_that_nobody_drives_is_held_and_released(run, as_json, pty_dish):
     assert released.stdout.startswith("HELD by anna (birdcage hold) since ")
     assert "Released." in released.stdout
     assert run("move", "--az", 10, "--el", 45, port=pty_dish.path).exit_code == 0
-    assert "nobody holds the dish" in run("release", port=pty_dish.path).stdout
+    assert "the dish is not held" in run("release", port=pty_dish.path).stdout
 
 
 def test_the_one_dish_that_is_held_needs_no_name(run, pty_dish, tmp_path):
@@ -94,7 +72,7 @@ def test_an_owner_stops_holds_and_releases(run, as_json, pty_dish, owner):
     assert "HELD by anna (birdcage hold) since " in released.stdout
     assert "Gpredict wanted to move it meanwhile." in released.stdout
     assert owner.station.state.held is None
-    assert "nobody holds the dish" in run("release", port=pty_dish.path).stdout
+    assert "the dish is not held" in run("release", port=pty_dish.path).stdout
 
 
 def test_it_is_held_after_its_program_was_killed(run, start, pty_dish):

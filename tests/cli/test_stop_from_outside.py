@@ -8,32 +8,10 @@ import time
 from concurrent.futures import Future
 from pathlib import Path
 
-import pytest
-from birdcage.base.clock import RealClock
-from birdcage.base.config import load
 from birdcage.base.errors import Held
 from birdcage.base.paths import Paths
-from birdcage.station.build import open_session
-from birdcage.station.doorbell import Doorbell
 from birdcage.station.requests import Goto
-from birdcage.station.ring import find_owners, owners_folder
-from birdcage.station.state import Link
-
-
-@pytest.fixture
-def owner(pty_dish):
-    """A program that has the port, as the app is one."""
-    paths = Paths.default()
-    session = open_session(
-        port=pty_dish.path, firmware="g2", baud=None, settings=load(None), paths=paths, clock=RealClock(), survey=False
-    )
-    doorbell = Doorbell(session.station, owners_folder(paths))
-    session.start()
-    # Other programs find it once it is announced, a little after the link is up.
-    pty_dish.wait_for(lambda _truth: session.station.state.link.state is Link.UP and find_owners(owners_folder(paths)))
-    yield session
-    session.close()
-    doorbell.close()
+from birdcage.station.ring import owners_folder
 
 
 def announced() -> list[Path]:

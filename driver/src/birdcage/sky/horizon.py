@@ -42,7 +42,7 @@ class HorizonMask:
 
     @cached_property
     def is_line(self) -> bool:
-        """Whether there are points at two azimuths or more: of one alone nobody knows how the line goes on."""
+        """Whether there are points at two azimuths or more: one point alone says nothing of the rest."""
         return any(_apart(each[0], self._points[0][0]) > SAME_AZ_DEG for each in self._points[1:])
 
     def __eq__(self, other: object) -> bool:

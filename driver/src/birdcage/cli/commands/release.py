@@ -29,7 +29,7 @@ def command(context: click.Context) -> None:
         if flags().json:
             tell_json(each)
             continue
-        words = f"{each['port']}: nobody holds the dish." if each["was"] is None else f"{each['was']} Released."
+        words = f"{each['port']}: the dish is not held." if each["was"] is None else f"{each['was']} Released."
         if each["was"] is not None and each["held"]:
             words = f"{each['was']} Not released."
         if each["next_holder"]:
