@@ -236,7 +236,7 @@ class Exchanges:
         return f"told to be in {menu}, is in {really}" if really != menu else ""
 
     def _move(self) -> str:
-        """Every move is taken once, or reported as failed; none is ever taken twice."""
+        """Every move is taken once, or reported as failed or unsure; none is ever taken twice."""
         az_deg, el_deg = self._fresh(100.0, 359.99, 0), self._fresh(self.kind.lowest_deg, self.kind.highest_deg, 1)
         lines = [f"a 0 {az_deg:.2f}", f"a 1 {el_deg:.2f}"]
         self._sent |= dict.fromkeys(lines, 0)
@@ -247,6 +247,11 @@ class Exchanges:
         if lost and there.altered and back.altered:
             self.tally["move altered on the wire, and its echo too"] += 1
             return ""
+        if there.altered:
+            answers = self.antenna.commands.answers
+            unsure = {line for axis, line in enumerate(lines) if not answers[axis].sure and not self._sent[line]}
+            self.tally["move not told to be taken"] += len(unsure)
+            lost = [line for line in lost if line not in unsure]
         return f"told to be taken, and was not: {lost}" if lost else ""
 
     def _fresh(self, low_deg: float, high_deg: float, axis: int) -> float:

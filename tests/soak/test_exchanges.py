@@ -7,8 +7,8 @@ What must hold, exchange by exchange:
   replaced between the dish and the program (of a row of the settings memory, any byte). Every reading that differs is
   held against what the wire did to it. What the station does about such a reading is tried in `test_day`.
 - A menu that is told is the menu that the dish is in. No exception.
-- A move that is told to be taken was taken once, to the hundredth; one that is not told so raised an error; none is
-  taken twice. There is one exception: both the line and its echo were altered.
+- A move that is told to be taken was taken once, to the hundredth; one that is not told so raised an error, or its
+  answer counts as unsure; none is taken twice. There is one exception: both the line and its echo were altered.
 - Every move that the dish heard reaches the motors, and at rest count and shaft stand where the last one led.
 - In clear weather nothing fails, but for one exchange after each change of weather. The shell lives (`root_q=kill`).
 """

@@ -183,9 +183,10 @@ class BirdcageAntenna:
         return self._last_position
 
     def move_to(self, azimuth: float, elevation: float) -> None:
-        """Point there (true degrees) and return when the dish has taken the commands.
+        """Point there (true degrees) and return when the dish has answered the commands.
 
         Reads the position first. With `leapfrog_enabled`, aims beyond the target as documented, within the limits.
+        After an answer in unknown words only the position tells whether it was taken (`commands.are_sure`).
         BelowFloor (a ValueError) below the floor, MotionRefused for every other limit; nothing is sent then.
         """
         self.point(azimuth, elevation, leapfrog=self._config.leapfrog_enabled)
