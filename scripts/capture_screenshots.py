@@ -1,6 +1,7 @@
-"""Take every picture of the README from the demo, each time the same: `capture_screenshots.py [NAME ...]`.
+"""Take every picture of the README from the demo, each time the same: `capture_screenshots.py [--check] [NAME ...]`.
 
-Writes SVG and PNG into `screenshots/`. A scene in which what must be readable is not fails.
+Writes SVG and PNG into `screenshots/`; with `--check` writes nothing, and fails where the committed SVG is another. A
+scene in which what must be readable is not fails, too.
 """
 
 from __future__ import annotations
@@ -64,16 +65,29 @@ def write(name: str, svg: str) -> None:
     print(f"{name}: {len(pixels) // 1024} kB")
 
 
+def is_stale(name: str, svg: str) -> bool:
+    """Say whether the committed picture is missing or another than the one just taken."""
+    file = FOLDER / f"{name}.svg"
+    return not file.with_suffix(".png").exists() or not file.exists() or file.read_text() != svg
+
+
 def main() -> None:
     parse = argparse.ArgumentParser(description=__doc__)
     names = [scene.name for scene in scenes.SCENES]
+    parse.add_argument("--check", action="store_true", help="write nothing; fail where a committed picture is stale")
     parse.add_argument("names", nargs="*", help=", ".join(names))
-    wanted = parse.parse_args().names or names
+    options = parse.parse_args()
+    wanted = options.names or names
     taken = {scene.name: asyncio.run(take(scene)) for scene in scenes.SCENES if scene.name in wanted}
+    if set(scenes.COLLAGE) <= set(taken):
+        taken["tui-collage"] = collage([taken[name] for name in scenes.COLLAGE])
+    if options.check:
+        stale = [name for name, svg in taken.items() if is_stale(name, svg)]
+        if stale:
+            sys.exit(f"stale: {', '.join(stale)}. Run scripts/capture_screenshots.py, look at them, commit them.")
+        return
     for name, svg in taken.items():
         write(name, svg)
-    if set(scenes.COLLAGE) <= set(taken):
-        write("tui-collage", collage([taken[name] for name in scenes.COLLAGE]))
     print("not built yet, so no picture:", ", ".join(scenes.NOT_BUILT))
 
 
