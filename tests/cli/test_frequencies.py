@@ -101,8 +101,8 @@ def test_downlinks_of_the_mounted_feed_with_what_the_polarisation_costs(ask, at_
 def test_all_of_them_also_those_off_the_air_and_beside_the_band(ask, at_home):
     (at_home / "birdcage.toml").write_text(HELIX)
     told = lines(ask("downlinks", "noaa 1", "--all"))
-    assert "NOAA 18 1707 HRPT RHCP off 2025-06-06 -" in told
-    assert "NOAA 15 137.62 APT - off 2025-08-19 not in this feed's band" in told
+    assert "NOAA 18 1707 HRPT RHCP off since 2025-06-06 -" in told
+    assert "NOAA 15 137.62 APT - off since 2025-08-19 not in this feed's band" in told
     assert "hears nothing of it; --all" in ask("downlinks", "noaa 1").stderr
 
 

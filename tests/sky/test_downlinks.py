@@ -39,7 +39,17 @@ def test_what_ships_is_some_sixty_satellites_or_more_each_with_source_and_date()
 def test_the_old_noaa_satellites_are_off_the_air(number, day):
     found = load_downlinks().of(number, "")
     assert {each.mode for each in found} == {"APT", "HRPT"}
-    assert all(each.alive is False and each.date == day for each in found)
+    assert all(each.alive is False and each.silent_since == day for each in found)
+
+
+def test_since_when_something_is_silent_goes_with_its_being_off_the_air(own):
+    row = '[[downlink]]\nsatellite = "X"\nfreq_mhz = 1\n{}\n'
+    assert own(row.format('alive = false\nsilent_since = "2024-05"')).entries[0].silent_since == "2024-05"
+    for wrong, words in (
+        ('alive = true\nsilent_since = "2024"', "silent_since goes with alive = false"),
+        ('alive = false\nsilent_since = "May"', "silent_since is 'May', not such as 2025-08-13"),
+    ):
+        assert words in only(own(row.format(wrong)).problems)
 
 
 def test_no_satellite_stands_in_two_places():

@@ -35,6 +35,8 @@ class Downlink:
     """Who says so."""
     date: str
     """What day, month or year the source speaks of; when it was read, where it does not say. `2026-10-16`, `2025`."""
+    silent_since: str = ""
+    """The day, month or year in which it fell silent; empty for what is on the air, or where that is not known."""
     norad_id: int = 0
     """0 where it is not one satellite, or its number is not known."""
     longitude_deg: float | None = None

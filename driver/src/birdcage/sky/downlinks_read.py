@@ -12,8 +12,8 @@ from birdcage.base.text import clean_all
 from birdcage.base.user_file import read_user_file
 from birdcage.sky.downlinks import POLARIZATIONS, Downlink
 
-KEYS = ("satellite", "freq_mhz", "mode", "polarization", "alive", "source", "date", "norad_id", "longitude_deg",
-        "names", "note")  # fmt: skip
+KEYS = ("satellite", "freq_mhz", "mode", "polarization", "alive", "silent_since", "source", "date", "norad_id",
+        "longitude_deg", "names", "note")  # fmt: skip
 MOST_BYTES = 2_000_000
 """A larger file is not written by a person."""
 _HEADING = re.compile(r"\s*\[\[\s*[\"']?downlink[\"']?\s*\]\]")
@@ -81,6 +81,11 @@ def _downlink(row: object, own: bool) -> Downlink:
     date = str(row.get("date", ""))
     if (date or not own) and not _DATE.fullmatch(date):
         raise ValueError(f"date is {date!r}, not such as 2026-10-16, 2026-10 or 2026")
+    silent_since = str(row.get("silent_since", ""))
+    if silent_since and not _DATE.fullmatch(silent_since):
+        raise ValueError(f"silent_since is {silent_since!r}, not such as 2025-08-13, 2025-08 or 2025")
+    if silent_since and alive is not False:
+        raise ValueError("silent_since goes with alive = false")
     norad_id = row.get("norad_id", 0)
     if isinstance(norad_id, bool) or not isinstance(norad_id, int) or not 0 <= norad_id <= 999_999_999:
         raise ValueError(f"norad_id is {norad_id!r}, not a catalogue number")
@@ -93,6 +98,7 @@ def _downlink(row: object, own: bool) -> Downlink:
         alive=alive if isinstance(alive, bool) else None,
         source=_text(row, "source", "your own file" if own else None),
         date=date,
+        silent_since=silent_since,
         norad_id=norad_id,
         longitude_deg=_longitude(row),
         names=_names(row),

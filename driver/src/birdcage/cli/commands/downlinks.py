@@ -71,12 +71,19 @@ def _values(each: Downlink, heard: Hearing | None) -> dict[str, object]:
         "mode": each.mode or None,
         "polarization": each.polarization,
         "alive": each.alive,
+        "silent_since": each.silent_since or None,
         "date": each.date or None,
         "source": each.source,
         "note": each.note or None,
         "hearable": heard is not None,
         "polarization_loss_db": None if heard is None else heard.loss_db,
     }
+
+
+def _on_the_air(each: Downlink) -> str:
+    if each.silent_since:
+        return f"off since {each.silent_since}"
+    return {True: f"on {each.date}", False: f"off {each.date}", None: "?"}[each.alive]
 
 
 def _tell(rows: list[tuple[Downlink, Hearing | None]]) -> None:
@@ -88,7 +95,7 @@ def _tell(rows: list[tuple[Downlink, Hearing | None]]) -> None:
             "-".join(f"{hz / 1e6:.10g}" for hz in dict.fromkeys((each.freq_min_hz, each.freq_max_hz))),
             each.mode or "-",
             each.polarization or "-",
-            {True: "on", False: "off", None: "?"}[each.alive] + (f" {each.date}" if each.alive is not None else ""),
+            _on_the_air(each),
             "not in this feed's band" if heard is None else heard.remark or "-",
         )
         for each, heard in rows
