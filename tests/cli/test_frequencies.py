@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 HELIX = """
@@ -27,6 +29,12 @@ def ask(run):
         return run(*words, firmware="", **more)
 
     return ask
+
+
+@pytest.fixture
+def in_its_time(monkeypatch):
+    """Keep what ships from growing doubtful: `on 2026-10-16` is not for ever."""
+    monkeypatch.setattr("birdcage.sky.downlinks_age.DOUBTFUL_DAYS", 10**6)
 
 
 def lines(result):
@@ -89,21 +97,43 @@ def test_what_cannot_be_worked_out_is_said(ask, words, told):
     assert told in result.stderr
 
 
+@pytest.mark.usefixtures("in_its_time")
 def test_downlinks_of_the_mounted_feed_with_what_the_polarisation_costs(ask, at_home):
     (at_home / "birdcage.toml").write_text(HELIX)
     told = lines(ask("downlinks"))
-    assert told[0] == "SATELLITE MHZ MODE POL ON THE AIR REMARK"
-    assert "METOP-B 1701.3 AHRPT RHCP on 2026-10-16 -" in told
-    assert "GOES 19 1694.1 HRIT linear on 2026-10-16 3 dB lost: linear into a feed of the other kind" in told
+    assert told[0] == "SATELLITE MHZ MODE POL SYMBOLS SATDUMP ON THE AIR REMARK"
+    assert "METOP-B 1701.3 AHRPT RHCP 2.333 Mbaud metop_ahrpt on 2026-10-16 -" in told
+    lost = "3 dB lost: linear into a feed of the other kind"
+    assert f"GOES 19 1694.1 HRIT linear 927 kbaud goes_hrit on 2026-10-16 {lost}" in told
     assert not [line for line in told if line.startswith(("NOAA 1", "QO-100"))]
 
 
 def test_all_of_them_also_those_off_the_air_and_beside_the_band(ask, at_home):
     (at_home / "birdcage.toml").write_text(HELIX)
     told = lines(ask("downlinks", "noaa 1", "--all"))
-    assert "NOAA 18 1707 HRPT RHCP off since 2025-06-06 -" in told
-    assert "NOAA 15 137.62 APT - off since 2025-08-19 not in this feed's band" in told
+    assert "NOAA 18 1707 HRPT RHCP 665.4 kbaud noaa_hrpt off since 2025-06-06 -" in told
+    assert "NOAA 15 137.62 APT RHCP - noaa_apt off since 2025-08-19 not in this feed's band" in told
     assert "hears nothing of it; --all" in ask("downlinks", "noaa 1").stderr
+
+
+def test_what_nobody_has_confirmed_for_years_is_doubtful_in_the_table_and_in_json(ask, at_home, as_json):
+    (at_home / "birdcage.toml").write_text(HELIX)
+    row = '[[downlink]]\nsatellite = "{}"\nfreq_mhz = 1690\nalive = true\ndate = "{}"\n'
+    (at_home / "downlinks.toml").write_text(row.format("OLD ONE", "2012") + row.format("NEW ONE", "2099"))
+    told = lines(ask("downlinks", "one"))
+    (old,) = (line for line in told if line.startswith("OLD ONE"))
+    assert re.fullmatch(r"OLD ONE 1690 - - - - doubtful: 2012, \d\d y -", old)
+    assert "NEW ONE 1690 - - - - on 2099 -" in told
+    first, second = as_json(ask("downlinks", "one", "--json"))
+    assert (first["doubtful"], second["doubtful"], second["age_days"]) == (True, False, 0)
+    assert first["age_days"] > 13 * 365
+
+
+def test_mode_symbol_rate_and_pipeline_are_in_json(ask, at_home, as_json):
+    (at_home / "birdcage.toml").write_text(HELIX)
+    (metop,) = (each for each in as_json(ask("downlinks", "metop-b", "--json")) if each["mode"] == "AHRPT")
+    assert (metop["symbol_rate_baud"], metop["pipeline"], metop["pipeline_live"]) == (2333333, "metop_ahrpt", True)
+    assert metop["polarization"] == "RHCP"
 
 
 def test_a_feed_without_a_band_lists_all_and_says_why(ask, at_home, as_json):
@@ -120,5 +150,5 @@ def test_ones_own_file_counts_and_what_is_wrong_with_it_is_said(ask, at_home):
         '[[downlink]]\nsatellite = "MINE"\nfreq_mhz = 1690\n[[downlink]]\nsatellite = "YOURS"\n'
     )
     result = ask("downlinks")
-    assert "MINE 1690 - - ? -" in lines(result)
+    assert "MINE 1690 - - - - - -" in lines(result)
     assert "downlinks.toml:4: freq_mhz is missing" in result.stderr

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+import tomllib
+from datetime import UTC, datetime
+from importlib.resources import files
+
 import pytest
 from birdcage.base.config import FeedProfile
 from birdcage.base.config.feeds import STOCK_FEED
 from birdcage.sky.downlinks import load_downlinks, plain, shipped
+from birdcage.sky.downlinks_age import age_days, is_doubtful
 from birdcage.sky.downlinks_hearing import has_band, hearable, hearing
+from birdcage.sky.downlinks_words import air_words
 from birdcage.sky.slots import slots
 
 HELIX = FeedProfile(freq_min_hz=1.67e9, freq_max_hz=1.71e9, polarization="circular")
@@ -52,19 +58,127 @@ def test_since_when_something_is_silent_goes_with_its_being_off_the_air(own):
         assert words in only(own(row.format(wrong)).problems)
 
 
-def test_no_satellite_stands_in_two_places():
+def test_what_stands_in_the_table_of_slots_takes_its_place_from_there_and_is_told_once():
     at = {plain(name): slot.longitude_deg for slot in slots() for name in (slot.name, *slot.aliases)}
-    both = 0
+    text = (files("birdcage.sky") / "data" / "downlinks.toml").read_text(encoding="utf-8")
+    rows = tomllib.loads(text)["downlink"]
+    here = [row for row in rows if any(plain(name) in at for name in (row["satellite"], *row.get("names", ())))]
+    assert len(here) > 50
+    assert [row["satellite"] for row in here if "longitude_deg" in row] == []
     for each in shipped():
         for name in {plain(name) for name in (each.satellite, *each.names)} & at.keys():
-            assert each.longitude_deg == pytest.approx(at[name], abs=0.25), each
-            both += 1
-    assert both >= 8
+            assert each.longitude_deg == at[name], each
+
+
+def test_the_polarisation_of_a_slot_is_that_of_the_downlink_that_a_dish_is_pointed_there_for():
+    table, bands_hz = load_downlinks(), {"L": 3e9, "Ku": 13e9, "Ka": 21e9}
+    for slot in slots():
+        found = [each for each in table.of(0, slot.name) if each.kind and each.freq_max_hz < bands_hz[slot.band]]
+        assert not found or slot.polarization in {each.kind for each in found}, slot
+
+
+@pytest.mark.parametrize("longitude_deg", [-101.0, -119.0, -99.2, -103.0, -77.0])
+def test_directv_and_quetzsat_are_on_the_arc(longitude_deg):
+    slot = only(each for each in slots() if each.longitude_deg == longitude_deg)
+    there = load_downlinks().at(longitude_deg)
+    assert there, slot.name
+    assert ("DIRECTV" in slot.networks) == any("DIRECTV" in each.mode for each in there)
+
+
+@pytest.mark.parametrize(
+    ("number", "mode", "mhz", "polarization", "pipeline"),
+    [
+        (44387, "HRPT", 1700.0, "RHCP", "meteor_hrpt"),
+        (43010, "AHRPT", 7820.0, "RHCP", "fengyun3_d_ahrpt"),
+        (49008, "AHRPT", 7860.0, "RHCP", "fengyun3_e_ahrpt"),
+        (57490, "AHRPT", 7790.0, "LHCP", "fengyun3_f_ahrpt"),
+        (58584, "GGAK telemetry", 1703.0, None, "arktika_ggak"),
+        (58584, "RDAS: pictures", 7865.0, "RHCP", "arktika_rdas"),
+        (48808, "LRIT", 1697.0, "linear", "fengyun4_b_lrit"),
+        (36411, "GVAR", 1685.7, "linear", "goes_gvar"),
+        (55506, "HRIT, LRIT", 1691.0, "RHCP", "elektro_lrit"),
+        (39215, "Inmarsat-C, EGC", 1537.1, "RHCP", "inmarsat_std_c"),
+        (33278, "Inmarsat-C, EGC", 1537.7, "RHCP", "inmarsat_std_c"),
+    ],
+)
+def test_what_amateurs_missed_is_known_by_its_number(number, mode, mhz, polarization, pipeline):
+    each = only(each for each in load_downlinks().of(number, "") if each.mode == mode)
+    assert (each.center_hz, each.polarization, each.pipeline) == (mhz * 1e6, polarization, pipeline)
+
+
+def test_inmarsat_4f2_is_known_by_its_number_and_ews_g2_by_its_place():
+    assert {each.longitude_deg for each in load_downlinks().of(28899, "")} == {143.5}
+    assert {each.satellite for each in load_downlinks().at(61.5)} == {"EWS-G2"}
+
+
+def test_137_mhz_is_right_hand_circular():
+    found = [each for each in shipped() if 137e6 <= each.center_hz < 138e6]
+    assert len(found) >= 7
+    assert {each.polarization for each in found} == {"RHCP"}
+
+
+def test_fengyun_3a_and_3c_are_dead():
+    assert {each.silent_since for each in load_downlinks().of(32958, "")} == {"2018"}
+    assert {each.silent_since for each in load_downlinks().of(39260, "")} == {"2024-11"}
+
+
+PIPELINES = """
+    noaa_apt noaa_hrpt meteor_m2_lrpt meteor_m2-x_lrpt meteor_hrpt metop_ahrpt fengyun3_ab_ahrpt fengyun3_c_ahrpt
+    aws_pfm arktika_ggak dmsp_rtd jpss_tlm aqua_db aura_db goes_hrit goes_grb goesr_cda goes_gvar gk2a_lrit gk2a_hrit
+    elektro_lrit elektro_ggak fengyun_svissr fengyun4_b_lrit inmarsat_std_c
+"""
+FROM_A_RECORDING = """
+    metop_dump fengyun3_d_ahrpt fengyun3_e_ahrpt fengyun3_f_ahrpt fengyun3_g_ahrpt arktika_rdas npp_hrd jpss_hrd
+    terra_db gk2a_uhrit
+"""
+"""Read in SatDump's resources/pipelines/*.json, and whether they have a `live` entry."""
+
+
+def test_each_pipeline_is_one_of_satdumps():
+    piped = [each for each in shipped() if each.pipeline]
+    assert {each.pipeline for each in piped if each.pipeline_live} == set(PIPELINES.split())
+    assert {each.pipeline for each in piped if not each.pipeline_live} == set(FROM_A_RECORDING.split())
+    assert all(each.symbol_rate_baud for each in piped if each.pipeline != "noaa_apt")
+    rates = {(each.pipeline, each.symbol_rate_baud) for each in piped}
+    assert len(rates) == len({name for name, _ in rates}), "a pipeline has one symbol rate"
+
+
+NOW = datetime(2026, 11, 22, tzinfo=UTC)
+
+
+def test_what_was_known_in_2019_is_doubtful_and_says_how_old_it_is():
+    hispasat = only(each for each in shipped() if each.satellite == "Hispasat")
+    assert is_doubtful(hispasat, NOW)
+    assert air_words(hispasat, NOW) == "doubtful: 2019-09-25, 7 y"
+    assert not is_doubtful(hispasat, datetime(2022, 9, 24, tzinfo=UTC))
+    assert {each.date[:4] for each in shipped() if each.alive and not is_doubtful(each, NOW)} <= {"2025", "2026"}
+    assert all(is_doubtful(each, NOW) for each in shipped() if each.date < "2023" and each.alive is not False)
+
+
+def test_what_is_dead_is_not_doubtful_and_what_nobody_confirms_is():
+    noaa = load_downlinks().of(33591, "")[0]
+    assert (is_doubtful(noaa, NOW), air_words(noaa, NOW)) == (False, "off since 2025-08-13")
+    fengyun = only(load_downlinks().of(48808, ""))
+    assert (is_doubtful(fengyun, NOW), air_words(fengyun, NOW)) == (True, "doubtful: unconfirmed")
+
+
+@pytest.mark.parametrize(
+    ("date", "days"),
+    [("2026", 0), ("2025", 326), ("2026-10", 21), ("2026-12", 0), ("2025-12", 325), ("2026-11-01", 21)],
+)
+def test_the_age_is_counted_from_the_end_of_what_the_date_names(own, date, days):
+    table = own(f'[[downlink]]\nsatellite = "X"\nfreq_mhz = 1\nalive = true\ndate = "{date}"\n')
+    assert age_days(table.entries[0], NOW) == days
+
+
+def test_ones_own_entry_without_a_date_is_believed(own):
+    (mine, *_) = own('[[downlink]]\nsatellite = "X"\nfreq_mhz = 1\nalive = true\n')
+    assert (age_days(mine, NOW), is_doubtful(mine, NOW), air_words(mine, NOW)) == (None, False, "on")
 
 
 def test_the_slots_of_the_dishes_stand_where_the_table_of_slots_has_them():
     for slot in slots():
-        if slot.network in ("DISH", "Bell"):
+        if {"DISH", "Bell"} & set(slot.networks):
             found = load_downlinks().at(slot.longitude_deg)
             assert any(each.kind == slot.polarization == "circular" for each in found), slot.name
 
@@ -90,8 +204,9 @@ def test_a_feed_hears_what_lies_in_its_band_and_is_not_known_to_be_dead():
     assert heard["METOP-B", "AHRPT"].remark == ""
     assert heard["GOES 19", "HRIT"].loss_db == 3.0
     assert heard["GOES 19", "HRIT"].remark == "3 dB lost: linear into a feed of the other kind"
-    assert heard["ELEKTRO-L 3", "HRIT, LRIT"].loss_db is None, "its polarisation is not known"
-    assert ("FENGYUN 3C", "AHRPT") in heard, "nobody says it is dead"
+    assert heard["ELEKTRO-L 3", "HRIT, LRIT"].loss_db == 0.0
+    assert heard["ARKTIKA-M 1", "GGAK telemetry"].loss_db is None, "its polarisation is not known"
+    assert not [name for name, _mode in heard if name.startswith("FENGYUN 3")]
     assert not [name for name, _mode in heard if name.startswith("NOAA 1")]
     assert not [name for name, _mode in heard if name == "QO-100"]
 
@@ -148,6 +263,9 @@ GOOD = '[[downlink]]\nsatellite = "X"\nfreq_mhz = 1\n'
         ('[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\nalive = "yes"\n', "alive is 'yes', not true, false or"),
         ('[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\ndate = "May"\n', "date is 'May', not such as 2026-10-16"),
         ('[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\nnorad_id = -1\n', "norad_id is -1, not a catalogue number."),
+        ('[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\npipeline = "a; rm b"\n', "pipeline is 'a; rm b', not a name"),
+        ('[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\nsymbol_rate_baud = 0\n', "symbol_rate_baud is 0, not a number"),
+        ('[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\npipeline_live = 1\n', "pipeline_live is 1, not true or false"),
         ('[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\nnames = ["*"]\n', "names is ['*'], not a list such as"),
         ('[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\nlongitude_deg = 190\n', "longitude_deg is 190, not a number"),
         ('[[downlink]]\nsatellite = "x"\nfreq_mhz = 1.0\n', ":4: satellite 'x' has that freq_mhz before."),

@@ -74,8 +74,13 @@ def test_slots_in_sight_are_within_their_limits():
 
 
 def test_the_table_holds_what_these_dishes_were_sold_for_and_what_amateurs_look_for():
-    assert {slot.longitude_deg for slot in slots() if slot.network == "DISH"} >= {-61.5, -110.0, -119.0, -129.0}
-    assert {slot.longitude_deg for slot in slots() if slot.network == "Bell"} == {-82.0, -91.0}
+    def used_by(network):
+        return {slot.longitude_deg for slot in slots() if network in slot.networks}
+
+    assert used_by("DISH") >= {-61.5, -110.0, -119.0, -129.0}
+    assert used_by("Bell") == {-82.0, -91.0}
+    assert used_by("DIRECTV") == {-99.2, -101.0, -103.0, -119.0}, "119°W carries both"
+    assert {slot.longitude_deg: slot.polarization for slot in slots()}[-101.0] == "circular"
     by_name = {slot.name: slot for slot in slots()}
     assert by_name["QO-100"].label == "25.9°E"
     assert {"GOES 18", "GOES 19"} <= by_name.keys()

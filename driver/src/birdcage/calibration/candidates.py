@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from birdcage.sky.targets.model import Target
     from birdcage.tracking.planning.refraction import Refraction
 
-BANDS_HZ = {"Ku": (10.7e9, 12.75e9), "L": (1.52e9, 1.71e9)}
+BANDS_HZ = {"Ku": (10.7e9, 12.75e9), "L": (1.52e9, 1.71e9), "Ka": (18.3e9, 20.2e9)}
 """What slots send in, by the bands of `birdcage.sky.slots`."""
 GONE = "formerly"
 """Begins the name of a place where nothing is known to stand any more."""

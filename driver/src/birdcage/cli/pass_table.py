@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from datetime import datetime
 from typing import TYPE_CHECKING
 
-from birdcage.cli.table import cut, tell_table, whole_width, widths_of
+from birdcage.cli.table import cut, fitting, tell_table, widths_of
 from birdcage.sky.age import expected_error
 from birdcage.sky.age_words import degrees
 from birdcage.sky.doppler import doppler_hz
@@ -32,7 +32,7 @@ def tell_passes(
         return ()
     head = HEAD if freq_hz is None else (*HEAD, "DOPPLER")
     lines = [_cells(row, start, freq_hz) for row in rows]
-    shown, name_width = _fitting(head, widths_of(head, lines), width)
+    shown, name_width = fitting(head, widths_of(head, lines), width, SPARED, "NAME", SHORTEST_NAME)
     name = head.index("NAME")
     lines = [(*line[:name], cut(line[name], name_width), *line[name + 1 :]) for line in lines]
     tell_table(
@@ -41,23 +41,6 @@ def tell_passes(
         "".join("r" if head[column] in RIGHT else " " for column in shown),
     )
     return tuple(name for column, name in enumerate(head) if column not in shown)
-
-
-def _fitting(head: Sequence[str], widths: Sequence[int], width: int | None) -> tuple[list[int], int]:
-    """Return which columns there is room for, and how wide names may be."""
-    shown, name = list(range(len(head))), head.index("NAME")
-    if width is None:
-        return shown, widths[name]
-    shortest = min(widths[name], SHORTEST_NAME)
-
-    def without_name() -> int:
-        return whole_width([widths[column] for column in shown]) - widths[name]
-
-    for spared in SPARED:
-        if without_name() + shortest <= width:
-            break
-        shown.remove(head.index(spared))
-    return shown, min(widths[name], max(width - without_name(), shortest))
 
 
 def _cells(row: PassRow, start: datetime, freq_hz: float | None) -> tuple[str, ...]:

@@ -37,6 +37,28 @@ def whole_width(widths: Sequence[int]) -> int:
     return sum(widths) + len(GAP) * (len(widths) - 1)
 
 
+def fitting(
+    head: Sequence[str], widths: Sequence[int], width: int | None, spared: Sequence[str], long: str, shortest: int
+) -> tuple[list[int], int]:
+    """Return which columns there is room for, and how wide the column `long` may be.
+
+    `spared`: what a narrow terminal goes without, the first one first. `long` is cut, but to no less than `shortest`.
+    """
+    shown, cut_here = list(range(len(head))), head.index(long)
+    if width is None:
+        return shown, widths[cut_here]
+    shortest = min(widths[cut_here], shortest)
+
+    def others() -> int:
+        return whole_width([widths[column] for column in shown]) - widths[cut_here]
+
+    for each in spared:
+        if others() + shortest <= width:
+            break
+        shown.remove(head.index(each))
+    return shown, min(widths[cut_here], max(width - others(), shortest))
+
+
 def cut(text: str, width: int) -> str:
     """Return a text that is no wider; `…` where something was cut off."""
     return text if len(text) <= width else f"{text[: max(width - 1, 0)]}…"

@@ -40,10 +40,16 @@ class Downlink:
     norad_id: int = 0
     """0 where it is not one satellite, or its number is not known."""
     longitude_deg: float | None = None
-    """Its place on the arc, east positive; None for what moves."""
+    """Its place on the arc, east positive; None for what moves. Of `slots.toml` where that knows the satellite."""
     names: tuple[str, ...] = ()
     """What else it is called in lists; `*` stands for anything."""
     note: str = ""
+    symbol_rate_baud: float | None = None
+    """Symbols a second, before any error correction is taken off; None where it has none, or it is not known."""
+    pipeline: str = ""
+    """What SatDump calls the way from this signal to its data; empty where it has none, or none was verified."""
+    pipeline_live: bool = True
+    """Whether SatDump decodes it while it is received; False: only from a recording."""
     own: bool = False
     """Whether it is of the user's own file."""
 

@@ -5,18 +5,21 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
 
 from birdcage.base.config.value import did_you_mean
 from birdcage.base.text import clean_all
 from birdcage.base.user_file import read_user_file
-from birdcage.sky.downlinks import POLARIZATIONS, Downlink
+from birdcage.sky.downlinks import POLARIZATIONS, Downlink, plain
+from birdcage.sky.slots import slots
 
 KEYS = ("satellite", "freq_mhz", "mode", "polarization", "alive", "silent_since", "source", "date", "norad_id",
-        "longitude_deg", "names", "note")  # fmt: skip
+        "longitude_deg", "names", "note", "symbol_rate_baud", "pipeline", "pipeline_live")  # fmt: skip
 MOST_BYTES = 2_000_000
 """A larger file is not written by a person."""
 _HEADING = re.compile(r"\s*\[\[\s*[\"']?downlink[\"']?\s*\]\]")
+_PIPELINE = re.compile(r"[A-Za-z0-9_-]+")
 _DATE = re.compile(r"\d{4}(-(0[1-9]|1[0-2])(-(0[1-9]|[12]\d|3[01]))?)?")
 
 Read = tuple[tuple[Downlink, ...], tuple[str, ...]]
@@ -89,8 +92,9 @@ def _downlink(row: object, own: bool) -> Downlink:
     norad_id = row.get("norad_id", 0)
     if isinstance(norad_id, bool) or not isinstance(norad_id, int) or not 0 <= norad_id <= 999_999_999:
         raise ValueError(f"norad_id is {norad_id!r}, not a catalogue number")
+    satellite, names = _text(row, "satellite"), _names(row)
     return Downlink(
-        satellite=_text(row, "satellite"),
+        satellite=satellite,
         freq_min_hz=low_mhz * 1e6,
         freq_max_hz=high_mhz * 1e6,
         mode=_text(row, "mode", "" if own else None),
@@ -100,9 +104,12 @@ def _downlink(row: object, own: bool) -> Downlink:
         date=date,
         silent_since=silent_since,
         norad_id=norad_id,
-        longitude_deg=_longitude(row),
-        names=_names(row),
+        longitude_deg=_longitude(row, (satellite, *names)),
+        names=names,
         note=_text(row, "note", ""),
+        symbol_rate_baud=_symbol_rate(row),
+        pipeline=_pipeline(row),
+        pipeline_live=_flag(row, "pipeline_live", default=True),
         own=own,
     )
 
@@ -135,9 +142,37 @@ def _frequencies(row: Mapping[str, object]) -> tuple[float, float]:
     return low, high
 
 
-def _longitude(row: Mapping[str, object]) -> float | None:
+def _longitude(row: Mapping[str, object], names: tuple[str, ...]) -> float | None:
+    """Return its place on the arc: as the row says, else as the table of slots has a satellite of one of its names."""
     value = row.get("longitude_deg")
-    return None if value is None else _number(value, "longitude_deg", -180.0, 180.0)
+    if value is not None:
+        return _number(value, "longitude_deg", -180.0, 180.0)
+    return next((_places()[plain(each)] for each in names if plain(each) in _places()), None)
+
+
+@cache
+def _places() -> Mapping[str, float]:
+    return {plain(name): slot.longitude_deg for slot in slots() for name in (slot.name, *slot.aliases)}
+
+
+def _symbol_rate(row: Mapping[str, object]) -> float | None:
+    value = row.get("symbol_rate_baud")
+    return None if value is None else _number(value, "symbol_rate_baud", 1.0, 1e9)
+
+
+def _pipeline(row: Mapping[str, object]) -> str:
+    value = row.get("pipeline", "")
+    # It goes into a command line: nothing but what SatDump's own names are made of.
+    if not isinstance(value, str) or (value and not _PIPELINE.fullmatch(value)):
+        raise ValueError(f"pipeline is {value!r}, not a name of SatDump's such as metop_ahrpt")
+    return value
+
+
+def _flag(row: Mapping[str, object], key: str, *, default: bool) -> bool:
+    value = row.get(key, default)
+    if not isinstance(value, bool):
+        raise ValueError(f"{key} is {value!r}, not true or false")
+    return value
 
 
 def _names(row: Mapping[str, object]) -> tuple[str, ...]:

@@ -120,7 +120,7 @@ def slots_in_sight(
 ) -> list[tuple[Slot, float, float]]:
     """Return (slot, azimuth, elevation) of well-known slots between two elevations, in order of azimuth.
 
-    `band`: `Ku`, which the dish was made for, `L`, or None for all.
+    `band`: `Ku`, which the dish was made for, `L`, `Ka`, or None for all.
     """
     found = []
     for slot in slots():

@@ -13,9 +13,9 @@ class Slot:
 
     longitude_deg: float
     name: str
-    network: str = ""
-    """Who uses it: `DISH`, `Bell`, `amateur`, `weather`, `Inmarsat`; empty where that says nothing."""
-    band: Literal["Ku", "L"] = "Ku"
+    networks: tuple[str, ...] = ()
+    """Who uses it: `DISH`, `DIRECTV`, `Bell`, `amateur`, `weather`, `Inmarsat`; empty where that says nothing."""
+    band: Literal["Ku", "L", "Ka"] = "Ku"
     """The one that a dish is pointed there for."""
     polarization: Literal["linear", "circular"] | None = None
     """Of its downlink; None where it is not known."""
@@ -35,4 +35,7 @@ def slots() -> tuple[Slot, ...]:
     from importlib.resources import files
 
     text = (files("birdcage.sky") / "data" / "slots.toml").read_text(encoding="utf-8")
-    return tuple(Slot(**{**row, "aliases": tuple(row.get("aliases", ()))}) for row in tomllib.loads(text)["slot"])
+    lists = ("networks", "aliases")
+    return tuple(
+        Slot(**{**row, **{key: tuple(row.get(key, ())) for key in lists}}) for row in tomllib.loads(text)["slot"]
+    )

@@ -10,9 +10,17 @@ from birdcage.cli.exits import DATA_EPILOG
 from birdcage.cli.options import flags, global_options
 
 if TYPE_CHECKING:
+    from datetime import datetime
+
     from birdcage.base.config import FeedProfile
     from birdcage.sky.downlinks import Downlink
     from birdcage.sky.downlinks_hearing import Hearing
+
+
+HEAD = ("SATELLITE", "MHZ", "MODE", "POL", "SYMBOLS", "SATDUMP", "ON THE AIR", "REMARK")
+SPARED = ("SYMBOLS", "REMARK", "SATDUMP", "POL")
+"""What a narrow terminal goes without, the first one first."""
+SHORTEST_MODE = 8
 
 
 @click.command("downlinks", short_help="List who sends what, and what your feed can hear.", epilog=DATA_EPILOG)
@@ -22,9 +30,12 @@ if TYPE_CHECKING:
 def command(satellite: str | None, every: bool) -> None:
     """List what the active feed can hear: of every SATELLITE, or of those with this in their name.
 
-    The table ships with birdcage; your own file counts before it (`birdcage paths` says where it is). Whether something
-    was on the air is told with the date of the source.
+    The table ships with birdcage; your own file counts before it (`birdcage paths` says where it is). SATDUMP is the
+    name of the pipeline that `satdump live` takes. An entry is doubtful unless its source knows it on the air within
+    the last three years.
     """
+    from datetime import UTC, datetime
+
     from birdcage.cli.options import find_paths, load_settings
     from birdcage.cli.say import say, tell_json
     from birdcage.sky.downlinks import load_downlinks, plain
@@ -39,7 +50,7 @@ def command(satellite: str | None, every: bool) -> None:
     if not has_band(feed):
         say(f"Feed {settings.feed.active} has no freq_min_hz and freq_max_hz: this is all there is.")
         every = True
-    wanted = plain(satellite or "")
+    wanted, now = plain(satellite or ""), datetime.now(UTC)
     rows = [
         (each, hearing(each, feed))
         for each in table
@@ -48,9 +59,9 @@ def command(satellite: str | None, every: bool) -> None:
     if not every:
         rows = [(each, heard) for each, heard in rows if heard is not None and each.alive is not False]
     if flags().json:
-        tell_json([_values(each, heard) for each, heard in rows])
+        tell_json([_values(each, heard, now) for each, heard in rows])
     else:
-        _tell(rows)
+        _tell(rows, now)
     if not rows:
         say(f"Feed {settings.feed.active} ({_band(feed)}) hears nothing of it; --all lists what it cannot hear.")
 
@@ -61,33 +72,20 @@ def _band(feed: FeedProfile) -> str:
     return f"{feed.freq_min_hz / 1e6:g} to {feed.freq_max_hz / 1e6:g} MHz"
 
 
-def _values(each: Downlink, heard: Hearing | None) -> dict[str, object]:
+def _values(each: Downlink, heard: Hearing | None, now: datetime) -> dict[str, object]:
+    from birdcage.sky.downlinks_words import downlink_values
+
     return {
-        "satellite": each.satellite,
-        "norad_id": each.norad_id or None,
-        "longitude_deg": each.longitude_deg,
-        "freq_min_hz": each.freq_min_hz,
-        "freq_max_hz": each.freq_max_hz,
-        "mode": each.mode or None,
-        "polarization": each.polarization,
-        "alive": each.alive,
-        "silent_since": each.silent_since or None,
-        "date": each.date or None,
-        "source": each.source,
-        "note": each.note or None,
+        **downlink_values(each, now),
         "hearable": heard is not None,
         "polarization_loss_db": None if heard is None else heard.loss_db,
     }
 
 
-def _on_the_air(each: Downlink) -> str:
-    if each.silent_since:
-        return f"off since {each.silent_since}"
-    return {True: f"on {each.date}", False: f"off {each.date}", None: "?"}[each.alive]
-
-
-def _tell(rows: list[tuple[Downlink, Hearing | None]]) -> None:
-    from birdcage.cli.table import tell_table
+def _tell(rows: list[tuple[Downlink, Hearing | None]], now: datetime) -> None:
+    from birdcage.cli.say import say
+    from birdcage.cli.table import cut, fitting, room, tell_table, widths_of
+    from birdcage.sky.downlinks_words import air_words, baud_words, satdump_words
 
     cells = [
         (
@@ -95,10 +93,22 @@ def _tell(rows: list[tuple[Downlink, Hearing | None]]) -> None:
             "-".join(f"{hz / 1e6:.10g}" for hz in dict.fromkeys((each.freq_min_hz, each.freq_max_hz))),
             each.mode or "-",
             each.polarization or "-",
-            _on_the_air(each),
+            baud_words(each.symbol_rate_baud) or "-",
+            satdump_words(each) or "-",
+            air_words(each, now) or "-",
             "not in this feed's band" if heard is None else heard.remark or "-",
         )
         for each, heard in rows
     ]
-    if cells:
-        tell_table(("SATELLITE", "MHZ", "MODE", "POL", "ON THE AIR", "REMARK"), cells, right=" r")
+    if not cells:
+        return
+    shown, mode_width = fitting(HEAD, widths_of(HEAD, cells), room(), SPARED, "MODE", SHORTEST_MODE)
+    mode = HEAD.index("MODE")
+    lines = [(*line[:mode], cut(line[mode], mode_width), *line[mode + 1 :]) for line in cells]
+    tell_table(
+        [HEAD[column] for column in shown], [[line[column] for column in shown] for line in lines],
+        "".join("r" if HEAD[column] == "MHZ" else " " for column in shown),
+    )  # fmt: skip
+    missing = [name for column, name in enumerate(HEAD) if column not in shown]
+    if missing:
+        say(f"No room for {', '.join(missing)}: a wider terminal or --json has all.")

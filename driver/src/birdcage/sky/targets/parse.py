@@ -124,7 +124,7 @@ def _slot(found: re.Match[str]) -> SlotTarget:
     longitude_deg = -longitude_deg if found["half"].upper() == "W" else longitude_deg
     known = min(slots(), key=lambda slot: abs(_turn(slot.longitude_deg - longitude_deg)))
     near = abs(_turn(known.longitude_deg - longitude_deg)) < _SAME_SLOT_DEG
-    return SlotTarget(Slot(longitude_deg, known.name, known.network, known.band, known.polarization) if near
+    return SlotTarget(Slot(longitude_deg, known.name, known.networks, known.band, known.polarization) if near
                       else Slot(longitude_deg, ""))  # fmt: skip
 
 
