@@ -87,7 +87,7 @@ def test_all_is_well(run, prepared):
     assert "✓ TV search NVS 20 TRUE (2026-11-01)" in told
     assert "✓ limits cable -360° to +20°, elevation 18° to -" in told
     assert "✓ elements one satellite, 6 h old" in told
-    assert any(line.startswith("✓ ISS (ZARYA) ● fresh: 6 h old, 0.10° off") for line in told)
+    assert any(line.startswith("✓ ISS (ZARYA) ● fresh: 6 h old, ±0.10° (90 %:") for line in told)
     assert result.stderr.strip() == "Ready."
     assert result.exit_code == 0
 
@@ -120,7 +120,7 @@ def test_a_favourite_whose_elements_are_useless_must_be_updated(ready, prepared)
     status, found = ready()
     assert status == 1
     assert found["ISS (ZARYA)"]["state"] == "must"
-    assert found["ISS (ZARYA)"]["words"].startswith("✗ useless: 10 d old, error not known: after 7 d it is 17°")
+    assert found["ISS (ZARYA)"]["words"].startswith("✗ useless: 10 d old, error unknown: figures end at 7 d with ±17°")
     assert found["ISS (ZARYA)"]["words"].endswith("; your offset +1.5 s is of 2026-11-01")
     assert found["elements"]["state"] == "look", "its age alone is worth a look"
 

@@ -44,7 +44,7 @@ def test_an_epoch_that_is_still_to_come_is_as_far_off_as_one_that_is_past():
     found = after(STATION, -24)
     assert found.along_track_median_km == after(STATION, 24).along_track_median_km
     assert found.age_s == -86400
-    assert found.words.startswith("epoch 24 h ahead, 0.2")
+    assert found.words.startswith("epoch 24 h ahead, ±0.2")
 
 
 def test_grades_follow_the_error_and_have_each_their_glyph():
@@ -53,8 +53,8 @@ def test_grades_follow_the_error_and_have_each_their_glyph():
 
 
 def test_a_week_says_it_in_words():
-    assert after(STATION, 168).words == "7 d old, 17° off at closest, one in ten 77°"
-    assert after(METOP, 24).words.startswith("24 h old, about 0.1"), "an estimate says so"
+    assert after(STATION, 168).words == "7 d old, ±17° (90 %: 77°) at closest"
+    assert after(METOP, 24).words.startswith("24 h old, about ±0.1"), "an estimate says so"
 
 
 def test_less_drag_means_less_error_by_the_decay_or_by_the_height_where_none_is_published():
@@ -97,7 +97,7 @@ def test_an_eccentric_orbit_is_judged_at_perigee_where_an_error_of_time_is_longe
 def test_nothing_is_said_beyond_a_week_but_what_it_was_then():
     found = after(METOP, 12 * 24)
     assert found.along_track_median_km is found.pointing_p90_deg is None
-    assert found.words.startswith("12 d old, error not known: after 7 d it is about 0.5")
+    assert found.words.startswith("12 d old, error unknown: figures end at 7 d with about ±0.5")
     assert found.grade == "doubtful"
     assert after(STATION, 12 * 24).grade == "useless", "it was so after a week already"
     assert after(METOP, 60 * 24).grade == "useless"
@@ -113,7 +113,7 @@ def test_of_what_is_about_to_fall_nothing_is_known_however_young():
 
 
 def test_farther_away_the_same_kilometres_are_fewer_degrees():
-    assert after(STATION, 48, 2000).words.startswith("2 d old, 0.17° off, one in ten")
+    assert after(STATION, 48, 2000).words.startswith("2 d old, ±0.17° (90 %: ")
     assert after(STATION, 48, 2000).pointing_median_deg < after(STATION, 48, 500).pointing_median_deg / 3.5
 
 

@@ -41,7 +41,7 @@ def test_the_text_fits_a_terminal_and_tells_what_matters(rewinding, through_the_
 
 def test_a_row_shows_target_and_dish_only_where_the_dish_is_on_it(rewinding):
     rows = {line[:9]: line for line in plan_lines(rewinding) if line[2:3] == ":"}
-    assert rows["12:11:59Z"].split() == ["12:11:59Z", "TCA", "325.6", "58.8", "-34.4", "58.8", "0.06°", "0.01", "dB"]
+    assert rows["12:11:59Z"].split() == ["12:11:59Z", "TCA", "325.6", "58.8", "-34.4", "58.8", "0.10°", "0.02", "dB"]
     assert rows["12:06:35Z"].split() == ["12:06:35Z", "AOS", "240.5", "0.6"]
 
 

@@ -70,7 +70,7 @@ PASSES = (
 )  # fmt: skip
 
 
-AGE = Age("1 d old, about 0.26° off at closest, one in ten 2.2°", "1 d", "◐", "text")
+AGE = Age("1 d old, about ±0.26° (90 %: 2.2°) at closest", "1 d", "◐", "text")
 OTHERS = (
     ("MOLNIYA 3-50", 25847, 35.0, 58.0),
     ("GALILEO 22", 41859, 290.0, 33.0),

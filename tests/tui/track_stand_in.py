@@ -24,7 +24,7 @@ from birdcage.tracking.plan import Aim, Forecast, Incident, Keyhole, Leg, Part, 
 
 NOON = sky_stand_in.NOON
 AGE = ExpectedError(
-    21600.0, 0.9, 4.6, 0.11, 0.5, "usable", "◐", "6 h old, about 0.11° off at closest, one in ten 0.5°", "LEO", True
+    21600.0, 0.9, 4.6, 0.11, 0.5, "usable", "◐", "6 h old, about ±0.11° (90 %: 0.5°) at closest", "LEO", True
 )
 
 

@@ -54,8 +54,8 @@ def tell_pass(record: PassRecord, samples: Sequence[PassSample], remarks: Sequen
         ("elements of", "-" if head.elements_epoch is None else f"{head.elements_epoch:%Y-%m-%d %H:%M} UTC"),
         ("time offset", f"{head.time_offset_s:+g} s"),
         ("samples", str(record.samples)),
-        ("error", f"RMS {_degrees(record.rms_deg)}, at most {_degrees(record.max_error_deg)}"),
-        ("forecast", f"RMS {_degrees(head.forecast_rms_deg)}, at most {_degrees(head.forecast_max_deg)}"),
+        ("dish error", f"RMS {_degrees(record.rms_deg)}, at most {_degrees(record.max_error_deg)}"),
+        ("dish forecast", f"RMS {_degrees(head.forecast_rms_deg)}, at most {_degrees(head.forecast_max_deg)}"),
         ("within 0.5 dB", _share(record.within_share)),
         ("file", "-" if record.csv is None else str(record.csv)),
     )

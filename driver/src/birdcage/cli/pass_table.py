@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from birdcage.cli.table import cut, fitting, tell_table, widths_of
 from birdcage.sky.age import expected_error
-from birdcage.sky.age_words import degrees
+from birdcage.sky.age_words import REENTERED, degrees
 from birdcage.sky.doppler import doppler_hz
 
 if TYPE_CHECKING:
@@ -87,4 +87,6 @@ def _age(seconds: float) -> str:
 def _error(row: PassRow) -> str:
     """Return how far off the dish may look at TCA, by the age of the elements: a glyph and the median."""
     found = expected_error(row.elements, row.passing.tca, row.at_tca.range_km)
+    if found.reentry is not None:
+        return f"{found.glyph} {REENTERED}"
     return f"{found.glyph} {degrees(found.pointing_median_deg)}"

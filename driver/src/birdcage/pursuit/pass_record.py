@@ -33,7 +33,7 @@ class PassHead:
     latency_s: float | None
     """As measured last."""
     forecast_rms_deg: float | None
-    """What the plan promised."""
+    """What the plan promised of the dish alone, as `error_deg` of the samples is."""
     forecast_max_deg: float | None
     demo: bool
     """Whether the dish was a simulated one."""

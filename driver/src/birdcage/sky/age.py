@@ -20,7 +20,8 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Literal
 
-from birdcage.sky.age_words import Grade, glyph_of, grade_of, words_of, worse
+from birdcage.sky.age_words import Grade, glyph_of, grade_of, unknown_words, words_of, worse
+from birdcage.sky.decay import reentry, reentry_words
 from birdcage.sky.elements import ElementSet
 
 OrbitClass = Literal["LEO", "MEO", "GEO", "HEO"]
@@ -59,10 +60,14 @@ class ExpectedError:
     grade: Grade
     glyph: str
     words: str
-    """A sentence without a full stop: `1 d old, 0.26° off at closest, one in ten 2.2°`."""
+    """A sentence without a full stop: `1 d old, ±0.26° (90 %: 2.2°) at closest`."""
     orbit: OrbitClass
     measured: bool
     """Whether the figures are of this satellite, and not an estimate by its orbit."""
+    unknown: str = ""
+    """Why the error is not known, as a clause; empty where it is."""
+    reentry: datetime | None = None
+    """When it has re-entered by its own elements."""
 
 
 def error_values(found: ExpectedError) -> dict[str, object]:
@@ -78,6 +83,8 @@ def error_values(found: ExpectedError) -> dict[str, object]:
         "pointing_error_deg": rounded(found.pointing_median_deg, 3),
         "pointing_error_p90_deg": rounded(found.pointing_p90_deg, 3),
         "error_measured": found.measured,
+        "error_unknown_because": found.unknown or None,
+        "reentry_by_elements": None if found.reentry is None else f"{found.reentry:%Y-%m-%d}",
     }
 
 
@@ -98,9 +105,18 @@ def expected_error(elements: ElementSet, when: datetime, range_km: float | None 
     grade = grade_of(degrees)
     if age_h > LONGEST_H:
         grade = worse(grade, "useless" if age_h > USELESS_H[orbit] else "doubtful")
-    words = words_of(age_s, degrees, measured=measured, closest=range_km is None, longest_s=LONGEST_H * 3600.0)
-    if age_h > LONGEST_H or km is None or degrees is None:
-        return ExpectedError(age_s, None, None, None, None, grade, glyph_of(grade), words, orbit, measured)
+    down = reentry(elements, when)
+    if down is not None:
+        grade = "useless"
+    longest_s, clause = LONGEST_H * 3600.0, "" if down is None else reentry_words(down, when)
+    unknown = unknown_words(age_s, degrees, longest_s=longest_s, down=clause)
+    words = words_of(
+        age_s, degrees, measured=measured, closest=range_km is None, longest_s=longest_s, down=clause
+    )  # fmt: skip
+    if unknown or km is None or degrees is None:
+        return ExpectedError(
+            age_s, None, None, None, None, grade, glyph_of(grade), words, orbit, measured, unknown, down
+        )
     return ExpectedError(age_s, *km, *degrees, grade, glyph_of(grade), words, orbit, measured)
 
 

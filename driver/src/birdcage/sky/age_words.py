@@ -14,6 +14,9 @@ LIMITS: tuple[tuple[Grade, float, float], ...] = (("fresh", 0.3, 1.0), ("usable"
 """Up to which pointing error, median and 90th percentile, in degrees. A dish of 33 inches loses 1 dB at 0.6° in the Ku
 band and at 4.3° in the L band, one of 12 inches at 1.6° in the Ku band (reference section 5)."""
 
+REENTERED = "re-entered?"
+"""In the column of the error, where the elements themselves have the satellite down."""
+
 
 def grade_of(error_deg: tuple[float, float] | None) -> Grade:
     """Return how far elements with that pointing error can be trusted: median and 90th percentile; None: not at all."""
@@ -41,17 +44,37 @@ def degrees(angle: float | None) -> str:
     return f"{angle:.2f}°" if angle < 1.0 else f"{angle:.1f}°" if angle < 10.0 else f"{angle:.0f}°"
 
 
+def plus_minus(median_deg: float | None, p90_deg: float | None) -> str:
+    """Return an error and the one that one case in ten exceeds: `±0.04° (90 %: 0.15°)`; `unknown` where it is."""
+    if median_deg is None or p90_deg is None:
+        return "unknown"
+    return f"±{degrees(median_deg)} (90 %: {degrees(p90_deg)})".replace("±<", "<")
+
+
+def age_words(age_s: float) -> str:
+    """Return how old elements are: `6 h old`, `epoch 30 d ahead`."""
+    return f"{span(age_s)} old" if age_s >= 0 else f"epoch {span(-age_s)} ahead"
+
+
+def unknown_words(age_s: float, error_deg: tuple[float, float] | None, *, longest_s: float, down: str) -> str:
+    """Return why the error is not known, as a clause; empty where it is. `down`: the re-entry in words."""
+    if -age_s > AHEAD.total_seconds():
+        return "its date or this computer's clock is wrong"
+    if down:
+        return down
+    if error_deg is None:
+        return "falling too fast for its error to be known"
+    return f"figures end at {span(longest_s)}" if abs(age_s) > longest_s else ""
+
+
 def words_of(
-    age_s: float, error_deg: tuple[float, float] | None, *, measured: bool, closest: bool, longest_s: float
+    age_s: float, error_deg: tuple[float, float] | None, *, measured: bool, closest: bool, longest_s: float, down: str
 ) -> str:
     """Return age and error in words; of what is older than `longest_s` the error is that of then."""
-    age = f"{span(age_s)} old" if age_s >= 0 else f"epoch {span(-age_s)} ahead"
-    if -age_s > AHEAD.total_seconds():
-        return f"{age}, its date or this computer's clock is wrong"
-    if error_deg is None:
-        return f"{age}, falling too fast for its error to be known"
-    figures = f"{degrees(error_deg[0])} off{' at closest' if closest else ''}, one in ten {degrees(error_deg[1])}"
-    about = "" if measured else "about "
-    if abs(age_s) > longest_s:
-        return f"{age}, error not known: after {span(longest_s)} it is {about}{figures}"
-    return f"{age}, {about}{figures}"
+    why = unknown_words(age_s, error_deg, longest_s=longest_s, down=down)
+    if error_deg is None or down or -age_s > AHEAD.total_seconds():
+        return f"{age_words(age_s)}, {why}"
+    figures = f"{'' if measured else 'about '}{plus_minus(*error_deg)}{' at closest' if closest else ''}"
+    if why:
+        return f"{age_words(age_s)}, error unknown: {why} with {figures}"
+    return f"{age_words(age_s)}, {figures}"

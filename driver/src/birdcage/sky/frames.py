@@ -155,3 +155,13 @@ def look(observer: Observer, t_s: ArrayLike, position_km: Floats, velocity_km_s:
         range_km=range_km,
         range_rate_km_s=(px * qx + py * qy + pz * velocity_km_s[:, 2]) / range_km,
     )
+
+
+def line_of_sight(observer: Observer, t_s: Floats, position_km: Floats) -> Floats:
+    """Return the unit vectors (n, 3), TEME, from the observer to the satellite at POSIX seconds `t_s`."""
+    site = Site.of(observer)
+    angle = sidereal_rad(t_s, dut1_at(t_s)) + site.longitude_rad
+    here = np.stack([site.axis_km * np.cos(angle), site.axis_km * np.sin(angle), np.full(len(t_s), site.north_km)], 1)
+    away = position_km - here
+    found: Floats = away / np.linalg.norm(away, axis=1)[:, None]
+    return found

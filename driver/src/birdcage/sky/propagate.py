@@ -21,6 +21,7 @@ Record: TypeAlias = Satrec
 Codes = NDArray[np.uint8]
 """Errors of SGP4; 0 for none."""
 
+_WGS72_EARTH_KM = 6378.135
 _SGP4_EPOCH = datetime(1949, 12, 31, tzinfo=UTC)
 _REV_DAY_TO_RAD_MIN = 2.0 * math.pi / 1440.0
 
@@ -47,6 +48,13 @@ def satrec(elements: ElementSet) -> Record:
         math.radians(elements.raan_deg),
     )
     return record
+
+
+def mean_orbit(record: Record, after_days: float) -> tuple[float, float] | None:
+    """Return semi-major axis in km and eccentricity, so long after epoch; None where SGP4 has no orbit left."""
+    code, _, _ = record.sgp4_tsince(after_days * 1440.0)
+    axis_km = record.am * _WGS72_EARTH_KM
+    return None if code or not math.isfinite(axis_km) else (axis_km, record.em)
 
 
 def sgp4_complaint(code: int) -> str:

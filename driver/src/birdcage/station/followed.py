@@ -53,10 +53,12 @@ def sample_of(plan: Plan, state: StationState, alignment: Alignment, seen_s: flo
     target_az, target_el = plan.sky.at(seen_s)
     planned_az, planned_el = alignment.to_true(*plan.course.at(seen_s))
     error = separation(target_az, target_el, here.az_deg, here.el_deg)
+    expected = error if plan.pointing is None else plan.pointing.at(seen_s, error)
     commanded = state.target_az_deg, state.target_el_deg
     return Sample(
         here.at, here.utc, wrap_360(target_az), target_el, wrap_360(planned_az), planned_el,
         commanded[0] if commanded[0] is not None else here.az_deg,
         commanded[1] if commanded[1] is not None else here.el_deg,
-        here.az_deg, here.el_deg, error, None if beam_deg is None else 12.0 * (error / beam_deg) ** 2,
+        here.az_deg, here.el_deg, error,
+        None if beam_deg is None or expected is None else 12.0 * (expected / beam_deg) ** 2, expected,
     )  # fmt: skip

@@ -72,9 +72,11 @@ class Sample:
     reported_az_deg: float
     reported_el_deg: float
     error_deg: float
-    """Between target and reported direction, as an angle on the sky."""
+    """The dish's own: between where the target is computed to be and the reported direction, as an angle on the sky."""
     loss_db: float | None
-    """What that costs at the beam of the feed; None where it is not known."""
+    """What the error to expect costs at the beam of the feed; None where either is not known."""
+    expected_error_deg: float | None = None
+    """With what the age of the elements adds as a rule; None where that is not known."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,10 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from datetime import datetime
 from enum import Enum
+from typing import TYPE_CHECKING
 
 from birdcage.sky.passes.model import Pass
 from birdcage.sky.reach_model import Reach
 from birdcage.tracking.curve import Curve, Floats
+
+if TYPE_CHECKING:
+    from birdcage.sky.element_error import ElementError
+    from birdcage.tracking.pointing_error import PointingError
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +86,7 @@ class Keyhole:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Forecast:
-    """The pointing error to expect while the dish follows, perfect elements and clock given."""
+    """What the dish adds to the pointing error while it follows; `PointingError` adds what the elements do."""
 
     t_s: Floats
     error_deg: Floats
@@ -127,6 +132,10 @@ class Plan:
     """For axes that move in turn: what part of its time the azimuth was given. None for axes that move together."""
     refined: bool = True
     """Whether `share` was chosen by simulating the pass; False: 0.9 was taken, and a better one may follow."""
+    elements: ElementError | None = None
+    """How far off the elements may be; None for what follows none, and for orbits that are made up."""
+    pointing: PointingError | None = None
+    """What to expect of dish and elements together; None where nothing is followed."""
 
     @property
     def rewinds(self) -> tuple[Leg, ...]:

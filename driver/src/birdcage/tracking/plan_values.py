@@ -8,10 +8,13 @@ from typing import Any
 
 import numpy as np
 
+from birdcage.sky.age import error_values
+from birdcage.sky.element_error import ElementError
 from birdcage.sky.export.fields import iso
 from birdcage.sky.passes.model import Pass
 from birdcage.sky.reach_model import Reach
 from birdcage.tracking.plan import Forecast, Leg, Plan, Preposition
+from birdcage.tracking.pointing_error import Level, PointingError
 
 _STEP_S = 1.0
 _MOST = 1200
@@ -38,7 +41,9 @@ def plan_values(plan: Plan, *, step_s: float = _STEP_S) -> dict[str, Any]:
             }
             for hole in plan.keyholes
         ],
-        "forecast": None if plan.forecast is None else _forecast(plan.forecast),
+        "elements": None if plan.elements is None else _elements(plan.elements),
+        "forecast": None if plan.pointing is None else _forecast(plan.pointing),
+        "dish_forecast": None if plan.forecast is None else _dish(plan.forecast),
         "share": plan.share,
         "refined": plan.refined,
         "incidents": [{"at": _at(one.at_s), "what": one.what, "text": one.text} for one in plan.incidents],
@@ -85,32 +90,55 @@ def _place(place: Preposition) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _forecast(forecast: Forecast) -> dict[str, Any]:
-    loss = forecast.loss_db
+def _elements(found: ElementError) -> dict[str, Any]:
+    closest = found.closest
+    return {"epoch": iso(found.elements.epoch), "age_s": round(closest.age_s), **error_values(closest)}
+
+
+def _forecast(found: PointingError) -> dict[str, Any]:
+    """Return the error that may be believed, dish and elements together: as a rule, and in nine cases of ten."""
     return {
-        "rms_error_deg": _round(forecast.rms_deg),
-        "max_error_deg": _round(forecast.max_deg),
-        "mean_loss_db": None if loss is None else _round(float(loss.mean())),
-        "max_loss_db": None if loss is None else _round(float(loss.max())),
+        **_level(found.median, ""),
+        **_level(found.p90, "_p90"),
+        "unknown_because": found.unknown or None,
+        "advice": found.advice or None,
     }
+
+
+def _level(level: Level | None, suffix: str) -> dict[str, Any]:
+    loss = None if level is None else level.loss_db
+    return {
+        f"rms_error{suffix}_deg": None if level is None else _round(level.rms_deg),
+        f"max_error{suffix}_deg": None if level is None else _round(level.max_deg),
+        f"mean_loss{suffix}_db": None if loss is None else _round(float(loss.mean())),
+        f"max_loss{suffix}_db": None if loss is None else _round(float(loss.max())),
+    }
+
+
+def _dish(forecast: Forecast) -> dict[str, Any]:
+    return {"rms_error_deg": _round(forecast.rms_deg), "max_error_deg": _round(forecast.max_deg)}
 
 
 def _path(plan: Plan, step_s: float) -> list[dict[str, Any]]:
     """Return where the target stands, and the dish wherever it follows or is on its way between two legs."""
-    sky, course, forecast = plan.sky, plan.course, plan.forecast
+    sky, course, found = plan.sky, plan.course, plan.pointing
     step_s = max(step_s, (sky.end_s - sky.start_s) / _MOST)
     times = np.arange(sky.start_s, sky.end_s, step_s)
     az, el = sky.sample(times)
     rows = []
     for at, true_az, true_el in zip(times.tolist(), az.tolist(), el.tolist(), strict=True):
         row: dict[str, Any] = {"at": _at(at), "true_az_deg": _round(true_az % 360.0), "true_el_deg": _round(true_el),
-            "dish_az_deg": None, "dish_el_deg": None, "error_deg": None, "loss_db": None}  # fmt: skip
+            "dish_az_deg": None, "dish_el_deg": None, "expected_error_deg": None, "dish_error_deg": None,
+            "loss_db": None}  # fmt: skip
         if course is not None and course.start_s <= at <= course.end_s:
             row["dish_az_deg"], row["dish_el_deg"] = (_round(angle) for angle in course.at(at))
-        if forecast is not None and follows(plan, at):
-            row["error_deg"] = _round(float(np.interp(at, forecast.t_s, forecast.error_deg)))
-            if forecast.loss_db is not None:
-                row["loss_db"] = _round(float(np.interp(at, forecast.t_s, forecast.loss_db)))
+        if found is not None and follows(plan, at):
+            t_s, level = found.dish.t_s, found.median
+            row["dish_error_deg"] = _round(float(np.interp(at, t_s, found.dish.error_deg)))
+            if level is not None:
+                row["expected_error_deg"] = _round(float(np.interp(at, t_s, level.error_deg)))
+            if level is not None and level.loss_db is not None:
+                row["loss_db"] = _round(float(np.interp(at, t_s, level.loss_db)))
         rows.append(row)
     return rows
 

@@ -8,13 +8,17 @@ from datetime import UTC, datetime
 
 import numpy as np
 
+from birdcage.sky.age_words import plus_minus
+from birdcage.tracking.curve import Floats
 from birdcage.tracking.plan import Part, Plan
 from birdcage.tracking.plan_values import follows, is_hidden
+from birdcage.tracking.pointing_error import PointingError, element_words, error_words
 
 WIDTH = 80
 _ROWS = 14
 """About how many rows the table has: what happens, and times between."""
 _BAR = 69
+_INDENT = " " * 9
 _EVENTS = ("aos", "tca", "los")
 _HEAD = "UTC        event         az     el    dish az dish el   error    loss"
 
@@ -78,11 +82,36 @@ def _summary(plan: Plan) -> Iterator[str]:
             f"Keyhole  {_clock(hole.start_s)} to {_clock(hole.end_s)}: up to {hole.max_error_deg:.2f}° off "
             f"(at best {hole.limit_deg:.2f}°)"
         )
-    forecast = plan.forecast
-    if forecast is not None:
-        loss = forecast.loss_db
-        decibels = "" if loss is None else f"; {_db(float(loss.mean()))} on average, {_db(float(loss.max()))} at most"
-        yield f"Error    {forecast.rms_deg:.3f}° rms, {forecast.max_deg:.2f}° at most{decibels}"
+    if plan.pointing is not None:
+        yield from _error(plan.pointing)
+
+
+def _error(found: PointingError) -> Iterator[str]:
+    """Yield the error that may be believed, what it costs, and of what it is made."""
+    dish, median, p90 = found.dish, found.median, found.p90
+    own = f"{dish.rms_deg:.3f}° RMS, {dish.max_deg:.2f}° max"
+    if found.elements is None:
+        loss = dish.loss_db
+        decibels = "" if loss is None else f"; {_db(float(loss.mean()))} on average, {_db(float(loss.max()))} max"
+        yield f"Error    {own}{decibels}"
+        return
+    if median is None or p90 is None:
+        yield "Error    unknown"
+    else:
+        yield f"Error    {error_words(found)}, max {plus_minus(median.max_deg, p90.max_deg)}"
+        if median.loss_db is not None and p90.loss_db is not None:
+            yield f"Loss     {_loss(median.loss_db, p90.loss_db)}"
+    advice = f": {found.advice}" if found.advice else ""
+    yield from textwrap.wrap(
+        f"{element_words(found.elements)}{advice}", WIDTH, initial_indent=_INDENT, subsequent_indent=_INDENT
+    )  # fmt: skip
+    yield f"{_INDENT}dish alone {own}"
+
+
+def _loss(loss: Floats, of_ten: Floats) -> str:
+    """Return the mean and the greatest loss, each with what one pass in ten exceeds."""
+    mean, most = (f"{_db(float(f(loss)))} (90 %: {_db(float(f(of_ten)))})" for f in (np.mean, np.max))
+    return f"{mean} on average, {most} max"
 
 
 def _bar(plan: Plan) -> Iterator[str]:
@@ -121,16 +150,18 @@ def _table(plan: Plan) -> Iterator[str]:
 def _row(plan: Plan, at_s: float, what: str) -> str:
     az, el = plan.sky.at(at_s)
     row = f"{_clock(at_s)}  {what:<10}{az % 360.0:6.1f} {el:6.1f}"
-    course, forecast = plan.course, plan.forecast
-    if course is None or forecast is None or not course.start_s <= at_s <= course.end_s:
+    course, found = plan.course, plan.pointing
+    if course is None or found is None or not course.start_s <= at_s <= course.end_s:
         return row
     dish_az, dish_el = course.at(at_s)
     row += f"   {dish_az:+8.1f} {dish_el:7.1f}"
     if not follows(plan, at_s):
         return row
-    row += f"  {float(np.interp(at_s, forecast.t_s, forecast.error_deg)):5.2f}°"
-    loss = forecast.loss_db
-    return row + (f"  {'—':>6}" if loss is None else f"  {_db(float(np.interp(at_s, forecast.t_s, loss))):>6}")
+    if found.median is None:
+        return row + f"  {'—':>6}  {'—':>6}"
+    t_s, loss = found.dish.t_s, found.median.loss_db
+    row += f"  {float(np.interp(at_s, t_s, found.median.error_deg)):5.2f}°"
+    return row + (f"  {'—':>6}" if loss is None else f"  {_db(float(np.interp(at_s, t_s, loss))):>6}")
 
 
 def _clock(at_s: float) -> str:

@@ -122,7 +122,7 @@ class Age:
     """How much the elements may be trusted for a pass."""
 
     words: str
-    """`6 h old, about 0.05° off at closest, one in ten 0.2°`."""
+    """`6 h old, about ±0.05° (90 %: 0.20°) at closest`."""
     short: str
     """`6 h`."""
     glyph: str

@@ -27,7 +27,8 @@ def check(context: click.Context, paths: tuple[str, ...], older_than: float | No
     """Tell epoch and age of each satellite, oldest first: of the catalogue, or of files that are not taken in.
 
     OFF is how far a dish that believes them looks beside the satellite when it is closest, by the statistics of such
-    orbits: as a rule, and in one case of ten. ● is fresh, ◐ usable, ○ doubtful, ✗ useless.
+    orbits: as a rule, and in one case of ten. ● is fresh, ◐ usable, ○ doubtful, ✗ useless. *re-entered?* is what drag
+    has taken down by its own elements, unless it was boosted.
 
     What cannot be read in a file is told with its line and why; the exit status is then 1.
     """
@@ -88,8 +89,10 @@ def _tell(entries: Sequence[Entry], now: datetime) -> None:
 
 
 def _off(found: ExpectedError) -> str:
-    from birdcage.sky.age_words import degrees
+    from birdcage.sky.age_words import REENTERED, degrees
 
+    if found.reentry is not None:
+        return f"{found.glyph} {REENTERED}"
     if found.pointing_median_deg is None:
         return f"{found.glyph} not known"
     return f"{found.glyph} {degrees(found.pointing_median_deg)}, {degrees(found.pointing_p90_deg)}"

@@ -102,10 +102,14 @@ def command(
     elif table_wanted:
         from birdcage.cli.pass_table import tell_passes
         from birdcage.cli.table import room
+        from birdcage.sky.decay import reentry_warning
 
         missing = tell_passes(rows, begin, freq_hz, room())
         if missing:
             say(f"No room for {', '.join(missing)}: a wider terminal, --csv or --json has all.")
+        warning = reentry_warning((row.elements, row.passing.tca) for row in rows)
+        if warning is not None:
+            say(warning)
         if len(which) > len(rows) and limit is None:
             more = len(which) - len(rows)
             say(f"{more} more are not listed: --limit N shows them; --name or --min-elevation narrows.")

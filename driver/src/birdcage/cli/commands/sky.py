@@ -44,6 +44,7 @@ def command(
     from birdcage.cli.options import wanted
     from birdcage.cli.say import say, tell, tell_json
     from birdcage.cli.sky_report import look_round, table
+    from birdcage.sky.decay import reentry_warning
 
     dish = wanted()
     observer = find_observer(dish.settings, lat, lon, alt)
@@ -51,7 +52,8 @@ def command(
     entries = known_satellites(dish.paths, elements, say)
     up = look_round(entries, observer, when, dish, min_elevation)
     warning = frozen_warning([row.elements for row in up.rows if row.elements is not None])
-    for note in (*up.notes, *([warning] if warning else [])):
+    down = reentry_warning((row.elements, when) for row in up.rows if row.elements is not None)
+    for note in (*up.notes, *filter(None, (warning, down))):
         say(note)
     wanted_rows = limit if limit is not None or flags().json else SHOWN
     rows = up.rows[:wanted_rows]

@@ -8,18 +8,20 @@ from datetime import datetime
 
 import numpy as np
 
+from birdcage.sky.element_error import ElementError
 from birdcage.sky.passes.model import Pass
 from birdcage.sky.reach_model import Reach
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.mount import Mount
 from birdcage.tracking.plan import Aim, Forecast, Keyhole, Leg, Part, Plan
 from birdcage.tracking.planning.course import course as course_of
-from birdcage.tracking.planning.forecast import forecast
+from birdcage.tracking.planning.forecast import forecast, loss_db
 from birdcage.tracking.planning.incidents import incidents, loss_notes
 from birdcage.tracking.planning.itinerary import Stretch
 from birdcage.tracking.planning.keyholes import keyholes, simulated
 from birdcage.tracking.planning.preposition import preposition
 from birdcage.tracking.planning.sight import Sight
+from birdcage.tracking.pointing_error import STILL_FLIES, pointing_error
 
 _AT_ONCE_S = 0.5
 """A rewind that ends no longer than this before the target is followed again ends with that."""
@@ -38,6 +40,7 @@ class Basis:
     sight: Sight
     stretches: tuple[Stretch, ...]
     preposition_s: float
+    elements: ElementError | None
 
 
 def complete(basis: Basis, share: float | None, seen: Forecast | None = None, *, hold: float = 0.0) -> Plan:
@@ -52,7 +55,10 @@ def complete(basis: Basis, share: float | None, seen: Forecast | None = None, *,
     if seen is not None:
         holes = simulated(holes, seen)
     place = preposition(sight, course, basis.preposition_s, basis.made_at.timestamp())
+    beam_deg = mount.beam_deg_at(basis.aim.frequency_hz)
+    own = seen or forecast(sight, stretches, course, beam_deg)
     notes = [
+        *_element_notes(basis.elements),
         *_rewind_notes(legs),
         *map(_hole_note, holes),
         *_beyond_notes(sight, stretches),
@@ -63,19 +69,24 @@ def complete(basis: Basis, share: float | None, seen: Forecast | None = None, *,
         notes.insert(0, "No way to where it begins keeps clear of the no-go sectors.")
     return Plan(
         basis.aim, basis.made_at, basis.passing, basis.reach, sight.sky, course, legs, place, holes,
-        seen or forecast(sight, stretches, course, mount.beam_deg_at(basis.aim.frequency_hz)),
-        incidents(basis.passing, sight.sky, legs, holes, basis.reach, mount.limits),
-        tuple(notes), share, share is None or not holes or seen is not None,
+        own, incidents(basis.passing, sight.sky, legs, holes, basis.reach, mount.limits),
+        tuple(notes), share, share is None or not holes or seen is not None, basis.elements,
+        pointing_error(own, basis.elements, lambda error_deg: loss_db(error_deg, beam_deg)),
     )  # fmt: skip
 
 
-def unfollowed(aim: Aim, made_at: datetime, passing: Pass | None, reach: Reach, sight: Sight) -> Plan:
+def unfollowed(
+    aim: Aim, made_at: datetime, passing: Pass | None, reach: Reach, sight: Sight, elements: ElementError | None
+) -> Plan:  # fmt: skip
     """Return the plan of what cannot be followed, which says why."""
     limits = sight.mount.limits
-    notes = ("Nothing of it can be followed from now on.", *_border_notes(sight), *_notes(reach, sight.mount))
+    notes = (
+        *_element_notes(elements), "Nothing of it can be followed from now on.", *_border_notes(sight),
+        *_notes(reach, sight.mount),
+    )  # fmt: skip
     return Plan(
         aim, made_at, passing, reach, sight.sky, None, (), None, (), None,
-        incidents(passing, sight.sky, (), (), reach, limits), notes,
+        incidents(passing, sight.sky, (), (), reach, limits), notes, elements=elements,
     )  # fmt: skip
 
 
@@ -94,6 +105,11 @@ def _legs(stretches: Sequence[Stretch], course: Curve, *, turns: bool) -> tuple[
             stops = ()
         legs.append(Leg(Part.FOLLOW, stretch.start_s, stretch.end_s, start_deg, end_deg, turn, stops))
     return tuple(legs)
+
+
+def _element_notes(elements: ElementError | None) -> Iterator[str]:
+    if elements is not None and elements.closest.reentry is not None:
+        yield f"{elements.unknown[0].upper()}{elements.unknown[1:]}: {STILL_FLIES}."
 
 
 def _rewind_notes(legs: Sequence[Leg]) -> Iterator[str]:

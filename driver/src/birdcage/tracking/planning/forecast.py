@@ -49,9 +49,14 @@ def forecast(sight: Sight, stretches: tuple[Stretch, ...], course: Curve, beam_d
 
 def made(t: Floats, error_deg: Floats, beam_deg: float | None, peak_deg: float | None = None) -> Forecast:
     """Return a forecast of errors at times; where they are averages, `peak_deg` is the greatest single one."""
-    loss = None if beam_deg is None else 12.0 * (error_deg / beam_deg) ** 2
+    loss = loss_db(error_deg, beam_deg)
     greatest = float(error_deg.max()) if peak_deg is None else peak_deg
     return Forecast(t, error_deg, loss, float(np.sqrt(np.mean(error_deg**2))), greatest)
+
+
+def loss_db(error_deg: Floats, beam_deg: float | None) -> Floats | None:
+    """Return what errors cost at a beam so wide at half power; None without one (reference section 5)."""
+    return None if beam_deg is None else 12.0 * (error_deg / beam_deg) ** 2
 
 
 def following_times(stretches: tuple[Stretch, ...], step_s: float = _STEP_S) -> Floats:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from datetime import datetime
 
+from birdcage.sky.element_error import ElementError, element_error
 from birdcage.sky.frames import posix_s
 from birdcage.sky.observer import Observer
 from birdcage.sky.passes.model import Pass
@@ -62,18 +63,21 @@ def plan_pass(
         target.name, target.kind, target.elements.norad_id if isinstance(target, Satellite) else None,
         frequency_hz, own_offset_s + time_offset_s,
     )  # fmt: skip
-    return _plan(aim, sky, mount, now, passing, next_tracks, preposition_s)
+    believed = None
+    if isinstance(target, Satellite):
+        believed = element_error(target.elements, observer, sky.start_s, sky.end_s, aim.time_offset_s)
+    return _plan(aim, sky, mount, now, passing, next_tracks, preposition_s, believed)
 
 
 def _plan(
     aim: Aim, sky: Curve, mount: Mount, now: datetime, passing: Pass | None, later: Sequence[Curve],
-    preposition_s: float,
+    preposition_s: float, elements: ElementError | None,
 ) -> Plan:  # fmt: skip
     sight = Sight.of(sky, mount)
     now_s = posix_s(now)
     planned = itinerary(sight, now_s, later)
     reach = reached(sight, planned)
     if not planned.stretches:
-        return unfollowed(aim, now, passing, reach, sight)
+        return unfollowed(aim, now, passing, reach, sight, elements)
     share = None if mount.model.axes_together else FIRST_SHARE
-    return complete(Basis(aim, now, passing, reach, sight, planned.stretches, preposition_s), share)
+    return complete(Basis(aim, now, passing, reach, sight, planned.stretches, preposition_s, elements), share)

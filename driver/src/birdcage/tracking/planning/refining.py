@@ -47,7 +47,9 @@ def refine(
         return replace(plan, refined=True)
     steers = controller_for(mount.model)[1] if controller is None else controller
     sight = Sight.of(plan.sky, mount)
-    basis = Basis(plan.aim, plan.made_at, plan.passing, plan.reach, sight, _stretches(plan, sight), preposition_s)
+    basis = Basis(
+        plan.aim, plan.made_at, plan.passing, plan.reach, sight, _stretches(plan, sight), preposition_s, plan.elements
+    )  # fmt: skip
     about = _about(plan)
     tried: list[tuple[Plan, Forecast]] = []
     hard = max(hole.limit_deg for hole in plan.keyholes) > _WORTH_DEG
