@@ -47,7 +47,9 @@ class Story:
         self.tell(PursuitChanged(seconds, at(seconds), self.pursuit))
 
     def look(self, seconds, error=0.01, loss=0.1, number=None):
-        sample = Sample(seconds, at(seconds), 100.0, 40.0, 100.0, 40.0, 100.1, 40.0, 100.0 + error, 40.0, error, loss)
+        sample = Sample(
+            seconds, at(seconds), 100.0, 40.0, 100.0, 40.0, 100.1, 40.0, 100.0 + error, 40.0, error, loss, error
+        )
         self.tell(Followed(seconds, at(seconds), number or self.pursuit.number, sample))
 
     def rssi(self, seconds, counts):

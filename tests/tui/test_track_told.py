@@ -101,15 +101,15 @@ def test_a_frequency_is_typed_in_megahertz():
 
 def test_the_dashboard_and_the_status_line_say_it_in_brief():
     text = run(read, keys=("f1",))
-    assert "FOLLOW 0.0" in text.splitlines()[0]
+    assert "FOLLOW ±0.0" in text.splitlines()[0]
     assert "tracker" in text.splitlines()[0]
-    for words in ("FOLLOWING METEOR-M2 4", "error 0.0", "65° ceiling in 02:35", "LOS 12:11:06", "12:06"):
+    for words in ("FOLLOWING METEOR-M2 4", "error ±0.0", "65° ceiling in 02:35", "LOS 12:11:06", "12:06"):
         assert words in text, words
 
 
 def test_the_pocket_view_says_it_in_two_rows():
     rows = run(read, size=(40, 12), keys=()).splitlines()
-    assert any("FOLLOW METEOR-M2 4" in row and "err 0.0" in row for row in rows)
+    assert any("FOLLOW METEOR-M2 4" in row and "err ±0.0" in row for row in rows)
     assert any("65° ceiling in 02:35   LOS 12:11:06" in row for row in rows)
 
 
@@ -161,7 +161,8 @@ def test_the_presets_fill_the_width_and_esc_goes_back_to_the_rose(kept):
 
 def test_a_pursuit_that_is_over_keeps_its_curve_and_tells_its_figures():
     text = run(read, "craft-over", size=(160, 48))
-    assert "Followed: rms 0.0" in text
+    assert "Followed: pass ±0.0" in text
+    assert "dish rms 0.0" in text
     assert "It has set." in text
 
 

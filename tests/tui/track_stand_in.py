@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from datetime import UTC, datetime
+from datetime import UTC, datetime, timedelta
 from itertools import pairwise
 
 import numpy as np
@@ -13,7 +13,9 @@ import stand_in
 from birdcage.base.geometry import separation
 from birdcage.pursuit.now import DeskNow, Found, Mode, Scheduled, Unfinished
 from birdcage.radio.now import RadioNow, RadioState
-from birdcage.sky.age import ExpectedError
+from birdcage.sky.age import expected_error
+from birdcage.sky.element_error import ElementError
+from birdcage.sky.elements import ElementSet
 from birdcage.sky.look import LookAngle
 from birdcage.sky.passes.model import Pass
 from birdcage.sky.reach_model import Lost, Reach, Stretch
@@ -21,11 +23,9 @@ from birdcage.station.pursuit import Phase, Pursuit, PursuitOptions, Sample
 from birdcage.station.state import Activity, HeldState
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.plan import Aim, Forecast, Incident, Keyhole, Leg, Part, Plan, Preposition
+from birdcage.tracking.pointing_error import pointing_error
 
 NOON = sky_stand_in.NOON
-AGE = ExpectedError(
-    21600.0, 0.9, 4.6, 0.11, 0.5, "usable", "◐", "6 h old, about ±0.11° (90 %: 0.5°) at closest", "LEO", True
-)
 
 
 def utc(t_s):
@@ -53,7 +53,7 @@ def reach_of(path):
 
 
 def plan(name="METEOR-M2 4", number=59051, minutes=-4.0, length=14.0, from_az=341, to_az=158, top=71.0, *,
-         keyhole=None, frequency_hz=137.9e6, offset_s=0.0):  # fmt: skip
+         keyhole=None, frequency_hz=137.9e6, offset_s=0.0, age_days=0.25):  # fmt: skip
     """A plan of a pass that rises so many minutes after noon."""
     start_s = NOON + minutes * 60.0
     sky, path = way(start_s, length * 60.0, from_az, to_az, top)
@@ -80,14 +80,35 @@ def plan(name="METEOR-M2 4", number=59051, minutes=-4.0, length=14.0, from_az=34
     incidents += [Incident(passing.tca.timestamp(), "tca", "highest"), Incident(spans[-1][1], "unreach", "18° floor"),
                   Incident(path.t_s[-1], "los", "sets")]  # fmt: skip
     first = sky.at(spans[0][0])
+    dish = Forecast(times, errors, 12.0 * (errors / 2.6) ** 2, float(np.sqrt(np.mean(errors**2))), float(errors.max()))
+    aged = elements_of(number, passing, age_days)
     return Plan(
         Aim(name, "satellite", number, frequency_hz, offset_s), utc(NOON - 600.0), passing, reach, sky,
         Curve(times, az, el), legs,
         Preposition(first[0], first[1], first[0] % 360.0, first[1], (first,), spans[0][0] - 68.0, 8.0), holes,
-        Forecast(times, errors, 12.0 * (errors / 2.6) ** 2, float(np.sqrt(np.mean(errors**2))), float(errors.max())),
-        tuple(sorted(incidents, key=lambda each: each.at_s)),
+        dish, tuple(sorted(incidents, key=lambda each: each.at_s)),
         ("Above 65° the dish cannot follow: 02:40 are missed.",) if len(spans) > 1 else (),
+        elements=aged, pointing=pointing_error(dish, aged, lambda error_deg: 12.0 * (error_deg / 2.6) ** 2),
     )  # fmt: skip
+
+
+def elements_of(number, passing, age_days):
+    """What elements that old mean for a pass, nearest in its middle."""
+    epoch = passing.tca - timedelta(days=age_days)
+    elements = ElementSet("", number, epoch, 98.7, 0, 0.0001, 0, 0, 14.2, mean_motion_dot=2e-6)
+    closest = expected_error(elements, passing.tca, 1000.0)
+    times = np.linspace(passing.aos.timestamp(), passing.los.timestamp(), 121)
+    shape = 1.0 / (1.0 + 9.0 * np.linspace(-1.0, 1.0, 121) ** 2)
+    if closest.pointing_median_deg is None:
+        return ElementError(elements, closest, times, None, None)
+    return ElementError(
+        elements, closest, times, closest.pointing_median_deg * shape, closest.pointing_p90_deg * shape
+    )  # fmt: skip
+
+
+def believed(of, t_s, error):
+    """The error to believe at a time of a plan."""
+    return error if of.pointing is None else of.pointing.at(t_s, error)
 
 
 def moon():
@@ -95,11 +116,12 @@ def moon():
     times = np.linspace(NOON, NOON + 3600.0, 61)
     sky = Curve(times, 171.0 + (times - NOON) / 200.0, 42.0 + (times - NOON) / 900.0)
     reach = Reach((Stretch(utc(NOON), utc(NOON + 3600.0), 0),), (), 46.0)
+    dish = Forecast(times, np.full(61, 0.02), None, 0.02, 0.03)
     return Plan(
         Aim("Moon", "body"), utc(NOON), None, reach, sky, sky,
         (Leg(Part.FOLLOW, NOON, NOON + 3600.0, 171.0, 189.0, 0),),
         Preposition(171.0, 42.0, 171.0, 42.0, ((171.0, 42.0),), NOON, 3.0), (),
-        Forecast(times, np.full(61, 0.02), None, 0.02, 0.03), (),
+        dish, (), pointing=pointing_error(dish, None, lambda _: None),
     )  # fmt: skip
 
 
@@ -115,7 +137,8 @@ def looks(of, upto_s=NOON, clock_now=0.0):
             error = separation(az_deg, el_deg, *here)
             found.append(Sample(
                 clock_now + t_s - NOON, utc(t_s), az_deg % 360, el_deg, az_deg % 360, el_deg, (az_deg + 0.3) % 360,
-                el_deg + 0.1, here[0] % 360, here[1], error, 12.0 * (error / 2.6) ** 2,
+                el_deg + 0.1, here[0] % 360, here[1], error, None if (seen := believed(of, t_s, error)) is None
+                else 12.0 * (seen / 2.6) ** 2, seen,
             ))  # fmt: skip
             t_s += 1.0
     return found
@@ -160,7 +183,7 @@ def desk(of=None, **changes):
         utc(NOON), found=FOUND, choice=None if of is None else str(of.aim.norad_id or of.aim.name.lower()),
         aim=None if of is None else of.aim, plan=of,
         passes=() if of is None or of.passing is None else rows_of((of, *later)),
-        look=None if of is None else LookAngle(*of.sky.at(NOON)), expected=AGE if of and of.passing else None,
+        look=None if of is None else LookAngle(*of.sky.at(NOON)),
         schedule=schedule(),
     )  # fmt: skip
     return replace(now, **changes)
@@ -198,6 +221,20 @@ def _following(of, clock, **more):
 
 def following(clock):
     return _following(plan(minutes=-2.9), clock)
+
+
+def days(clock):
+    """By elements of two days: they are what matters."""
+    return _following(plan("ISS (ZARYA)", 25544, -2.9, age_days=2.0), clock)
+
+
+def old(clock):
+    """By elements of which nobody knows how far off they are."""
+    return _following(plan(minutes=-2.9, age_days=3228.0), clock)
+
+
+def old_chosen(clock):
+    return stand_in.at_rest(clock), desk(plan("METOP-B", 38771, 12, 10, 231, 62, 38, age_days=3228.0)), []
 
 
 def keyhole(clock):
@@ -280,7 +317,8 @@ def held(clock):
 
 SCENES = {
     "craft-idle": idle, "craft-chosen": chosen, "craft-waiting": waiting, "craft-countdown": countdown,
-    "craft-following": following, "craft-keyhole": keyhole, "craft-moon": followed_moon,
+    "craft-following": following, "craft-days": days,
+    "craft-old": old, "craft-old-chosen": old_chosen, "craft-keyhole": keyhole, "craft-moon": followed_moon,
     "craft-interrupted": interrupted, "craft-over": over, "craft-held": held,
 }  # fmt: skip
 

@@ -14,7 +14,7 @@ from birdcage_tui.commands.table import can_release
 from birdcage_tui.pane import Pane
 from birdcage_tui.skew import has_skew, skew_text
 from birdcage_tui.track.pursuing import pursuit_of
-from birdcage_tui.track.words import STATUS, countdown_s, error_words
+from birdcage_tui.track.words import STATUS, countdown_s, live_words
 from birdcage_tui.view import View
 from birdcage_tui.words import ACTIVITY, LATE, LINK, age_text, bad_day, calm
 
@@ -72,7 +72,7 @@ class StatusLine(Pane):
         activity = "HELD" if state.held is not None and not view.moving else ACTIVITY[state.activity]
         pursuit = pursuit_of(view)
         if pursuit is not None and state.held is None:
-            error = error_words(view, brief=True)
+            error = live_words(view, brief=True)
             if state.demo and not wide:
                 error = error.removeprefix("err ")  # else who has control finds no room
             activity = f"{STATUS[pursuit.phase]} {error}".rstrip()

@@ -9,7 +9,7 @@ from birdcage.station.state import Activity, Link, Search
 
 from birdcage_tui.stop_words import awaited_words, power_switch, searching, stop_text
 from birdcage_tui.track.pursuing import pursuit_of
-from birdcage_tui.track.words import PHASE, error_words, headline, trouble
+from birdcage_tui.track.words import PHASE, headline, live_words, trouble
 from birdcage_tui.view import View
 
 ACTIVITY = {
@@ -80,7 +80,7 @@ def motion_text(view: View) -> str:
         return "MOVING when last heard" if view.moving else "UNKNOWN: the dish does not answer"
     pursued = headline(view)
     if pursued is not None and (state.motion is None or state.activity is Activity.FOLLOWING):
-        return f"{pursued}  {error_words(view)}".rstrip()
+        return f"{pursued}  {live_words(view)}".rstrip()
     if state.motion is not None and state.activity is Activity.SLEWING:
         to_go_deg, left_s = view.to_go_deg, state.motion.eta - view.now
         going = "" if to_go_deg is None else f" {to_go_deg:.1f}° to go,"

@@ -13,7 +13,6 @@ from birdcage.pursuit.passes_of import meant, next_passes, still_followed
 from birdcage.sky.pass_row import PassRow
 
 if TYPE_CHECKING:
-    from birdcage.sky.age import ExpectedError
     from birdcage.sky.elements import ElementSet
     from birdcage.sky.look import LookAngle
     from birdcage.sky.passes.model import Pass
@@ -84,17 +83,6 @@ class Choice:
         except BirdcageError as error:
             self.problem = str(error)
             return None
-
-    def expected(self) -> ExpectedError | None:
-        """Return what the age of the elements means for the planned pass; None without elements or plan."""
-        from birdcage.sky.age import expected_error
-
-        if self.elements is None or self.plan is None:
-            return None
-        row = self.row
-        if row is None:
-            return expected_error(self.elements, self.plan.made_at)
-        return expected_error(self.elements, row.passing.tca, row.at_tca.range_km)
 
     @property
     def row(self) -> PassRow | None:

@@ -209,7 +209,7 @@ class DeskWork:
         if choice is not None:
             shown = replace(
                 shown, choice=choice.text, aim=None if choice.plan is None else choice.plan.aim, plan=choice.plan,
-                passes=choice.shown(now), look=None if at is None else choice.look(at), expected=choice.expected(),
+                passes=choice.shown(now), look=None if at is None else choice.look(at),
             )  # fmt: skip
         return replace(shown, problem=self._why())
 

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 from birdcage.radio.now import RadioNow
 
 if TYPE_CHECKING:
-    from birdcage.sky.age import ExpectedError
     from birdcage.sky.look import LookAngle
     from birdcage.sky.pass_row import PassRow
     from birdcage.tracking.plan import Aim, Plan
@@ -79,8 +78,6 @@ class DeskNow:
     """Its next ones, the plan's first."""
     look: LookAngle | None = None
     """Where it stands now, without refraction."""
-    expected: ExpectedError | None = None
-    """What the age of its elements means for this pass."""
     mode: Mode = Mode.WATCH
     autotrack: bool = False
     schedule: tuple[Scheduled, ...] = ()

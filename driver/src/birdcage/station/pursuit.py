@@ -75,7 +75,7 @@ class Sample:
     """The dish's own: between where the target is computed to be and the reported direction, as an angle on the sky."""
     loss_db: float | None
     """What the error to expect costs at the beam of the feed; None where either is not known."""
-    expected_error_deg: float | None = None
+    expected_error_deg: float | None
     """With what the age of the elements adds as a rule; None where that is not known."""
 
 

@@ -11,7 +11,7 @@ from birdcage_tui.passes.words import fit
 from birdcage_tui.skew import has_skew, skew_row
 from birdcage_tui.stop_words import stop_text
 from birdcage_tui.track.pursuing import pursuit_of
-from birdcage_tui.track.words import error_words, headline, los_words, next_words
+from birdcage_tui.track.words import headline, live_words, los_words, next_words
 from birdcage_tui.view import View
 from birdcage_tui.words import age_text, motion_text
 
@@ -129,7 +129,7 @@ class PointingPane(Pane):
         pursuit = pursuit_of(view)
         if pursuit is None or not view.link_up:
             return False
-        name, error = headline(view) or "", error_words(view)
+        name, error = headline(view) or "", live_words(view)
         if error:
             cells.put(1, y, fit(name, cells.width - 4 - len(error)).ljust(cells.width - 2), "accent-strong")
             cells.right(cells.width - 1, y, error, "accent-strong")

@@ -15,7 +15,7 @@ from birdcage_tui.passes.words import fit
 from birdcage_tui.skew import has_skew, skew_row, skew_text
 from birdcage_tui.stop_words import stop_text
 from birdcage_tui.track.pursuing import pursuit_of
-from birdcage_tui.track.words import error_words, headline, los_words, next_words
+from birdcage_tui.track.words import headline, live_words, los_words, next_words
 from birdcage_tui.view import View
 from birdcage_tui.words import age_text, bad_day, calm, motion_text
 
@@ -70,7 +70,7 @@ class PocketReading(Pane):
             age_s = view.position_age_s
             old = f"{age_text(age_s)} old" if view.stale and age_s is not None else ""
             words = motion_text(view)
-            error = error_words(view, brief=True)
+            error = live_words(view, brief=True)
             if headline(view) is not None and view.link_up:
                 words = fit(headline(view, brief=True) or "", cells.width - 4 - len(error) - len(old))
             if error and not old:

@@ -1,4 +1,4 @@
-"""The first rows of the Craft tab: the target, its pass, its reach, how old its elements are; the selector."""
+"""The first rows of the Craft tab: the target, its pass, its reach, the error to expect; the selector."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from birdcage_tui.commands import BY_NAME
 from birdcage_tui.pane import Pane
 from birdcage_tui.passes.words import fit
 from birdcage_tui.track.pursuing import plan_of, pursuit_of, shown_is_followed
-from birdcage_tui.track.words import age_words, brief_age, offset_words, pass_words, reach_words
+from birdcage_tui.track.words import expected_words, offset_words, pass_words, reach_words
 from birdcage_tui.view import View
 
 SELECTOR = (("track-watch", Mode.WATCH, "Watch"), ("track-aim", Mode.AIM, "Aim once"),
@@ -36,14 +36,13 @@ class TrackHead(Pane):
             name = plan.aim.name if len(plan.aim.name) + len(number) > room else plan.aim.name + number
             x = cells.put(1, 0, fit(name, max(room, 8)), "target-strong")
             cells.put(x + 2, 0, words, "text")
-            ink, age = age_words(view)
-            reach = reach_words(plan, cells.width - 2)
-            x = cells.put(1, 1, reach, "text" if plan.reach.intervals else "warn")
-            if cells.height < 4:
-                fitting = (each for each in (age, brief_age(view)) if x + 3 + len(each) < cells.width)
-                cells.put(x + 3, 1, next(fitting, ""), ink)
-            elif cells.height >= 4:
-                cells.put(1, 2, age[: cells.width - 2] or "it needs no elements", ink)
+            ink, shapes = expected_words(plan)
+            beside = cells.height < 4 and bool(shapes)
+            room = cells.width - 2 - (len(shapes[-1]) + 3 if beside else 0)
+            x = cells.put(1, 1, reach_words(plan, room), "text" if plan.reach.intervals else "warn")
+            x, y = (x + 3, 1) if beside else (1, 2)
+            if cells.height >= 4 or beside:
+                cells.put(x, y, next((each for each in shapes if x + len(each) < cells.width), ""), ink)
         self._selector(cells, cells.height - 1, view)
 
     @staticmethod

@@ -17,8 +17,11 @@ from birdcage_tui.track.words import (
     countdown_s,
     decibels,
     degrees,
-    error_words,
+    expected_words,
+    followed_words,
     headline,
+    live_deg,
+    live_words,
     los_words,
     next_words,
 )
@@ -27,6 +30,8 @@ from birdcage_tui.view import View
 if TYPE_CHECKING:
     from birdcage.tracking.plan import Plan
 
+ROOMY = 56
+"""From so many columns on the head of the tab tells what helps."""
 BIG = 9
 """From so many rows on the error is written in big digits."""
 
@@ -56,16 +61,17 @@ class TrackNow(Pane):
     @staticmethod
     def _big(cells: Cells, view: View) -> bool:
         """Write error and loss, or the seconds until it moves, in big digits; return whether there was any."""
-        left_s, sample = countdown_s(view), sample_of(view)
+        left_s, sample, pursuit = countdown_s(view), sample_of(view), pursuit_of(view)
         if left_s is not None:
             x = put_big(cells, 1, 0, f"{max(left_s, 0.0):.0f}", "warn-strong")
             cells.put(x + 1, 1, "s until it moves", "warn-strong")
             cells.put(x + 1, 2, "Space cancels it", "text")
             return True
-        if sample is None:
+        if sample is None or pursuit is None:
             return False
-        x = put_big(cells, 1, 0, degrees(sample.error_deg), "big")
-        cells.put(1, 3, "error", "dim")
+        error_deg = live_deg(sample, pursuit.plan)
+        x = put_big(cells, 1, 0, degrees(error_deg), "big")
+        cells.put(1, 3, "error" if error_deg is not None else "error unknown", "dim")
         if sample.loss_db is not None and cells.width - x >= 4 + width_of("-00.00"):
             x = put_big(cells, x + 3, 0, decibels(sample.loss_db).removesuffix(" dB"), "big")
             cells.put(x + 1, 2, "dB", "dim")
@@ -84,8 +90,8 @@ class TrackNow(Pane):
         if desk is not None and desk.problem:
             found.append(("warn", f"▲ {desk.problem}"))
         if pursuit is None:
-            return [*found, *_watched(view)]
-        head, error = headline(view) or "", error_words(view)
+            return [*found, *_watched(view, width)]
+        head, error = headline(view) or "", live_words(view)
         ink = "warn-strong" if pursuit.phase in (Phase.COUNTDOWN, Phase.INTERRUPTED, Phase.YIELDED) else "accent-strong"
         if sample is not None and not big:
             head = f"{fit(head, width - len(error) - 2)}  {error}"
@@ -93,8 +99,9 @@ class TrackNow(Pane):
         coming = next_words(view)
         los = los_words(pursuit.plan)
         found.append(("text", f"{coming}   {los}".strip() if len(coming) + len(los) + 3 <= width else coming))
+        whole, dish = followed_words(pursuit)
         if pursuit.rms_error_deg is not None:
-            words = f"rms {degrees(pursuit.rms_error_deg)}  most {degrees(pursuit.max_error_deg)}"
+            words = whole or dish
             if sample is not None and not big:
                 words = f"{decibels(sample.loss_db)}  {words}"
             found.append(("text", words))
@@ -105,6 +112,7 @@ class TrackNow(Pane):
             found.append(("dim" if sample is not None else "text", pursuit.why))
         if pursuit.phase in (Phase.YIELDED, Phase.INTERRUPTED):
             found.append(("text", "f follows it again, x leaves it."))
+        found += [("dim", dish)] if whole and pursuit.rms_error_deg is not None else []
         steers = f"{pursuit.controller} controller" if pursuit.controller else ""
         if pursuit.latency_s is not None:
             steers += f", {pursuit.latency_s * 1000:.0f} ms a command"
@@ -112,7 +120,7 @@ class TrackNow(Pane):
         return [*found, *(("dim", note) for note in pursuit.plan.notes)]
 
 
-def _watched(view: View) -> list[tuple[str, str]]:
+def _watched(view: View, width: int) -> list[tuple[str, str]]:
     """Return what there is to say of a target that is only looked at."""
     plan, place, desk = plan_of(view), target_place(view), view.track
     if desk is None or desk.choice is None or plan is None:
@@ -125,20 +133,34 @@ def _watched(view: View) -> list[tuple[str, str]]:
     if last is not None and last.phase is Phase.OVER and same_target(plan, last.plan):
         error = ""
         if last.rms_error_deg is not None:
-            error = f"Followed: rms {degrees(last.rms_error_deg)}, most {degrees(last.max_error_deg)}. "
+            error = f"Followed: {', '.join(filter(None, followed_words(last)))}. "
         done = [("text", f"{error}{last.why}")]
     here = "" if place is None else f"  AZ {place[0]:.1f}°  EL {place[1]:.1f}°"
     found = [*done, ("target-strong", f"{plan.aim.name}{here}")]
     t_s = view.utc.timestamp()
     found.append(("text", _chance(view, plan, t_s)))
+    found += _expected(plan, width)
     if plan.preposition is not None and plan.legs and plan.legs[0].start_s > t_s:
         point = plan.preposition
         where = f"{point.true_az_deg:.0f}°/{point.true_el_deg:.0f}°"
         found.append(("dim", f"It would wait at {where}, {point.slew_s:.0f} s from here."))
-    if plan.forecast is not None:
-        forecast = plan.forecast
-        found.append(("dim", f"Expected: rms {degrees(forecast.rms_deg)}, most {degrees(forecast.max_deg)}."))
     return [*found, *(("dim", note) for note in plan.notes)]
+
+
+def _expected(plan: Plan, width: int) -> list[tuple[str, str]]:
+    """Return the error to expect of a plan, and of the dish alone; first what helps, where the head has no room."""
+    from birdcage.tracking.pointing_error import error_words
+
+    pointing = plan.pointing
+    if pointing is None:
+        return []
+    own = f"rms {degrees(pointing.dish.rms_deg)}, max {degrees(pointing.dish.max_deg)}"
+    if pointing.elements is None:
+        return [("dim", f"Expected: {own}.")]
+    ink, _ = expected_words(plan)
+    helps = [(ink, f"{pointing.advice}.")] if pointing.advice and width < ROOMY else []
+    words = f"Expected: error {error_words(pointing)}, of the dish alone {own}."
+    return [*helps, (ink, words)]
 
 
 def _chance(view: View, plan: Plan, t_s: float) -> str:

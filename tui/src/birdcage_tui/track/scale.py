@@ -8,6 +8,7 @@ from birdcage_tui.track.pursuing import pursuit_of
 from birdcage_tui.view import View
 
 if TYPE_CHECKING:
+    from birdcage.station.pursuit import Sample
     from birdcage.tracking.plan import Plan
 
 STEPS_DEG = (0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 45.0, 90.0, 180.0)
@@ -28,11 +29,18 @@ def window(plan: Plan, view: View) -> tuple[float, float]:
 
 def error_top(view: View, plan: Plan) -> float:
     """Return the upper end of the scale of errors: what was and what is expected fit."""
-    worst = 0.0 if plan.forecast is None else plan.forecast.max_deg
+    worst = 0.0
+    if plan.pointing is not None:
+        worst = plan.pointing.dish.max_deg if plan.pointing.median is None else plan.pointing.median.max_deg
     pursuit = pursuit_of(view)
     if pursuit is not None and pursuit.plan is plan:
-        worst = max([worst, *(look.error_deg for look in view.followed)])
+        worst = max([worst, *(shown_deg(look) for look in view.followed)])
     return next((step for step in STEPS_DEG if step >= worst * 1.05), STEPS_DEG[-1])
+
+
+def shown_deg(look: Sample) -> float:
+    """Return the error that is drawn: elements and all; where these are of unknown error, that of the dish."""
+    return look.error_deg if look.expected_error_deg is None else look.expected_error_deg
 
 
 def loss_db(error_deg: float, beam_deg: float | None) -> float | None:

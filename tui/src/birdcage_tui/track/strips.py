@@ -12,7 +12,7 @@ from birdcage_tui.pane import Pane
 from birdcage_tui.passes.words import clock_text, count_text
 from birdcage_tui.track.path import Points, Spot
 from birdcage_tui.track.pursuing import plan_of, shown_is_followed
-from birdcage_tui.track.scale import error_top, loss_db, window
+from birdcage_tui.track.scale import error_top, loss_db, shown_deg, window
 from birdcage_tui.track.words import degrees
 from birdcage_tui.view import View
 
@@ -180,29 +180,36 @@ def _curve(canvas: Braille, series: Series, x_of: Callable[[float], float], up: 
 
 
 def _errors(cells: Cells, view: View, plan: Plan, box: tuple[int, int, int], x_of: Callable[[float], float]) -> None:
-    """Draw the error: expected, and as it was; degrees at the left, dB of the beam at the right."""
+    """Draw the error: expected, and as it was; degrees at the left, dB of the beam at the right.
+
+    Where that of the elements is unknown it is the dish's own, called so, and costs nobody knows what.
+    """
     y, height, width = box
     top = error_top(view, plan)
     canvas, up = Braille(width, height), _scaled(0.0, top, height * 4 - 1)
-    if plan.forecast is not None:
-        times, errors = plan.forecast.t_s.tolist(), plan.forecast.error_deg.tolist()
+    pointing = plan.pointing
+    level = None if pointing is None else pointing.median
+    if pointing is not None:
+        times = pointing.dish.t_s.tolist()
+        errors = (pointing.dish if level is None else level).error_deg.tolist()
         every = max(1, len(times) // (width * 4))
         _curve(canvas, list(zip(times, errors, strict=True))[::every], x_of, up, "dim", lambda _: False)
     if shown_is_followed(view):
         worst: dict[int, tuple[float, float]] = {}  # of each column of dots: what lies between is not to be seen
         for look in view.followed:
             t_s, column = look.utc.timestamp(), int(x_of(look.utc.timestamp()))
-            worst[column] = max(worst.get(column, (t_s, 0.0)), (t_s, look.error_deg), key=lambda pair: pair[1])
+            worst[column] = max(worst.get(column, (t_s, 0.0)), (t_s, shown_deg(look)), key=lambda pair: pair[1])
         _curve(canvas, list(worst.values()), x_of, up, "accent", lambda _: False)
     canvas.onto(cells, LEFT, y)
     if height > 1:
         cells.right(LEFT - 1, y, degrees(top) if top < 10 else f"{top:.0f}°", "dim")
-    lost = loss_db(top, view.state.beam_deg)
+    unknown = pointing is not None and level is None
+    lost = None if unknown else loss_db(top, view.state.beam_deg)
     cells.right(cells.width, y, "" if lost is None else _decibels(lost), "dim")
     if height > 1:
         cells.right(LEFT - 1, y + height - 1, "0", "dim")
         cells.right(cells.width, y + height - 1, "" if lost is None else "0 dB", "dim")
-    cells.put(0, y + (height - 1) // 2 if height > 2 else y + height - 1, "err", "strong")
+    cells.put(0, y + (height - 1) // 2 if height > 2 else y + height - 1, "dish" if unknown else "err", "strong")
 
 
 def _decibels(lost_db: float) -> str:

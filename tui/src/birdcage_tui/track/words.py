@@ -12,7 +12,7 @@ from birdcage_tui.track.pursuing import next_incident, pursuit_of, sample_of
 from birdcage_tui.view import View
 
 if TYPE_CHECKING:
-    from birdcage.station.pursuit import Pursuit
+    from birdcage.station.pursuit import Pursuit, Sample
     from birdcage.tracking.plan import Plan
 
 PHASE = {
@@ -68,10 +68,15 @@ def headline(view: View, *, brief: bool = False) -> str | None:
     return f"{word} {pursuit.plan.aim.name}"
 
 
-def error_words(view: View, *, brief: bool = False) -> str:
-    """Return the live error: `error 0.04°`; empty unless the dish follows and was looked at."""
-    sample = sample_of(view)
-    return "" if sample is None else f"{'err' if brief else 'error'} {degrees(sample.error_deg)}"
+def live_words(view: View, *, brief: bool = False) -> str:
+    """Return the error now, elements and all: `error 0.04°`, `error ±0.26°`; empty unless the dish follows."""
+    sample, pursuit = sample_of(view), pursuit_of(view)
+    if sample is None or pursuit is None:
+        return ""
+    found = live_deg(sample, pursuit.plan)
+    about = "±" if pursuit.plan.elements is not None else ""
+    words = "?" if found is None and brief else "unknown" if found is None else about + degrees(found)
+    return f"{'err' if brief else 'error'} {words}"
 
 
 def countdown_s(view: View) -> float | None:
@@ -173,23 +178,50 @@ def reach_words(plan: Plan, room: int) -> str:
     return f"in reach {total}"
 
 
-def age_words(view: View) -> tuple[str, str]:
-    """Return ink and words of how old the elements are, and the error that means; empty for what has none."""
-    expected = None if view.track is None else view.track.expected
-    if expected is None:
-        return "dim", ""
+def expected_words(plan: Plan) -> tuple[str, tuple[str, ...]]:
+    """Return ink and words of the error to believe, the longest first: with grade and age of the elements, and advice.
+
+    `error ±0.26° (90 %: 2.2°)  ◐ usable elements, 24 h old`, down to `◐ 24 h old ±0.26°`.
+    """
+    from birdcage.sky.age_words import REENTERED, age_words
+    from birdcage.tracking.pointing_error import element_words, error_words
+
     from birdcage_tui.sky_convert import GRADE_INKS
 
-    return GRADE_INKS[expected.grade], f"{expected.glyph} elements {expected.words}"
+    pointing, elements = plan.pointing, plan.elements
+    error = "" if pointing is None else f"error {error_words(pointing)}"
+    if elements is None:
+        return "dim", (f"{error} over the pass",) if error else ()
+    closest = elements.closest
+    age = f"{closest.glyph} {age_words(closest.age_s)}"
+    whole = f"{error}  {element_words(elements)}".strip()
+    shapes = [whole, f"{age}, {error}" if error and closest.reentry is None else age]
+    if pointing is not None and pointing.advice:
+        shapes.insert(0, f"{whole}: {pointing.advice}")
+    if closest.reentry is not None:
+        shapes[-1] = f"{age}, {REENTERED}"
+    elif pointing is not None and pointing.median is not None:
+        shapes.append(f"{age} ±{degrees(pointing.median.rms_deg)}")
+    return GRADE_INKS[closest.grade], tuple(shapes)
 
 
-def brief_age(view: View) -> str:
-    """Return the same in a few columns: `◐ 6 h old ±0.11°`."""
-    expected = None if view.track is None else view.track.expected
-    if expected is None:
-        return ""
-    off = "" if expected.pointing_median_deg is None else f" ±{degrees(expected.pointing_median_deg)}"
-    return f"{expected.glyph} {expected.words.partition(',')[0]}{off}"
+def live_deg(sample: Sample, plan: Plan) -> float | None:
+    """Return the error to believe now, as a rule; the dish's own where its plan knows of no other."""
+    return sample.error_deg if plan.pointing is None else sample.expected_error_deg
+
+
+def followed_words(pursuit: Pursuit) -> tuple[str, str]:
+    """Return the error of what was followed so far, elements and all, and the dish's own; the first may be empty.
+
+    `pass ±0.26° (90 %: 2.2°)` and `dish rms 0.02°  max 0.05°`; without elements `rms 0.02°  max 0.05°` alone.
+    """
+    from birdcage.sky.age_words import plus_minus
+
+    dish = f"rms {degrees(pursuit.rms_error_deg)}  max {degrees(pursuit.max_error_deg)}"
+    pointing = pursuit.plan.pointing
+    if pointing is None or pointing.elements is None:
+        return "", dish
+    return f"pass {plus_minus(*pointing.with_dish(pursuit.rms_error_deg))}", f"dish {dish}"
 
 
 def offset_words(view: View) -> str:
