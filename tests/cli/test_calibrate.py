@@ -9,7 +9,7 @@ from birdcage.base.paths import Paths
 from birdcage.calibration.peaks_file import load_peaks, peaks_file
 from birdcage.cli.calibrate_words import residual_plot
 from birdcage.sky.observer import Observer
-from birdcage.sky.targets import parse_target
+from birdcage.sky.targets import Resolver
 
 AT = "2026-03-20T20:30:00Z"
 STANDS = Alignment(25.0, -0.4, 0.2, 0.9, -0.6)
@@ -39,7 +39,7 @@ def peaked(calibrate):
     from birdcage.calibration.expected import expected
 
     for name in OBJECTS:
-        where = expected(parse_target(name), Observer(39.1, -95.7), datetime.fromisoformat(AT))
+        where = expected(Resolver().resolve(name).target, Observer(39.1, -95.7), datetime.fromisoformat(AT))
         az, el = STANDS.to_dish(*where)
         done = calibrate("add", name, "--dish-az", f"{az:.3f}", "--dish-el", f"{el:.3f}", "--at", AT)
         assert done.exit_code == 0, done.stderr

@@ -86,8 +86,8 @@ def test_who_is_dead_is_not_named_as_a_sender(ask, as_json):
     ("words", "told"),
     [
         (("--rf", "10489.5"), "say 10489.5M for megahertz"),
-        ((), "Give either --rf"),
-        (("--rf", "1G", "--if", "1G"), "Give either --rf"),
+        ((), "Give one of --rf"),
+        (("--rf", "1G", "--if", "1G"), "Give one of --rf"),
         (("--rf", "much"), "no frequency"),
     ],
 )

@@ -114,7 +114,21 @@ def test_a_name_or_number_chooses_and_a_wrong_one_is_said(passes, as_json):
     assert as_json(passes("--json", "--name", "zarya")) == as_json(passes("--json", "--name", "25544")) != []
     result = passes("--name", "sputnik")
     assert (result.exit_code, result.stdout) == (2, "")
-    assert "None of 1 satellites has 'sputnik' in its name" in result.stderr
+    assert "No target is called 'sputnik'" in result.stderr
+
+
+def test_one_satellite_is_named_as_everywhere(passes, as_json):
+    whole = as_json(passes("--json", "--name", "25544"))
+    assert as_json(passes("--json", "iss")) == as_json(passes("--json", "ISS (ZARYA)")) == whole
+    for words, told in (
+        (("ao-91",), "AO-91 (43017) is not among your 1"),
+        (("moon",), "Moon is no satellite with passes: `birdcage where moon`"),
+        (("isss",), "Did you mean ISS?"),
+        (("iss", "--name", "x"), "not both"),
+    ):
+        refused = passes(*words)
+        assert refused.exit_code == 2
+        assert told in " ".join(refused.stderr.split())
 
 
 def test_a_frequency_adds_the_doppler(passes, as_json):

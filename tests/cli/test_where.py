@@ -120,7 +120,7 @@ def test_a_satellite_of_a_file(where, as_json, tle):
     assert 400.0 < told["range_km"] < 13_200.0
     assert abs(told["range_rate_km_s"]) < 8.0
     text = where("iss", *HOUSTON, *AT, "--elements", tle)
-    assert text.stderr == ""
+    assert "Warning" not in text.stderr
     assert "elements   epoch 2026-11-21 12:00 UTC, 6 h old\n" in text.stdout
 
 

@@ -12,7 +12,7 @@ from birdcage.pursuit.choosing import choice_of
 from birdcage.pursuit.circumstances import Circumstances
 from birdcage.sky.demo_orbits import demo_orbits
 from birdcage.sky.observer import Observer
-from birdcage.sky.targets import parse_target
+from birdcage.sky.targets import Resolver
 from birdcage.sky.targets.model import Satellite
 from birdcage.station.known import list_models
 from birdcage.station.reach_limits import reach_limits
@@ -115,7 +115,7 @@ def test_a_time_offset_moves_pass_and_plan(choice):
 
 
 def test_what_does_not_pass_is_planned_for_an_hour_and_again_before_that_is_over():
-    choice = choice_of("az 180 el 40", parse_target("az 180 el 40"), None)
+    choice = choice_of("az 180 el 40", Resolver().resolve("az 180 el 40").target, None)
     assert choice.refresh(AT)
     assert choice.plan.passing is None
     assert choice.plan.sky.end_s - choice.plan.sky.start_s == pytest.approx(3600.0)

@@ -104,7 +104,7 @@ def test_a_time_offset_is_remembered_with_its_date_and_moves_the_plan(bench):
     assert now.aim.time_offset_s == 2.5
     assert 2.0 < (now.plan.passing.aos - before.passing.aos).total_seconds() < 3.0
     with Catalogue(bench.paths.catalogue) as catalogue:
-        entry = catalogue.find(STATION)
+        (entry,) = catalogue.search(STATION, 1)
     assert entry.time_offset_s == 2.5
     assert abs(entry.time_offset_set - bench.clock.utc()) < timedelta(seconds=5)
     bench.desk.set_time_offset(9999.0)

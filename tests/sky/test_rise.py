@@ -11,7 +11,7 @@ from birdcage.base.config.feeds import STOCK_FEED
 from birdcage.sky.ephemeris.bodies import BODIES
 from birdcage.sky.observer import Observer
 from birdcage.sky.rise import Ear, body_rise_db, expected_rise_db, quiet_sun_k, rise_words
-from birdcage.sky.targets import parse_target
+from birdcage.sky.targets import Resolver
 
 HERE, NOW = Observer(52.0, 4.4), datetime(2026, 11, 21, 12, tzinfo=UTC)
 STOCK = Ear.of(STOCK_FEED)
@@ -19,7 +19,7 @@ MOON_KM, SUN_KM = 384_400.0, 149_597_870.7
 
 
 def rise(text, ear=STOCK):
-    target = parse_target(text)
+    target = Resolver().resolve(text).target
     return expected_rise_db(target, target.look(HERE, NOW), ear)
 
 

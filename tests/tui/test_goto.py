@@ -9,9 +9,11 @@ from birdcage.base.clock import VirtualClock
 from birdcage.base.config.sections import NoGoSector
 from birdcage.base.presets import Preset
 from birdcage.protocol.model import Turn
+from birdcage.sky.targets.direction import Part, Wish, read_direction
 from birdcage.station.requests import Goto
 from birdcage_tui.goto import GotoLine, foretell
-from birdcage_tui.goto_text import Aim, Part, Wish, parse, resolve
+from birdcage_tui.goto_target import aim_of
+from birdcage_tui.goto_text import Aim, resolve
 from birdcage_tui.settings import AppSettings
 from birdcage_tui.view import View
 from stage import run
@@ -65,7 +67,7 @@ PRESETS = (Preset("Wall", 10.0, 20.0), Preset("Astra 28.2E", 151.3, 27.2), Prese
     ],
 )
 def test_what_may_be_typed(typed, az, el):
-    assert parse(typed) == Wish(az, el)
+    assert read_direction(typed) == Wish(az, el)
 
 
 @pytest.mark.parametrize(
@@ -74,12 +76,13 @@ def test_what_may_be_typed(typed, az, el):
         ("", "Type where to: 180 45"),
         ("   ", "Type where to: 180 45"),
         ("231", "Type two numbers, 231 45; or az=231"),
-        ("north up", "north is no direction and no preset: type 180 45"),
+        ("north up", "north up is no direction and no preset: type 180 45"),
         ("1 2 3", "too much"),
-        ("S N", "too much"),
-        ("nan 5", "nan is no direction"),
-        ("inf 5", "inf is no direction"),
-        ("1e3 5", "1e3 is no direction"),
+        ("S N", "is no direction"),
+        ("E 40", "E 40 may be a direction or a place on the arc: type az 90 el 40, or 40E."),
+        ("nan 5", "nan 5 is no direction"),
+        ("inf 5", "inf 5 is no direction"),
+        ("1e3 5", "1e3 5 is no direction"),
         ("400 45", "more than a full turn: type one from 0 to 360"),
         ("+200", "more than half a turn"),
         ("180 999", "Elevation 999 is no elevation"),
@@ -95,36 +98,37 @@ def test_what_may_be_typed(typed, az, el):
 )
 def test_what_is_refused_says_what_to_type(typed, says):
     with pytest.raises(ValueError, match=re.escape(says)) as wrong:
-        parse(typed, PRESETS)
+        aim_of(typed, view_of())
     assert len(str(wrong.value)) <= 100, "it fits into a line"
 
 
 @pytest.mark.parametrize(("typed", "name"), [("wall", "Wall"), ("WALL", "Wall"), ("astra 28", "Astra 28.2E")])
 def test_a_presets_name_or_the_only_one_that_begins_so(typed, name):
-    assert parse(typed, PRESETS).name == name
+    assert aim_of(typed, view_of()).name == name
 
 
 def test_a_wind_is_never_a_preset():
-    assert parse("S", (Preset("S", 1.0, 2.0),)) == Wish(Part(180), None)
+    view = replace(view_of(), presets=(Preset("S", 1.0, 2.0),))
+    assert aim_of("S", view).az_deg == 180.0
 
 
 def test_relative_ones_count_from_the_last_commanded_target():
     state = stand_in.slewing(VirtualClock())
-    assert resolve(parse("+5 -2"), state) == Aim(pytest.approx(165.7), pytest.approx(38.21))
-    assert resolve(parse("az=20"), state) == Aim(20.0, 40.21)
+    assert resolve(read_direction("+5 -2"), state) == Aim(pytest.approx(165.7), pytest.approx(38.21))
+    assert resolve(read_direction("az=20"), state) == Aim(20.0, 40.21)
 
 
 def test_without_a_target_they_count_from_the_position():
     state = replace(stand_in.at_rest(VirtualClock()), target_az_deg=None, target_el_deg=None)
-    assert resolve(parse("+180"), state) == Aim(pytest.approx(9.16), 42.87)
-    assert resolve(parse("el=+1"), state) == Aim(189.16, 43.87)
+    assert resolve(read_direction("+180"), state) == Aim(pytest.approx(9.16), 42.87)
+    assert resolve(read_direction("el=+1"), state) == Aim(189.16, 43.87)
 
 
 def test_with_neither_they_are_refused_and_whole_ones_are_not():
     state = stand_in.not_homed(VirtualClock())
     with pytest.raises(ValueError, match="not known: type both"):
-        resolve(parse("S"), state)
-    assert resolve(parse("180 45"), state) == Aim(180.0, 45.0)
+        resolve(read_direction("S"), state)
+    assert resolve(read_direction("180 45"), state) == Aim(180.0, 45.0)
 
 
 def view_of(state_of=stand_in.at_rest, **changes):

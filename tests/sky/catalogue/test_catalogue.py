@@ -115,20 +115,6 @@ def test_nothing_is_said_of_a_satellite_that_is_not_there(catalogue):
         assert caught.value.reason == "no_satellite"
 
 
-def test_find_takes_number_name_or_the_only_hit_and_asks_where_several_are_meant(catalogue, sat):
-    catalogue.add([sat("NOAA 20", 1), sat("NOAA 21", 2), sat("METEOR-M2 3", 3), sat("NOAA 2", 4)])
-    assert catalogue.find("meteor").norad_id == 3
-    assert catalogue.find("noaa 2").norad_id == 4, "the whole name counts before what begins so"
-    assert catalogue.find("2").norad_id == 2
-    with pytest.raises(BirdcageError, match="1 NOAA 20, 2 NOAA 21") as caught:
-        catalogue.find("noaa")
-    assert caught.value.reason == "ambiguous"
-    for nothing in ("zarya", "", "  "):
-        with pytest.raises(BirdcageError) as caught:
-            catalogue.find(nothing)
-        assert caught.value.reason == "no_satellite"
-
-
 def test_a_batch_that_fails_leaves_everything_as_it_was(catalogue, sat):
     catalogue.add([sat()], group="weather")
 

@@ -17,16 +17,12 @@ from birdcage_tui.commands.table import can_move
 from birdcage_tui.control.reach import forbidden, way_words
 from birdcage_tui.esc_field import EscField
 from birdcage_tui.goto_skew import is_skew, skew_of, skew_way
-from birdcage_tui.goto_text import EXAMPLES, Aim, parse, resolve
+from birdcage_tui.goto_target import StillLooking, aim_of, asks_for, located_of
+from birdcage_tui.goto_text import EXAMPLES
 from birdcage_tui.host import Host
 from birdcage_tui.pane import Pane
 from birdcage_tui.skew import has_skew
 from birdcage_tui.view import View
-
-
-def aim_of(text: str, view: View) -> Aim:
-    """Return where `text` leads from where things stand now. ValueError says what to type instead."""
-    return resolve(parse(text, view.presets), view.state)
 
 
 def held_back(view: View) -> str | None:
@@ -47,6 +43,8 @@ def foretell(text: str, view: View) -> tuple[str, str]:
         return _foretell_skew(text, view)
     try:
         aim = aim_of(text, view)
+    except StillLooking as wait:
+        return "dim", str(wait)
     except ValueError as wrong:
         return "warn", f"▲ {wrong}"
     reason = held_back(view) or forbidden(view.state, aim.az_deg, aim.el_deg)
@@ -101,6 +99,10 @@ class GotoLine(Vertical):
     def __init__(self) -> None:
         super().__init__()
         self._before: Widget | None = None
+        self._entered: str | None = None
+        """What Enter was pressed for while the desk was still looking for it."""
+        self._located = ""
+        """What the desk was asked to look up last."""
 
     @property
     def is_open(self) -> bool:
@@ -129,6 +131,8 @@ class GotoLine(Vertical):
 
     def close(self) -> None:
         """Hide the line and give the focus back."""
+        self._entered = None
+        self._locate("")
         self.remove_class("-open")
         self.query_one(Input).disabled = True
         cast(Host, self.app).aim = None
@@ -138,40 +142,69 @@ class GotoLine(Vertical):
 
     def show(self, view: View) -> None:
         """Foretell from where things stand now."""
-        if self.is_open:
-            self.query_one(GotoPreview).show(view)
+        if not self.is_open:
+            return
+        preview = self.query_one(GotoPreview)
+        cast(Host, self.app).aim = self._aim(preview.text, view)
+        preview.show(view)
+        if self._entered is not None and located_of(self._entered, view) is not None:
+            text, self._entered = self._entered, None
+            self.call_later(self._send, text)
 
     def _foretell(self, text: str) -> None:
         host = cast(Host, self.app)
         self.query_one(GotoPreview).text = text
-        try:
-            aim = aim_of("" if is_skew(text) else text, host.view())
-            host.aim = aim.az_deg, aim.el_deg
-        except ValueError:
-            host.aim = None
+        view = host.view()
+        self._locate("" if is_skew(text) else asks_for(text, view))
+        host.aim = self._aim(text, view)
         host.paint()
+
+    def _locate(self, text: str) -> None:
+        """Have the desk say where a target stands as long as its name stands here."""
+        source = cast(Host, self.app).track.source
+        if source is not None and text != self._located:
+            self._located = text
+            source.locate(text)
+
+    @staticmethod
+    def _aim(text: str, view: View) -> tuple[float, float] | None:
+        try:
+            aim = aim_of("" if is_skew(text) else text, view)
+        except ValueError:
+            return None
+        return aim.az_deg, aim.el_deg
 
     def on_input_changed(self, event: Input.Changed) -> None:
         """Say what it means so far."""
         event.stop()
+        self._entered = None
         self._foretell(event.value)
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """Send what was typed; what cannot be read, or not be sent now, stays there, and the line below says why."""
         event.stop()
+        self._send(event.value)
+
+    def _send(self, text: str) -> None:
+        if not self.is_open or self.query_one(Input).value != text:
+            return
         view = cast(Host, self.app).view()
         sent: GotoLine.Sent | GotoLine.SkewSent
         try:
-            if is_skew(event.value):
-                sent = self.SkewSent(skew_of(event.value, view))
+            if is_skew(text):
+                sent = self.SkewSent(skew_of(text, view))
             else:
-                aim = aim_of(event.value, view)
+                aim = aim_of(text, view)
                 sent = self.Sent(aim.az_deg, aim.el_deg)
+        except StillLooking:
+            self._entered = text
+            self._foretell(text)
+            return
         except ValueError:
-            self._foretell(event.value)
+            self._foretell(text)
             return
         if held_back(view) is not None:
-            self._foretell(event.value)
+            self._foretell(text)
             return
         self.close()
         self.post_message(sent)

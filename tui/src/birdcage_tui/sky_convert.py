@@ -50,6 +50,8 @@ class Converter:
         """What the feed hears of a satellite, by number and name."""
         self.tuned: Callable[[int, str], Frequency | None] | None = None
         """At which frequency Doppler of a satellite is told, by number and name."""
+        self.also: Callable[[int, str], tuple[str, ...]] | None = None
+        """What else a satellite is called, by number and name."""
         self._rows: dict[int, tuple[PassRow, Row]] = {}
         self._made_of: tuple[object, ...] = ()
         """What `_table` was made of."""
@@ -101,6 +103,9 @@ class Converter:
             trail = (*trail[-TRAIL + 1 :], (one.az_deg, one.el_deg))
         return Up(name, one.norad_id, one.az_deg, one.el_deg, known, fixed, trail)
 
+    def _also(self, found: PassRow) -> tuple[str, ...]:
+        return () if self.also is None else self.also(found.passing.norad_id, found.passing.name)
+
     def _rows_of(self, sky: SkyNow, observer: Observer) -> tuple[Row, ...]:
         made_of = (sky.passes, observer, dict(self.favourites), self.groups, self.hears)
         if made_of == self._made_of:
@@ -127,7 +132,11 @@ class Converter:
             else:
                 kept[id(found)] = (
                     found,
-                    replace(_row(found, observer, favourite, groups, hears), tuned=self._tuned(found)),
+                    replace(
+                        _row(found, observer, favourite, groups, hears),
+                        tuned=self._tuned(found),
+                        also=self._also(found),
+                    ),
                 )
         self._rows = kept
         for satellite, known_now in told.items():

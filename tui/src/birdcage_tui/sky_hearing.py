@@ -30,6 +30,13 @@ def hearing_of(feed: FeedProfile, user_file: Path) -> Callable[[int, str], str] 
     return hears
 
 
+def naming_of(user_file: Path) -> Callable[[int, str], tuple[str, ...]]:
+    """Return what tells what else a satellite is called: `AO-91` is `RADFXSAT (FOX-1B)` in the catalogue."""
+    from birdcage.sky.targets import Resolver
+
+    return cache(Resolver(None, load_downlinks(user_file)).other_names)
+
+
 def tuning_of(feed: FeedProfile, user_file: Path) -> Callable[[int, str], Frequency | None]:
     """Return what tells the frequency for Doppler: what the feed hears of a satellite, else what it sends at all.
 

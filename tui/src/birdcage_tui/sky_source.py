@@ -27,7 +27,7 @@ from birdcage_tui.demo_sky import lay_demo_sky
 from birdcage_tui.passes.model import Frequency, Row
 from birdcage_tui.settings import Place
 from birdcage_tui.sky_convert import Converter
-from birdcage_tui.sky_hearing import hearing_of, tuning_of
+from birdcage_tui.sky_hearing import hearing_of, naming_of, tuning_of
 
 if TYPE_CHECKING:
     from birdcage.base.config import Settings
@@ -61,6 +61,8 @@ class SkySetup:
     """Reads what the feed hears; takes some milliseconds."""
     tuning: Callable[[], Callable[[int, str], Frequency | None]] | None = None
     """Reads at which frequency Doppler is told; takes some milliseconds."""
+    naming: Callable[[], Callable[[int, str], tuple[str, ...]]] | None = None
+    """Reads what else satellites are called; takes some milliseconds."""
 
 
 class WatchedSky:
@@ -199,6 +201,8 @@ class WatchedSky:
             self._converter.hears = self._setup.hearing()
         if self._setup.tuning is not None and self._converter.tuned is None:
             self._converter.tuned = self._setup.tuning()
+        if self._setup.naming is not None and self._converter.also is None:
+            self._converter.also = self._setup.naming()
         if not self._setup.catalogue.exists():
             return
         try:
@@ -258,5 +262,6 @@ def open_sky(
         settings.feed.active, "feed.active" in settings.sources,
         lambda: hearing_of(settings.active_feed, paths.downlinks_file),
         lambda: tuning_of(settings.active_feed, paths.downlinks_file),
+        lambda: naming_of(paths.downlinks_file),
     )  # fmt: skip
     return WatchedSky(setup, show, say, threads=threads)

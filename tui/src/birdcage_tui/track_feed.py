@@ -37,6 +37,9 @@ class TrackSource(Protocol):
     def search(self, text: str) -> None:
         """Look for targets by what was typed; nothing typed finds the favourites."""
 
+    def locate(self, text: str) -> None:
+        """Tell where a target stands, without choosing it; empty: no longer."""
+
     def choose(self, text: str) -> None:
         """Choose a target."""
 

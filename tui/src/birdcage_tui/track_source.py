@@ -118,6 +118,10 @@ class DeskSource:
         """Look for targets."""
         self._ask(lambda desk: desk.search(text))
 
+    def locate(self, text: str) -> None:
+        """Say where a target stands."""
+        self._ask(lambda desk: desk.locate(text))
+
     def choose(self, text: str) -> None:
         """Choose a target."""
         self._ask(lambda desk: desk.choose(text))

@@ -22,8 +22,6 @@ if TYPE_CHECKING:
 
 BANDS_HZ = {"Ku": (10.7e9, 12.75e9), "L": (1.52e9, 1.71e9), "Ka": (18.3e9, 20.2e9)}
 """What slots send in, by the bands of `birdcage.sky.slots`."""
-GONE = "formerly"
-"""Begins the name of a place where nothing is known to stand any more."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +61,7 @@ def _all(observer: Observer, when: datetime, feed: FeedProfile, refraction: Refr
             az_deg, el_deg = expected(body, observer, when, refraction)
             yield Candidate(body, az_deg, el_deg, sigma_by_hand(rise_db, feed.beam_deg), rise_db)
     for slot in slots():
-        if slot.name.startswith(GONE) or not _in_band(feed, *BANDS_HZ[slot.band]):
+        if slot.is_empty or not _in_band(feed, *BANDS_HZ[slot.band]):
             continue
         there = SlotTarget(slot)
         az_deg, el_deg = expected(there, observer, when, refraction)

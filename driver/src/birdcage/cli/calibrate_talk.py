@@ -157,9 +157,12 @@ class CalibrateTalk:
         self._guide.go(found[number - 1].candidate)
 
     def _target(self, text: str) -> Target:
-        from birdcage.cli.where_report import look_up
+        from birdcage.cli.named_target import resolver_of
 
-        return look_up(text, self._paths, None, say)
+        found = resolver_of(self._paths, None, say).resolve(text)
+        if found.note:
+            say(found.note)
+        return found.target
 
     def _nudge(self, way: str, typed: str) -> None:
         if typed:

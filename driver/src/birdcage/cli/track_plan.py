@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from datetime import datetime
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -61,25 +59,3 @@ def mount_for(wants: Wanted) -> Mount:
         model, reach_limits(wants.settings, model), rules.alignment, None,
         rules.min_elevation_deg, rules.max_elevation_deg, rules.beam_deg,
     )  # fmt: skip
-
-
-def target_of(words: Iterable[str], wants: Wanted, elements: Path | None) -> Target:
-    """Return the target that is meant. click.UsageError with a sentence when nothing is called that."""
-    import textwrap
-
-    import click
-
-    from birdcage.cli.known_satellites import frozen_warning
-    from birdcage.cli.say import say
-    from birdcage.cli.where_report import look_up
-    from birdcage.sky.targets import UnknownTarget
-    from birdcage.sky.targets.model import Satellite
-
-    try:
-        target = look_up(" ".join(words), wants.paths, elements, say)
-    except UnknownTarget as error:
-        raise click.UsageError(textwrap.fill(str(error), 72)) from None
-    warning = frozen_warning([target.elements] if isinstance(target, Satellite) else [])
-    if warning is not None:
-        say(warning)
-    return target

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING
@@ -10,12 +9,8 @@ from typing import TYPE_CHECKING
 from birdcage.cli.say import iso
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
-    from birdcage.base.paths import Paths
     from birdcage.cli.options import Wanted
     from birdcage.sky.age import ExpectedError
-    from birdcage.sky.catalogue import Entry
     from birdcage.sky.elements import ElementSet
     from birdcage.sky.look import LookAngle, LookRate
     from birdcage.sky.observer import Observer
@@ -24,22 +19,6 @@ if TYPE_CHECKING:
 
 FAINT_DB = 0.1
 """A meter does not show less."""
-
-
-def look_up(text: str, paths: Paths, file: Path | None, tell: Callable[[str], None]) -> Target:
-    """Return the target that is meant. UnknownTarget when nothing is called that.
-
-    The catalogue is read only for what is none of the other kinds, and `tell` gets what is wrong with it.
-    """
-    from birdcage.cli.known_satellites import known_satellites
-    from birdcage.sky.catalogue import SearchIndex
-    from birdcage.sky.targets import parse_target
-
-    class WhenNeeded:
-        def search(self, typed: str, limit: int) -> tuple[Entry, ...]:
-            return SearchIndex(known_satellites(paths, file, tell)).search(typed, limit)
-
-    return parse_target(text, WhenNeeded())
 
 
 @dataclass(frozen=True, slots=True)

@@ -53,6 +53,8 @@ class Choice:
     """The next passes, in order."""
     plan: Plan | None = None
     problem: str = ""
+    note: str = ""
+    """What a person should know of the target: that it is silent."""
     _rows_key: tuple[object, ...] | None = field(default=None, init=False)
     _found_at: datetime | None = field(default=None, init=False)
     _plan_key: tuple[object, ...] | None = field(default=None, init=False)

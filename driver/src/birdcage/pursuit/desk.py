@@ -89,6 +89,10 @@ class PursuitDesk:
         """Look for targets as one types; with nothing typed: the favourites, and the bodies."""
         self._orders.put(partial(self._work.search, text))
 
+    def locate(self, text: str) -> None:
+        """Tell from now on where a target stands (`DeskNow.located`), without choosing it; empty ends that."""
+        self._orders.put(partial(self._work.locate, text))
+
     def choose(self, text: str, target: Target | None = None) -> None:
         """Choose a target, as `birdcage where` takes it or as `Found.text` has it. What is followed goes on.
 

@@ -18,6 +18,7 @@ from birdcage.pursuit.desk_setup import DeskSetup
 from birdcage.pursuit.follower import Follower, Post, options_of, reach_end
 from birdcage.pursuit.memory import Memory
 from birdcage.pursuit.now import DeskNow, Found, Mode
+from birdcage.pursuit.pointer import NO_PLACE, Pointer
 from birdcage.pursuit.sheet import Sheet
 from birdcage.pursuit.timetable import Timetable
 from birdcage.pursuit.unfinished import Keeper
@@ -36,9 +37,6 @@ LOOK_S = 1.0
 REST_S = 5.0
 """How often else."""
 LOOK_AT_FILE_S = 5.0
-NO_PLACE = (
-    "No place is set: `birdcage place add home WHERE --use` sets one (a city, a locator such as JO21jv, or two angles)."
-)
 NO_CHOICE = "Choose a target first."
 NO_FAVOURITES = "Autotrack follows favourites, and there are none: make some satellites favourites."
 
@@ -53,11 +51,13 @@ class DeskWork:
         self._follower = Follower(station, setup.holder, post)
         self._sheet = Sheet(station, clock, setup, self._follower, post, self.look_again, threads=threads)
         self._keeper = Keeper(None if setup.demo else Memory(setup.paths.state), takes_up=setup.takes_up)
-        self._auto = Autotrack(Timetable())
+        self._auto = Autotrack(Timetable(setup.paths.downlinks_file))
         self._by_autotrack = False
         """Whether autotrack has asked for what is followed, and not a person."""
         self._query = ""
         self._found: tuple[Found, ...] = ()
+        self._found_note = ""
+        self._pointer = Pointer(self._sheet.finder)
         self._mode, self._problem = Mode.WATCH, ""
         self._file_at = self._tell_at = -math.inf
         self._changed = True
@@ -68,7 +68,12 @@ class DeskWork:
         """Look for targets."""
         self._query, self._changed = text, True
         self._sheet.finder.refresh()
-        self._found = self._sheet.finder.search(text, self._clock.utc())
+        self._found, self._found_note = self._sheet.finder.search(text, self._clock.utc(), self._sheet.observer)
+
+    def locate(self, text: str) -> None:
+        """Say where a target stands from now on; empty: no longer."""
+        self._pointer.ask(text)
+        self._changed = True
 
     def choose(self, text: str, target: Target | None = None) -> bool:
         """Choose a target; return whether there is one."""
@@ -179,7 +184,8 @@ class DeskWork:
         if monotonic >= self._file_at:
             self._file_at = monotonic + LOOK_AT_FILE_S
             if self._sheet.read_catalogue():
-                self._found = self._sheet.finder.search(self._query, now)
+                self._found, self._found_note = self._sheet.finder.search(self._query, now, self._sheet.observer)
+                self._pointer.forget()
                 self._changed = True
         self._notice(now, monotonic)
         at = self._sheet.circumstances()
@@ -190,19 +196,21 @@ class DeskWork:
                 self._changed |= self._sheet.refresh(choice, at)
             self._sheet.hand_on()
             self._sheet.refine(at)
-        rest_s = LOOK_S if self._sheet.all or self._auto.on or self._keeper.may_resume else REST_S
+        rest_s = LOOK_S if self._sheet.all or self._pointer.text or self._auto.on or self._keeper.may_resume else REST_S
         return min(rest_s, max(self._beside.step() - monotonic, 0.0))
 
     def told(self) -> DeskNow | None:
         """Return what there is to be shown; None while that is the same."""
         monotonic = self._clock.monotonic()
-        if not (self._changed or (self._sheet.choice is not None and monotonic >= self._tell_at)):
+        told_each_second = self._sheet.choice is not None or self._pointer.text
+        if not (self._changed or (told_each_second and monotonic >= self._tell_at)):
             return None
         self._changed, self._tell_at = False, monotonic + LOOK_S
         choice, at = self._sheet.choice, self._sheet.circumstances()
         now = self._clock.utc()
         shown = DeskNow(
-            now, self._query, self._found, mode=self._mode, autotrack=self._auto.on,
+            now, self._query, self._found, self._found_note, mode=self._mode, autotrack=self._auto.on,
+            located=self._pointer.look(self._sheet.observer, now, self._sheet.settings.tracking.refraction),
             schedule=self._auto.timetable.rows, unfinished=self._keeper.unfinished,
             radio=RadioNow() if self._beside is None else self._beside.radio,
         )  # fmt: skip
@@ -242,7 +250,7 @@ class DeskWork:
             self._problem
             or self._follower.problem
             or (NO_PLACE if choice is not None and self._sheet.observer is None else "")
-            or ("" if choice is None else choice.problem)
+            or ("" if choice is None else choice.problem or choice.note)
             or self._sheet.finder.problem
             or self._keeper.problem
             or ("" if self._beside is None else self._beside.problem)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,8 +12,9 @@ from birdcage.base.store import fingerprint
 from birdcage.pursuit.now import Found
 
 if TYPE_CHECKING:
-    from birdcage.sky.catalogue import Entry, SearchIndex
-    from birdcage.sky.targets import Target
+    from birdcage.sky.catalogue import Entry
+    from birdcage.sky.observer import Observer
+    from birdcage.sky.targets import Candidate, Resolution, Resolver
 
 MOST = 40
 """Rows of an answer."""
@@ -21,18 +23,20 @@ MOST = 40
 class Finder:
     """Looks targets up. For one thread alone."""
 
-    def __init__(self, catalogue: Path) -> None:
-        self._path = catalogue
+    def __init__(self, catalogue: Path, downlinks: Path | None = None) -> None:
+        self._path, self._downlinks = catalogue, downlinks
         self._seen: tuple[object, ...] | None = None
         self._entries: tuple[Entry, ...] = ()
-        self._index: SearchIndex | None = None
+        self._resolver: Resolver | None = None
         self.problem = ""
         """Why the catalogue could not be read; what was read before still counts."""
 
     def refresh(self) -> bool:
         """Read the catalogue if its file has changed; return whether it had. The sets that ship where it is empty."""
         from birdcage.sky.catalogue import Entry, SearchIndex
+        from birdcage.sky.downlinks import load_downlinks
         from birdcage.sky.frozen import frozen
+        from birdcage.sky.targets import Resolver
         from birdcage.sky.watch_source import read_entries
 
         seen = fingerprint(self._path)
@@ -43,13 +47,13 @@ class Finder:
             entries = read_entries(self._path)
         except StoreError as error:
             self.problem = str(error)
-            if self._index is not None:
+            if self._resolver is not None:
                 return False
             entries = ()
         else:
             self.problem = ""
         self._entries = entries or tuple(Entry(each, each.epoch) for each in frozen())
-        self._index = SearchIndex(self._entries)
+        self._resolver = Resolver(SearchIndex(self._entries), load_downlinks(self._downlinks))
         # Reading it makes files beside it that were not there before.
         self._seen = fingerprint(self._path)
         return True
@@ -64,29 +68,49 @@ class Finder:
         """Return what the catalogue has of a satellite; None for nothing, and for number 0."""
         return next((each for each in self._entries if norad_id and each.norad_id == norad_id), None)
 
-    def target(self, text: str) -> Target:
-        """Return the target that is meant. UnknownTarget with a sentence."""
-        from birdcage.sky.targets import parse_target
+    def resolve(self, text: str) -> Resolution:
+        """Return what a text means, or why it means no single target."""
+        from birdcage.sky.targets import Resolver
 
-        return parse_target(text, self._index)
+        return (self._resolver or Resolver()).resolve(text)
 
-    def search(self, text: str, now: datetime) -> tuple[Found, ...]:
-        """Return what a text may mean, best first; for an empty one the favourites, and then the bodies."""
-        from birdcage.sky.targets import UnknownTarget
+    def search(self, text: str, now: datetime, observer: Observer | None = None) -> tuple[tuple[Found, ...], str]:
+        """Return what a text may mean, best first, and what is to be said of that: why it is none of them, or nothing.
+
+        For an empty text the favourites, and then the bodies.
+        """
+        from birdcage.sky.ephemeris.bodies import BODIES
+        from birdcage.sky.targets import Candidate, Resolver
+        from birdcage.sky.targets.model import BodyTarget
 
         typed = text.strip()
         if not typed:
-            return (*(_of_entry(each, now) for each in self.favourites), *_bodies(""))[:MOST]
-        try:
-            meant = self.target(typed)
-        except UnknownTarget:
-            meant = None
-        found = [] if meant is None or meant.kind in ("satellite", "body") else [_of_target(meant, typed)]
-        found += _bodies(typed)
-        if self._index is not None:
-            found += [_of_entry(each, now) for each in self._index.search(typed, MOST)]
-        found += [each for each in _slots(typed) if each.name not in {one.name for one in found}]
-        return tuple(found[:MOST])
+            bodies = (Candidate(BodyTarget(body), key) for key, body in BODIES.items())
+            favourites = (_of_entry(each, now) for each in self.favourites)
+            return (*favourites, *(_of_candidate(each, now, observer) for each in bodies))[:MOST], ""
+        resolver = self._resolver or Resolver()
+        meant = resolver.resolve(typed)
+        rows = list(resolver.find(typed, MOST))
+        if meant.found is not None and meant.found not in rows:
+            rows.insert(0, meant.found)
+        said = meant.problem if not rows or meant.reason == "absent" else ""
+        return tuple(_of_candidate(each, now, observer) for each in rows[:MOST]), said
+
+
+def _of_candidate(candidate: Candidate, now: datetime, observer: Observer | None) -> Found:
+    from birdcage.sky.catalogue import Entry
+    from birdcage.sky.targets.model import SlotTarget
+
+    if isinstance(candidate.hit, Entry):
+        found = _of_entry(candidate.hit, now)
+        if candidate.silence is None:
+            return found
+        return replace(found, detail=f"{candidate.silence.brief} · {candidate.hit.norad_id}")
+    target, detail = candidate.target, ""
+    if isinstance(target, SlotTarget):
+        never = observer is not None and target.look(observer, now).el_deg <= 0.0
+        detail = "never rises here" if never else "nothing sends there" if target.slot.is_empty else "geostationary"
+    return Found(candidate.text, target.name, target.kind, detail)
 
 
 def _of_entry(entry: Entry, now: datetime) -> Found:
@@ -100,26 +124,3 @@ def _of_entry(entry: Entry, now: datetime) -> Found:
         detail = f"{entry.norad_id} · {detail}"
     text = str(entry.norad_id) if entry.norad_id else entry.name
     return Found(text, entry.name or text, "satellite", detail, entry.favourite)
-
-
-def _of_target(target: Target, typed: str) -> Found:
-    return Found(typed, target.name, target.kind, "geostationary" if target.kind == "slot" else "")
-
-
-def _bodies(typed: str) -> list[Found]:
-    from birdcage.sky.ephemeris.bodies import BODIES
-
-    wanted = typed.casefold()
-    return [Found(key, body.name, "body") for key, body in BODIES.items() if key.startswith(wanted)]
-
-
-def _slots(typed: str) -> list[Found]:
-    from birdcage.sky.slots import slots
-    from birdcage.sky.targets.model import SlotTarget
-
-    wanted = typed.casefold()
-    return [
-        Found(slot.label, SlotTarget(slot).name, "slot", "geostationary")
-        for slot in slots()
-        if any(wanted in name.casefold() for name in (slot.label, slot.name, *slot.aliases))
-    ]

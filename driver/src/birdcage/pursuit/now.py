@@ -38,6 +38,26 @@ class Found:
 
 
 @dataclass(frozen=True, slots=True)
+class Located:
+    """Where a target that was typed stands now; for the go-to line."""
+
+    text: str
+    """What was typed."""
+    name: str = ""
+    """Of the one target that is meant; empty where `problem` says why there is none."""
+    exact: bool = False
+    """Whether that is by its whole name or number, and not by a part of a name."""
+    az_deg: float | None = None
+    """True; None where `problem` says why."""
+    el_deg: float | None = None
+    """The same, refraction included as set."""
+    silence: str = ""
+    """`silent since 2025-08-13`; empty for what is not known to be."""
+    problem: str = ""
+    """Why there is no direction: nothing or several are meant, it is below the horizon, no place is set."""
+
+
+@dataclass(frozen=True, slots=True)
 class Scheduled:
     """One pass in the plan of autotrack, kept or left out."""
 
@@ -69,6 +89,10 @@ class DeskNow:
     utc: datetime
     query: str = ""
     found: tuple[Found, ...] = ()
+    found_note: str = ""
+    """Why none of them is what was typed, and what to do; empty for nothing."""
+    located: Located | None = None
+    """Where the target stands that `locate` was asked for; None for none."""
     choice: str | None = None
     """What `choose` was given last."""
     aim: Aim | None = None

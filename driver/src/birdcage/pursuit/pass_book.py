@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import UTC, datetime
@@ -73,16 +73,17 @@ class Total:
 
 def list_passes(
     journal: Path, *, last: int | None = None, since: datetime | None = None, name: str | None = None,
-    number: int | None = None,
+    number: int | None = None, also: Collection[int] = (),
 ) -> list[PassRecord]:  # fmt: skip
     """Return passes in order of time, the newest last; none if there is no journal.
 
     `last`: the latest so many of them; `since`: those that began then or later; `name`: with this in their name, or
-    with this catalogue number; `number`: the one. StoreError if the journal can't be read.
+    with this catalogue number, or with one of `also`; `number`: the one. StoreError if the journal can't be read.
     """
+    numbers = ", ".join(str(int(each)) for each in also)
     asked = {
         "started >= :since": since is not None,
-        r"(name LIKE :part ESCAPE '\' OR CAST(norad_id AS TEXT) = :name)": name is not None,
+        rf"(name LIKE :part ESCAPE '\' OR CAST(norad_id AS TEXT) = :name OR norad_id IN ({numbers}))": name is not None,
         "id = :number": number is not None,
     }
     where = " AND ".join(condition for condition, counts in asked.items() if counts) or "1"

@@ -3,7 +3,7 @@
 The rules:
 
 1. What never comes within reach is no candidate. What has less than `min_duration_s` of reach left, or stays below
-   `min_elevation_deg` within it, is left out.
+   `min_elevation_deg` within it, is left out, and so is what is known to be off the air.
 2. The pass being followed stays until its end, as it was planned: nothing pre-empts it, whatever its priority.
 3. Priorities are arranged one after the other, the highest first, each in the time that those above it leave. A pass is
    cut short for one of a higher priority if the longest piece that remains still keeps to rule 1; only that piece is

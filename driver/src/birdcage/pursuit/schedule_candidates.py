@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 from birdcage.pursuit.schedule_model import Candidate, Direction, Slew
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from birdcage.sky.observer import Observer
     from birdcage.sky.reach_limits import ReachLimits
     from birdcage.sky.targets.model import Satellite
@@ -24,8 +26,9 @@ UNKNOWN_SLEW_S = 60.0
 
 
 def find_candidates(
-    watched: Watched, observer: Observer, limits: ReachLimits, now: datetime, hours: float
-) -> list[Candidate]:
+    watched: Watched, observer: Observer, limits: ReachLimits, now: datetime, hours: float,
+    downlinks: Path | None = None,
+) -> list[Candidate]:  # fmt: skip
     """Return every pass of the favourites among some satellites that is not over, also those that are never in reach.
 
     They reach a day ahead at least: `schedule` takes those of the hours that it is given. What stays up all the time,
@@ -33,14 +36,17 @@ def find_candidates(
     """
     import numpy as np
 
+    from birdcage.sky.downlinks import load_downlinks
     from birdcage.sky.pass_row import rows_of
     from birdcage.sky.passes.search import search
     from birdcage.sky.propagate import Fleet
+    from birdcage.sky.targets import Resolver
     from birdcage.sky.targets.model import Satellite
 
     chosen = watched.part(sorted(watched.favourites))
     if not chosen.elements:
         return []
+    resolver = Resolver(None, load_downlinks(downlinks))
     # Over a shorter time a long pass would look like something that stays up.
     begin, span = now - BEFORE, max(hours, A_DAY_H) + 2.0 * BEFORE / timedelta(hours=1)
     table = search(Fleet(chosen.elements), observer, begin, span, 0.0, chosen.time_offsets)
@@ -51,6 +57,7 @@ def find_candidates(
             row.reach,
             row.priority,
             partial(_where, Satellite(row.elements, row.time_offset_s), observer),
+            resolver.silence_brief(row.elements.norad_id, row.elements.name),
         )
         for row in rows_of(table, chosen, observer, limits, which.tolist())
     ]

@@ -34,6 +34,8 @@ class Candidate:
     priority: int
     where: Callable[[datetime], Direction]
     """Where the satellite stands at a time of the pass."""
+    silence: str = ""
+    """Since when it is off the air; empty for what is not known to be."""
 
 
 @dataclass(frozen=True, slots=True)

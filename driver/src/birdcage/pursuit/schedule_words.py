@@ -12,7 +12,9 @@ if TYPE_CHECKING:
 
 
 def below_minima(piece: Piece, rules: AutotrackSettings) -> str:
-    """Return which minimum a piece does not reach; an empty text if it reaches both."""
+    """Return why a piece is not worth following: silent, or which minimum it does not reach; else an empty text."""
+    if piece.candidate.silence:
+        return piece.candidate.silence
     followed_s = piece.followed.total_seconds()
     if followed_s < rules.min_duration_s:
         return f"{followed_s:.0f} s within reach, under {rules.min_duration_s:g} s"

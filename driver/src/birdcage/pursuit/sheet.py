@@ -38,7 +38,7 @@ class Sheet:
         self._refiner = Refiner(post, self._refined, threads=threads)
         self.settings: Settings = setup.settings()
         self.observer: Observer | None = setup.observer
-        self.finder = Finder(setup.catalogue)
+        self.finder = Finder(setup.catalogue, setup.paths.downlinks_file)
         self.choice: Choice | None = None
         self.followed: Choice | None = None
         """What the station follows for this desk: the choice, or what was it before."""
@@ -62,8 +62,14 @@ class Sheet:
     def choose(self, text: str, target: Target | None) -> None:
         """Choose. UnknownTarget, or another BirdcageError with a sentence, when nothing is called that."""
         self.finder.refresh()
-        meant = self.finder.target(text) if target is None else target
-        choice = choice_of(text, meant, self.finder if target is None else None)
+        note = ""
+        if target is None:
+            resolved = self.finder.resolve(text)
+            target, note, finder = resolved.target, resolved.note, self.finder
+        else:
+            finder = None
+        choice = choice_of(text, target, finder)
+        choice.note = note
         if self.followed is not None and self.followed.target == choice.target:
             choice = self.followed  # with its pass, its frequency and its plan
             choice.text = text

@@ -10,6 +10,7 @@ from birdcage.pursuit.now import Scheduled
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from pathlib import Path
 
     from birdcage.pursuit.schedule_model import Candidate, Kept
     from birdcage.sky.catalogue import Entry
@@ -21,7 +22,8 @@ CHOOSE_EVERY = timedelta(minutes=1)
 class Timetable:
     """For the desk's thread alone."""
 
-    def __init__(self) -> None:
+    def __init__(self, downlinks: Path | None = None) -> None:
+        self._downlinks = downlinks
         self.rows: tuple[Scheduled, ...] = ()
         """In order of time: those that are kept, and those that are not."""
         self._candidates: Sequence[Candidate] = ()
@@ -39,7 +41,9 @@ class Timetable:
         key = (tuple((each.elements, each.priority, each.time_offset_s) for each in favourites), at.observer,
                limits, rules)  # fmt: skip
         if key != self._key or not _fresh(self._found_at, at.now, FIND_EVERY):
-            self._candidates = find_candidates(Watched.of(favourites), at.observer, limits, at.now, rules.hours)
+            self._candidates = find_candidates(
+                Watched.of(favourites), at.observer, limits, at.now, rules.hours, self._downlinks
+            )
             self._key, self._found_at, self._chosen_at = key, at.now, None
         if _fresh(self._chosen_at, at.now, CHOOSE_EVERY):
             return False

@@ -22,6 +22,11 @@ class Slot:
     aliases: tuple[str, ...] = ()
 
     @property
+    def is_empty(self) -> bool:
+        """Whether nothing is known to stand there any more."""
+        return self.name.startswith("formerly")
+
+    @property
     def label(self) -> str:
         """The longitude as people write it: `101°W`, `28.2°E`."""
         half = "E" if self.longitude_deg >= 0 else "W"

@@ -273,6 +273,7 @@ class PassesPage(Page):
         field = self.query_one(Input)
         field.value = words
         self.desk.choice.filter = words
+        self._locate(words)
         self._focus()
         field.disabled, field.display = True, False
         self._arrange()
@@ -282,8 +283,15 @@ class PassesPage(Page):
         """Show what is left, as one types."""
         event.stop()
         self.desk.choice.filter = event.value.strip()
+        self._locate(self.desk.choice.filter)
         self.desk.choose(None)
         self._moment()
+
+    def _locate(self, text: str) -> None:
+        """Have the desk say what is meant, for where no pass is left: a known name is not an unknown one."""
+        source = self.host.track.source
+        if source is not None:
+            source.locate(text)
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """Go back to the list, with the filter in force."""

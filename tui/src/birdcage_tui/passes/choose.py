@@ -22,9 +22,9 @@ def _plain(text: str) -> str:
 
 
 def matcher(text: str) -> Callable[[Row], bool]:
-    """Return what tells whether a pass is meant: every word begins a word of its name, number or groups.
+    """Return what tells whether a pass is meant: every word begins a word of its names, number or groups.
 
-    Case, hyphens and brackets do not count; `metop`, `noaa 20`, `57166`, `weather` and `meteorm2` all find theirs.
+    Case, hyphens and brackets do not count; `metop`, `noaa 20`, `57166`, `weather` and `ao-91` all find theirs.
     """
     words = _plain(text).split()
     known: dict[tuple[str, int, tuple[str, ...]], bool] = {}
@@ -33,9 +33,10 @@ def matcher(text: str) -> Callable[[Row], bool]:
         key = (row.name, row.norad_id, row.groups)
         found = known.get(key)
         if found is None:
-            label = f" {_plain(row.name)} {row.norad_id or ''} {' '.join(map(_plain, row.groups))}"
-            tight = _plain(row.name).replace(" ", "")
-            found = all(f" {word}" in label for word in words) or "".join(words) in tight
+            names = [_plain(name) for name in (row.name, *row.also)]
+            label = f" {' '.join(names)} {row.norad_id or ''} {' '.join(map(_plain, row.groups))}"
+            tight = "".join(words)
+            found = all(f" {word}" in label for word in words) or any(tight in n.replace(" ", "") for n in names)
             known[key] = found
         return found
 

@@ -27,6 +27,9 @@ def empty_words(view: View, desk: Desk) -> list[tuple[str, str]]:
         return [("dim", f"Searching {sky.satellites} satellites …")]
     choice = desk.choice
     if choice.filter:
+        located = None if view.track is None else view.track.located
+        if located is not None and located.text == choice.filter and not located.name:
+            return [("text", located.problem), ("dim", "/ changes the filter.")]
         return [("text", f'No pass has "{choice.filter}" in name, number or group.'), ("dim", "/ changes that.")]
     if desk.hearable(view):
         return [("text", f"Nothing that passes is known to send what the feed {sky.feed} hears."),

@@ -169,6 +169,8 @@ class Row:
     """When it is nearest to the Sun, and how near in degrees; None while the Sun is down."""
     tuned: Callable[[], Frequency | None] | None = field(default=None, compare=False, repr=False)
     """Finds the frequency to tell Doppler for."""
+    also: tuple[str, ...] = field(default=(), compare=False, repr=False)
+    """What else the satellite is called."""
     origin: PassRow | None = field(default=None, compare=False, repr=False)
     """What it was made of: for files."""
 

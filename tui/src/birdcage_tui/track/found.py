@@ -15,7 +15,7 @@ from birdcage_tui.passes.words import fit
 from birdcage_tui.view import View
 
 MOST_UP = 40
-EMPTY = "Nothing of that name is known. A number, a slot such as 19.2E, moon, or 180 45 is a target, too."
+EMPTY = "Looking …"
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +53,7 @@ class FoundList(Pane):
         super().__init__(id=id)
         self.border_title = "Targets"
         self.cursor = 0
-        self._top = 0
+        self._top = self._above = 0
 
     def move(self, by: int) -> None:
         """Move the cursor."""
@@ -70,17 +70,19 @@ class FoundList(Pane):
         """Write the rows around the cursor."""
         rows = candidates(view)
         if not rows:
-            words = "The pursuit desk opens …" if view.track is None else EMPTY if view.track.query.strip() else \
+            note = "" if view.track is None else view.track.found_note or EMPTY
+            words = "The pursuit desk opens …" if view.track is None else note if view.track.query.strip() else \
                 "No favourite is marked, and nothing is up: / searches. On page 7, * marks favourites."  # fmt: skip
             for y, line in enumerate(textwrap.wrap(words, max(cells.width - 2, 10))):
                 cells.put(1, y, line, "dim")
             return
         self.cursor = min(self.cursor, len(rows) - 1)
-        room = max(cells.height, 1)
+        above = self._note(cells, view)
+        room = max(cells.height - above, 1)
         self._top = max(min(self._top, self.cursor, len(rows) - room), self.cursor - room + 1, 0)
         width = min(max(cells.width - 26, 12), 28)
-        for y, row in enumerate(rows[self._top : self._top + room]):
-            here = self._top + y == self.cursor
+        for y, row in enumerate(rows[self._top : self._top + room], above):
+            here = self._top + y - above == self.cursor
             ink = "accent-row" if here else "text"
             if here:
                 cells.put(0, y, " " * cells.width, ink)
@@ -88,13 +90,26 @@ class FoundList(Pane):
             cells.put(3, y, fit(row.name, width), ink)
             cells.put(4 + width, y, fit(row.detail, max(cells.width - 5 - width, 0)), ink if here else "dim")
 
+    def _note(self, cells: Cells, view: View) -> int:
+        """Say above the rows why none of them is what was typed; return how many rows that takes."""
+        note = "" if view.track is None else view.track.found_note
+        lines = textwrap.wrap(note, max(cells.width - 2, 10))[: max(cells.height - 1, 0)]
+        for y, line in enumerate(lines):
+            cells.put(1, y, line, "warn")
+        self._above = len(lines)
+        return self._above
+
     def on_click(self, event: events.Click) -> None:
         """Choose a row: the first press moves the cursor there, one on the cursor takes it."""
         offset = event.get_content_offset(self)
-        if offset is None or self.view is None or not 0 <= offset.y < len(candidates(self.view)) - self._top:
+        if (
+            offset is None
+            or self.view is None
+            or not 0 <= offset.y - self._above < len(candidates(self.view)) - self._top
+        ):
             return
         event.stop()
-        index = self._top + offset.y
+        index = self._top + offset.y - self._above
         if index == self.cursor:
             cast(Host, self.app).action_command("track-take")
         else:

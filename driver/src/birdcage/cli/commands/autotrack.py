@@ -69,7 +69,7 @@ def command(
     if wants.named_model is None:
         say("No dish is named (--firmware, or firmware in birdcage.toml): reach is all above the horizon.")
     limits = limits_of(wants)
-    found = find_candidates(watched, observer, limits, begin, rules.hours)
+    found = find_candidates(watched, observer, limits, begin, rules.hours, wants.paths.downlinks_file)
     rows = schedule(found, rules, slewing(limits), begin)
     until = begin + timedelta(hours=rules.hours)
     never = sum(not each.reach.intervals and each.passing.aos < until for each in found)

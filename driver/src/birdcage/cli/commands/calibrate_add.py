@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import textwrap
 from typing import TYPE_CHECKING
 
 import click
@@ -14,10 +13,7 @@ from birdcage.cli.sky_options import NEGATIVE_NUMBERS, UTC_TIME, no_options_amon
 if TYPE_CHECKING:
     from datetime import datetime
 
-    from birdcage.sky.targets.model import Target
     from birdcage.station.state import Pointing
-
-TEXT_WIDTH = 72
 
 
 @click.command("add", short_help="Take a peak.", epilog=EPILOG, context_settings=NEGATIVE_NUMBERS)
@@ -40,6 +36,7 @@ def add(
     from birdcage.calibration.guide import peak_at
     from birdcage.calibration.peaks_file import add_peak, peaks_file
     from birdcage.cli.calibrate_words import peak_values
+    from birdcage.cli.named_target import find_target
     from birdcage.cli.say import say, tell_json
 
     no_options_among(target)
@@ -48,7 +45,7 @@ def add(
     if at is not None and dish_az_deg is None:
         raise click.UsageError("--at goes with --dish-az and --dish-el: the dish tells where it is now.")
     dish = wanted()
-    meant = _target(" ".join(target), dish)
+    meant = find_target(target, dish.paths, None, say).target
     if dish_az_deg is not None and dish_el_deg is not None:
         position = _typed(dish_az_deg, dish_el_deg, at)
     else:
@@ -63,17 +60,6 @@ def add(
         )
     if peak.true_el_deg <= 0.0:
         say(f"{peak.target} stands below the horizon at that time: `birdcage calibrate remove {peak.number}`.")
-
-
-def _target(text: str, dish: Wanted) -> Target:
-    from birdcage.cli.say import say
-    from birdcage.cli.where_report import look_up
-    from birdcage.sky.targets import UnknownTarget
-
-    try:
-        return look_up(text, dish.paths, None, say)
-    except UnknownTarget as error:
-        raise click.UsageError(textwrap.fill(str(error), TEXT_WIDTH)) from None
 
 
 def _typed(az_deg: float, el_deg: float, at: datetime | None) -> Pointing:

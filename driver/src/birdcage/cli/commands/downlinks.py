@@ -13,7 +13,8 @@ if TYPE_CHECKING:
     from datetime import datetime
 
     from birdcage.base.config import FeedProfile
-    from birdcage.sky.downlinks import Downlink
+    from birdcage.base.paths import Paths
+    from birdcage.sky.downlinks import Downlink, Downlinks
     from birdcage.sky.downlinks_hearing import Hearing
 
 
@@ -24,11 +25,13 @@ SHORTEST_MODE = 8
 
 
 @click.command("downlinks", short_help="List who sends what, and what your feed can hear.", epilog=DATA_EPILOG)
-@click.argument("satellite", required=False)
+@click.argument("satellite", nargs=-1)
 @click.option("--all", "every", is_flag=True, help="Also what the feed cannot hear, and what is off the air.")
 @global_options("config", "json", "verbose")
-def command(satellite: str | None, every: bool) -> None:
-    """List what the active feed can hear: of every SATELLITE, or of those with this in their name.
+def command(satellite: tuple[str, ...], every: bool) -> None:
+    """List what the active feed can hear: of every satellite, or of those with SATELLITE in a name.
+
+    SATELLITE may also be what `birdcage where` takes for one, or for a place on the arc: 25544, dish 119, 28.2E.
 
     The table ships with birdcage; your own file counts before it (`birdcage paths` says where it is). SATDUMP is the
     name of the pipeline that `satdump live` takes. An entry is doubtful unless its source knows it on the air within
@@ -38,7 +41,7 @@ def command(satellite: str | None, every: bool) -> None:
 
     from birdcage.cli.options import find_paths, load_settings
     from birdcage.cli.say import say, tell_json
-    from birdcage.sky.downlinks import load_downlinks, plain
+    from birdcage.sky.downlinks import load_downlinks
     from birdcage.sky.downlinks_hearing import has_band, hearing
 
     paths = find_paths()
@@ -50,20 +53,37 @@ def command(satellite: str | None, every: bool) -> None:
     if not has_band(feed):
         say(f"Feed {settings.feed.active} has no freq_min_hz and freq_max_hz: this is all there is.")
         every = True
-    wanted, now = plain(satellite or ""), datetime.now(UTC)
-    rows = [
-        (each, hearing(each, feed))
-        for each in table
-        if not wanted or any(wanted in plain(name) for name in (each.satellite, *each.names))
-    ]
+    text, now = " ".join(satellite), datetime.now(UTC)
+    chosen = _named(text, table, paths) if text else tuple(table)
+    rows = [(each, hearing(each, feed)) for each in chosen]
     if not every:
         rows = [(each, heard) for each, heard in rows if heard is not None and each.alive is not False]
     if flags().json:
         tell_json([_values(each, heard, now) for each, heard in rows])
     else:
         _tell(rows, now)
-    if not rows:
+    if not chosen:
+        from birdcage.cli.named_target import resolver_of
+
+        problem = resolver_of(paths, None, say).resolve(text).problem
+        say(problem or f"What {text} sends is not known.")
+    elif not rows:
         say(f"Feed {settings.feed.active} ({_band(feed)}) hears nothing of it; --all lists what it cannot hear.")
+
+
+def _named(text: str, table: Downlinks, paths: Paths) -> tuple[Downlink, ...]:
+    """Return what is sent by those with a text in a name, else by the one target that it names; nothing for none."""
+    from birdcage.cli.named_target import sender_of
+    from birdcage.sky.targets.names import plain
+
+    wanted = plain(text)
+    rows = tuple(each for each in table if any(wanted in plain(name) for name in (each.satellite, *each.names)))
+    if rows and wanted:
+        return rows
+    try:
+        return sender_of((text,), paths, table)[1]
+    except click.UsageError:
+        return ()
 
 
 def _band(feed: FeedProfile) -> str:

@@ -86,13 +86,13 @@ def remove(satellites: tuple[str, ...], older_than: float | None) -> None:
     """Take satellites out of the catalogue, by number or name. What you said of them is kept, should they come back."""
     from datetime import UTC, datetime, timedelta
 
-    from birdcage.cli.commands.elements_common import open_catalogue
+    from birdcage.cli.commands.elements_common import find_entry, open_catalogue
     from birdcage.cli.say import tell, tell_json
 
     if not satellites and older_than is None:
         raise click.UsageError("Name a satellite, or give --older-than DAYS.")
     with open_catalogue() as catalogue:
-        keys = [catalogue.find(each).key for each in satellites]
+        keys = [find_entry(catalogue, each).key for each in satellites]
         if older_than is not None:
             limit = datetime.now(UTC) - timedelta(days=older_than)
             keys += [each.key for each in catalogue.entries() if each.elements.epoch < limit]

@@ -30,6 +30,30 @@ def open_catalogue() -> Iterator[Catalogue]:
         yield catalogue
 
 
+def find_entry(catalogue: Catalogue, text: str) -> Entry:
+    """Return the satellite that a person names, as every command takes names, and say if it is silent.
+
+    BirdcageError (UnknownTarget, or reason ``no_satellite`` for what is none) with a sentence when no single one is.
+    """
+    from birdcage.base.errors import BirdcageError
+    from birdcage.cli.options import find_paths
+    from birdcage.cli.say import say
+    from birdcage.sky.downlinks import load_downlinks
+    from birdcage.sky.targets import Resolver
+    from birdcage.sky.targets.model import Satellite
+
+    resolver = Resolver(catalogue.index(), load_downlinks(find_paths().downlinks_file))
+    found = resolver.resolve(text)
+    target = found.target
+    if not isinstance(target, Satellite):
+        raise BirdcageError(f"{target.name} is no satellite of the catalogue.", reason="no_satellite")
+    if found.note:
+        say(found.note)
+    entry = catalogue.entry(target.elements.norad_id or target.elements.name)
+    assert entry is not None, "it was found there"
+    return entry
+
+
 def say_ahead(elements: Sequence[ElementSet]) -> None:
     """Say which elements are dated too far in the future, if any are."""
     from birdcage.cli.say import say

@@ -57,17 +57,24 @@ def list_(
 @global_options("config", "json", "verbose")
 @click.pass_context
 def search(context: click.Context, text: str, limit: int) -> None:
-    """Find satellites by name, number, group or tag, best first."""
+    """Find satellites by name, another of their names, number, group or tag, best first."""
     from birdcage.cli.commands.elements_common import EMPTY, open_catalogue
+    from birdcage.cli.options import find_paths
     from birdcage.cli.say import say
+    from birdcage.sky.catalogue import Entry
+    from birdcage.sky.downlinks import load_downlinks
+    from birdcage.sky.targets import Resolver
 
     with open_catalogue() as catalogue:
-        found = catalogue.search(text, limit)
+        resolver = Resolver(catalogue.index(), load_downlinks(find_paths().downlinks_file))
+        hits = (each.hit for each in resolver.find(text))
+        found = tuple(each for each in hits if isinstance(each, Entry))[:limit]
         empty = not found and not catalogue.all()
+        problem = "" if found or empty else resolver.resolve(text).problem
     if found or flags().json:
         _tell_satellites(found, datetime.now(UTC))
     if not found:
-        say(EMPTY if empty else f"Nothing in the catalogue is like {text!r}.")
+        say(EMPTY if empty else problem or f"Nothing in the catalogue is like {text!r}.")
         context.exit(NOT_DONE)
 
 

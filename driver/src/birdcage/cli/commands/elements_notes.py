@@ -22,13 +22,13 @@ def favourite(
     satellites: tuple[str, ...], off: bool, priority: int | None, tags: tuple[str, ...], untags: tuple[str, ...]
 ) -> None:  # fmt: skip
     """Make satellites favourites, by number or name, and say how much they matter. Without a name: list them."""
-    from birdcage.cli.commands.elements_common import entry_values, open_catalogue, tell_entries
+    from birdcage.cli.commands.elements_common import entry_values, find_entry, open_catalogue, tell_entries
     from birdcage.cli.say import say, tell_json
 
     if not satellites and (off or priority is not None or tags or untags):
         raise click.UsageError("Name a satellite.")
     with open_catalogue() as catalogue:
-        keys = [catalogue.find(each).key for each in satellites]
+        keys = [find_entry(catalogue, each).key for each in satellites]
         for key in keys:
             catalogue.set_favourite(key, not off)
             if priority is not None:
@@ -61,11 +61,11 @@ def offset(satellite: str, seconds: str | None) -> None:
 
     It is kept with its date, also when elements are replaced: look at it again once they are.
     """
-    from birdcage.cli.commands.elements_common import open_catalogue
+    from birdcage.cli.commands.elements_common import find_entry, open_catalogue
     from birdcage.cli.say import tell
 
     with open_catalogue() as catalogue:
-        key = catalogue.find(satellite).key
+        key = find_entry(catalogue, satellite).key
         if seconds is not None:
             catalogue.set_time_offset(key, _seconds(seconds), now=datetime.now(UTC))
         entry = catalogue.entry(key)

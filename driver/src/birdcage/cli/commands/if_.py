@@ -10,6 +10,7 @@ from birdcage.cli.exits import DATA_EPILOG
 from birdcage.cli.options import flags, global_options
 
 if TYPE_CHECKING:
+    from birdcage.base.paths import Paths
     from birdcage.sky.band import Conversion, Span
     from birdcage.sky.downlinks import Downlinks
 
@@ -35,13 +36,17 @@ FREQUENCY = Frequency()
 
 
 @click.command("if", short_help="Work out where a converter puts a frequency.", epilog=DATA_EPILOG)
+@click.argument("target", nargs=-1)
 @click.option("--rf", "rf_hz", type=FREQUENCY, help="What the satellite sends: 10489.5M, 1.7013G.")
 @click.option("--if", "if_hz", type=FREQUENCY, help="The other way: what the receiver is tuned to.")
 @click.option("--lo", "lo_hz", type=FREQUENCY, help="Local oscillator.  [default: the active feed's, else none]")
 @global_options("config", "json", "verbose")
-def command(rf_hz: float | None, if_hz: float | None, lo_hz: float | None) -> None:
+def command(
+    target: tuple[str, ...], rf_hz: float | None, if_hz: float | None, lo_hz: float | None
+) -> None:  # fmt: skip
     """Work out the intermediate frequency behind a converter, what it is for, and which receivers tune to it.
 
+    TARGET, named as for `birdcage where` (QO-100, METEOR-M N2-3, dish 119), stands for all that it sends.
     Units are Hz, k, M and G; a number below a million must say its unit. With --if: what may have been received.
     """
     from birdcage.cli.options import find_paths, load_settings
@@ -49,24 +54,47 @@ def command(rf_hz: float | None, if_hz: float | None, lo_hz: float | None) -> No
     from birdcage.sky.band import Conversion, rf_of
     from birdcage.sky.downlinks import load_downlinks
 
-    if (rf_hz is None) == (if_hz is None):
-        raise click.UsageError("Give either --rf, what the satellite sends, or --if, what the receiver is tuned to.")
+    if [bool(target), rf_hz is not None, if_hz is not None].count(True) != 1:
+        raise click.UsageError(
+            "Give one of --rf, what the satellite sends, --if, what the receiver is tuned to, or a target."
+        )
     paths = find_paths()
     settings = load_settings(paths)
     if lo_hz is None:
         lo_hz = settings.active_feed.lo_hz or 0.0
         told = f"LO {lo_hz / 1e6:.10g} MHz" if lo_hz else "no LO is set, so none is taken"
         say(f"Feed {settings.feed.active}: {told}.")
-    found = (Conversion(rf_hz, lo_hz),) if rf_hz is not None else rf_of(lo_hz, if_hz or 0.0)
     downlinks = load_downlinks(paths.downlinks_file)
     for problem in downlinks.problems:
         say(problem)
+    if target:
+        found = tuple(Conversion(each, lo_hz) for each in _sent_by(target, paths, downlinks))
+    else:
+        found = (Conversion(rf_hz, lo_hz),) if rf_hz is not None else rf_of(lo_hz, if_hz or 0.0)
     if flags().json:
         tell_json([values(each, downlinks) for each in found])
         return
     for index, each in enumerate(found):
         for line in ([""] if index else []) + lines(each, downlinks):
             tell(line)
+
+
+def _sent_by(words: tuple[str, ...], paths: Paths, downlinks: Downlinks) -> tuple[float, ...]:
+    """Return the middles of all that a target sends, in Hz. ConfigError where nothing is known of it.
+
+    What is known to be silent is left out, unless all of it is.
+    """
+    from birdcage.base.errors import ConfigError
+    from birdcage.cli.named_target import sender_of
+    from birdcage.cli.say import say
+
+    name, rows, note = sender_of(words, paths, downlinks)
+    if note:
+        say(note)
+    if not rows:
+        raise ConfigError(f"What {name} sends is not known: give --rf. `birdcage downlinks --all` lists what is.")
+    rows = tuple(each for each in rows if each.alive is not False) or rows
+    return tuple(dict.fromkeys(each.center_hz for each in rows))
 
 
 def values(conversion: Conversion, downlinks: Downlinks) -> dict[str, object]:

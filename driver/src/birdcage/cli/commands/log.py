@@ -26,7 +26,7 @@ SHOWN = 20
     "--last", type=click.IntRange(1), metavar="N", help=f"The latest N.  [default: {SHOWN}; all with --since]"
 )
 @click.option("--since", type=UTC_TIME, help="Those that began at this time or later: ISO 8601, UTC.")
-@click.option("--name", metavar="TEXT", help="Only targets with this in their name, or with this number.")
+@click.option("--name", metavar="TEXT", help="Only targets with this in one of their names, or with this number.")
 @click.option("--csv", "csv_number", type=click.IntRange(1), metavar="NUMBER", help="Print all samples of one as CSV.")
 @global_options("config", "json", "verbose")
 def command(
@@ -40,6 +40,8 @@ def command(
     from birdcage.cli.log_report import tell_pass, tell_passes, values_of_pass, values_of_record, values_of_total
     from birdcage.cli.say import say, tell_json
     from birdcage.pursuit.pass_book import list_passes, read_remarks, read_samples, total_of
+    from birdcage.sky.downlinks import load_downlinks
+    from birdcage.sky.targets import Resolver
 
     journal = find_paths().journal
     if csv_number is not None:
@@ -59,7 +61,8 @@ def command(
         return
     if last is None and since is None:
         last = SHOWN
-    records = list_passes(journal, last=last, since=since, name=name)
+    also = () if name is None else Resolver(None, load_downlinks(find_paths().downlinks_file)).numbers(name)
+    records = list_passes(journal, last=last, since=since, name=name, also=also)
     total = total_of(records)
     if flags().json:
         tell_json({"passes": [values_of_record(each) for each in records], "total": values_of_total(total)})

@@ -8,9 +8,12 @@ from typing import TYPE_CHECKING
 import click
 
 from birdcage.cli.exits import EPILOG
-from birdcage.cli.options import flags, global_options, wanted
+from birdcage.cli.options import Wanted, flags, global_options, wanted
+from birdcage.cli.sky_options import NEGATIVE_NUMBERS, elements_option, no_options_among
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from birdcage.cli.dish import Dish
     from birdcage.station.events import Event
     from birdcage.station.requests import Goto
@@ -18,27 +21,35 @@ if TYPE_CHECKING:
 HOLDER = "birdcage move"
 
 
-@click.command("move", epilog=EPILOG)
-@click.option("--az", "az_deg", type=float, required=True, help="Azimuth in degrees, clockwise from true north.")
-@click.option("--el", "el_deg", type=float, required=True, help="Elevation in degrees.")
+@click.command("move", epilog=EPILOG, context_settings=NEGATIVE_NUMBERS)
+@click.argument("target", nargs=-1)
+@click.option("--az", "az_deg", type=float, help="Azimuth in degrees, clockwise from true north.")
+@click.option("--el", "el_deg", type=float, help="Elevation in degrees.")
 @click.option("--leapfrog/--no-leapfrog", help="Aim beyond the target, as older scripts did.  [default: exact]")
 @click.option("--clamp", is_flag=True, help="Go to the nearest allowed elevation instead of refusing.")
 @click.option("--no-wait", is_flag=True, help="End once the dish has taken the target; nobody watches it then.")
 @click.option("--timeout", "timeout_s", type=click.FloatRange(1.0, 3600.0), default=120.0, show_default=True,
               help="Seconds until it counts as failed, and is stopped.")  # fmt: skip
+@elements_option
 @global_options()
 def command(
-    az_deg: float, el_deg: float, leapfrog: bool, clamp: bool, no_wait: bool, timeout_s: float
+    target: tuple[str, ...], az_deg: float | None, el_deg: float | None, leapfrog: bool, clamp: bool, no_wait: bool,
+    timeout_s: float, elements: Path | None,
 ) -> None:  # fmt: skip
-    """Point the dish, and wait until it is there. Ctrl+C stops it."""
+    """Point the dish at --az and --el, or at where TARGET stands now, and wait until it is there. Ctrl+C stops it.
+
+    TARGET is named as for `birdcage where`: 180 45, moon, 28.2E, dish 119, iss. The dish goes there once and stays:
+    `birdcage track TARGET --engage` follows.
+    """
     from birdcage.cli.dish import open_dish
     from birdcage.cli.say import position_lines, position_values, tell, tell_json
     from birdcage.station.requests import Goto
     from birdcage.station.state import Pointing
 
-    if not (math.isfinite(az_deg) and math.isfinite(el_deg)):
-        raise click.UsageError("--az and --el must be numbers.")
-    with open_dish(wanted(), moves=True) as dish:
+    no_options_among(target)
+    wants = wanted()
+    az_deg, el_deg = _direction(target, az_deg, el_deg, wants, elements)
+    with open_dish(wants, moves=True) as dish:
         dish.come_up(15.0)
         if leapfrog:
             az_deg, el_deg = _beyond(dish, az_deg, el_deg)
@@ -52,6 +63,49 @@ def command(
         tell_json({**position_values(arrived), "demo": dish.state.demo})
     else:
         tell(position_lines(arrived))
+
+
+def _direction(
+    words: tuple[str, ...], az_deg: float | None, el_deg: float | None, wants: Wanted, elements: Path | None
+) -> tuple[float, float]:
+    """Return where to, true: the two angles, or where the target stands now, refraction included as set.
+
+    click.UsageError for neither or both. MotionRefused, reason ``below_horizon``, for a target that is not up.
+    """
+    from datetime import UTC, datetime
+
+    from birdcage.base.errors import MotionRefused
+    from birdcage.cli.named_target import find_target
+    from birdcage.cli.say import say
+    from birdcage.cli.sky_options import find_observer
+    from birdcage.sky.targets.model import Fixed
+    from birdcage.sky.targets.sight import below_words
+    from birdcage.tracking.planning.refraction import lift_deg
+
+    if not words:
+        if az_deg is None or el_deg is None:
+            raise click.UsageError(
+                "Give --az and --el, or name a target: `birdcage move 180 45`, `birdcage move moon`."
+            )
+        if not (math.isfinite(az_deg) and math.isfinite(el_deg)):
+            raise click.UsageError("--az and --el must be numbers.")
+        return az_deg, el_deg
+    if az_deg is not None or el_deg is not None:
+        raise click.UsageError("Name a target, or give --az and --el: not both.")
+    target = find_target(words, wants.paths, elements, say).target
+    if isinstance(target, Fixed):
+        return target.az_deg, target.el_deg
+    observer, now = find_observer(wants.settings, None, None, None), datetime.now(UTC)
+    below = below_words(target, observer, now)
+    if below:
+        text = " ".join(words)
+        raise MotionRefused(
+            f"{below} Nothing moves. `birdcage track {text}` shows what is to come.", reason="below_horizon"
+        )
+    seen = target.look(observer, now)
+    el_deg = seen.el_deg + float(lift_deg(seen.el_deg, wants.settings.tracking.refraction))
+    say(f"{target.name}: AZ {seen.az_deg:.2f}° EL {el_deg:.2f}° now.")
+    return seen.az_deg, el_deg
 
 
 def _beyond(dish: Dish, az_deg: float, el_deg: float) -> tuple[float, float]:

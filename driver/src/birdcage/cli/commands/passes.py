@@ -28,6 +28,7 @@ SHOWN = 40
 
 
 @click.command("passes", epilog=exits.EPILOG)
+@click.argument("target", nargs=-1, metavar="[SATELLITE]")
 @elements_option
 @observer_options
 @click.option("--start", type=UTC_TIME, help="ISO 8601; UTC unless it says its zone.  [default: now]")
@@ -38,7 +39,7 @@ SHOWN = 40
     "--min-elevation", type=click.FloatRange(-5.0, 89.0), default=0.0, show_default=True, metavar="DEG",
     help="A pass is the time above this elevation, geometric.",
 )  # fmt: skip
-@click.option("--name", metavar="TEXT", help="Only satellites with this in their name, or with this number.")
+@click.option("--name", metavar="TEXT", help="Only satellites with this in one of their names, or with this number.")
 @click.option(
     "--hearable/--any",
     default=None,
@@ -59,32 +60,42 @@ SHOWN = 40
 @click.option("--ics", "ics_file", type=click.Path(path_type=Path), metavar="FILE", help="Write a calendar.")
 @global_options("config", "firmware", "json", "verbose")
 def command(
-    elements: Path | None, lat: float | None, lon: float | None, alt: float | None, start: datetime | None,
-    hours: float, min_elevation: float, name: str | None, hearable: bool | None, sort: str, limit: int | None,
-    freq: float | None, csv_file: Path | None, ics_file: Path | None,
+    target: tuple[str, ...], elements: Path | None, lat: float | None, lon: float | None, alt: float | None,
+    start: datetime | None, hours: float, min_elevation: float, name: str | None, hearable: bool | None, sort: str,
+    limit: int | None, freq: float | None, csv_file: Path | None, ics_file: Path | None,
 ) -> None:  # fmt: skip
-    """List what comes over: rise, highest point, set, and when this dish can follow it.
+    """List what comes over: rise, highest point, set, and when this dish can follow it; of SATELLITE alone if named.
 
+    SATELLITE is named as for `birdcage where`: iss, AO-91, METEOR-M N2-3, 25544.
     AOS and LOS are of the satellite; *reach* is what of the pass the dish can point at: its floor and ceiling, the
     horizon and no-go sectors of birdcage.toml, the cable, and its speed near the zenith. `<` was up
-    before, `>` stays up. Without --name the table leaves out what is up all the time.
+    before, `>` stays up. Where none is named, the table leaves out what is up all the time.
     """
     from datetime import UTC
 
     import numpy as np
 
+    from birdcage.cli.named_passes import one_satellite, with_name
     from birdcage.cli.say import say, tell_json
     from birdcage.sky.export.fields import values_of
 
     wants = wanted()
     observer = find_observer(wants.settings, lat, lon, alt)
-    watched = _heard(_named(find_elements(wants.paths, elements, say), name), wants, hearable, bool(name))
+    if target and name is not None:
+        raise click.UsageError("Name one satellite, or give --name: not both.")
+    named = bool(target) or name is not None
+    watched = find_elements(wants.paths, elements, say)
+    if target:
+        watched = one_satellite(watched, target, wants.paths, elements)
+    elif name is not None:
+        watched = with_name(watched, name, wants.paths, elements)
+    watched = _heard(watched, wants, hearable, named)
     limits = _limits(wants)
     begin = start if start is not None else datetime.now(UTC)
     table_wanted = csv_file is None and ics_file is None and not flags().json
     found = _search(watched, observer, begin, hours, min_elevation)
     which = np.arange(len(found))
-    if table_wanted and name is None:
+    if table_wanted and not named:
         which = _that_move(found)
     shown = SHOWN if limit is None and table_wanted else limit
     rows = _rows(found, which, watched, observer, limits, sort, shown)
@@ -115,19 +126,6 @@ def command(
             say(f"{more} more are not listed: --limit N shows them; --name or --min-elevation narrows.")
     if not len(found):
         say(f"Nothing rises above {min_elevation:g}° within {hours:g} hours.")
-
-
-def _named(watched: Watched, name: str | None) -> Watched:
-    """Return the satellites that are asked for. ConfigError if there is none."""
-    from birdcage.base.errors import ConfigError
-
-    if name is None:
-        return watched
-    part = name.strip().casefold()
-    found = watched.chosen(lambda one: part in one.name.casefold() or part == str(one.norad_id))
-    if not found.elements:
-        raise ConfigError(f"None of {len(watched.elements)} satellites has {name!r} in its name, or that number.")
-    return found
 
 
 def _heard(watched: Watched, wants: Wanted, hearable: bool | None, named: bool) -> Watched:

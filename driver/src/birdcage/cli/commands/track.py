@@ -65,12 +65,13 @@ def command(
 ) -> None:  # fmt: skip
     """Follow TARGET with the dish, or say what that would be.
 
-    TARGET is as for `birdcage where`: a satellite by name or number, sun, moon, 28.2E, ra=5h34m,dec=+22d.
+    TARGET is named as for `birdcage where`: iss, AO-91, 25544, sun, polaris, 28.2E, dish 119, ra=5h34m,dec=+22d.
     Without --engage nothing is opened and nothing moves: the next pass that comes into reach is planned for the dish
     that --firmware names. With --engage the dish has to know where it is. Ctrl+C stops it.
     """
+    from birdcage.cli.named_target import find_target
     from birdcage.cli.options import wanted
-    from birdcage.cli.track_plan import target_of
+    from birdcage.cli.say import say
 
     no_options_among(target)
     if engage and plan_only:
@@ -81,7 +82,7 @@ def command(
     if speed is not None and not wants.port.startswith("sim:"):
         raise click.UsageError("--speed is for a simulated dish, such as --port sim:g2: a real one has its own time.")
     observer = find_observer(wants.settings, lat, lon, alt)
-    meant = target_of(target, wants, elements)
+    meant = find_target(target, wants.paths, elements, say).target
     text = " ".join(target)
     if engage:
         from birdcage.base.clock import RealClock, ScaledClock

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import textwrap
 from typing import TYPE_CHECKING
 
 import click
@@ -22,9 +21,6 @@ if TYPE_CHECKING:
     from datetime import datetime
     from pathlib import Path
 
-TEXT_WIDTH = 72
-"""Of an error, which click begins with a word of its own: it fits on eighty columns."""
-
 
 @click.command("where", epilog=DATA_EPILOG, context_settings=NEGATIVE_NUMBERS)
 @click.argument("target", nargs=-1, required=True)
@@ -38,30 +34,25 @@ def command(
 ) -> None:  # fmt: skip
     """Print where TARGET stands: look angle, range, rates, and what to expect there.
 
-    TARGET is a satellite by name or number; sun, moon or a planet; 28.2E, 101W or a slot such as QO-100;
-    ra=5h34m,dec=+22d; gal 120,-5; az 180 el 45. No dish and no network are needed.
+    TARGET is a satellite by name, another of its names, or number (iss, AO-91, 25544); sun, moon or a planet; polaris,
+    cas a; 28.2E, dish 119 or a slot such as QO-100; ra=5h34m,dec=+22d; gal 120,-5; 180 45 or az 180 el -3.
+    No dish and no network are needed.
     """
     from datetime import UTC, datetime
 
-    from birdcage.cli.known_satellites import frozen_warning
+    from birdcage.cli.named_target import find_target, tell_below
     from birdcage.cli.options import wanted
     from birdcage.cli.say import say, tell, tell_json
-    from birdcage.cli.where_report import Report, look_up
-    from birdcage.sky.targets import UnknownTarget
+    from birdcage.cli.where_report import Report
 
     no_options_among(target)
     dish = wanted()
     observer = find_observer(dish.settings, lat, lon, alt)
-    try:
-        meant = look_up(" ".join(target), dish.paths, elements, say)
-    except UnknownTarget as error:
-        raise click.UsageError(textwrap.fill(str(error), TEXT_WIDTH)) from None
-    report = Report.of(meant, observer, at or datetime.now(UTC), dish)
-    warning = frozen_warning([] if report.elements is None else [report.elements])
-    if warning is not None:
-        say(warning)
+    found, when = find_target(target, dish.paths, elements, say), at or datetime.now(UTC)
+    report = Report.of(found.target, observer, when, dish)
+    tell_below(found, observer, when, say)
     if flags().json:
-        tell_json(report.values())
+        tell_json({**report.values(), "silent_since": found.silent_since})
     else:
         for line in report.lines():
             tell(line)

@@ -150,26 +150,6 @@ class Catalogue:
         """Return all about every satellite, in the order of `all`."""
         return tuple(read_entries(self._connection))
 
-    def find(self, text: str) -> Entry:
-        """Return the one satellite that a person means: its number, its name, or the only one that a search finds.
-
-        BirdcageError, reason ``no_satellite`` or ``ambiguous``, with what there is instead.
-        """
-        exact = self.entry(text)
-        if exact is not None:
-            return exact
-        hits = self.search(text, 6) if text.strip() else ()
-        if len(hits) == 1:
-            return hits[0]
-        if not hits:
-            raise BirdcageError(
-                f"No satellite in the catalogue is called {text!r}. `birdcage elements search` looks for it.",
-                reason="no_satellite",
-            )
-        shown = ", ".join(f"{hit.norad_id or '-'} {hit.name}" for hit in hits[:5])
-        more = " and more" if len(hits) > 5 else ""
-        raise BirdcageError(f"{text!r} may be several: {shown}{more}. Give the number.", reason="ambiguous")
-
     def search(self, text: str, limit: int = 20) -> tuple[Entry, ...]:
         """Search as one types; see `SearchIndex.search`. The index is built again only after a change."""
         return self.index().search(text, limit)

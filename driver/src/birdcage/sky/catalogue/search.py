@@ -35,6 +35,10 @@ class SearchIndex:
     def __len__(self) -> int:
         return len(self._entries)
 
+    def names(self) -> tuple[str, ...]:
+        """Return what all of them are called."""
+        return tuple(each.name for each in self._entries if each.name)
+
     def search(self, text: str, limit: int = 20) -> tuple[Entry, ...]:
         """Return the best matches, best first.
 

@@ -1,0 +1,84 @@
+"""Says where a target stands that somebody types, as long as he does: what the go-to line asks for."""
+
+from __future__ import annotations
+
+from datetime import datetime
+from typing import TYPE_CHECKING
+
+from birdcage.base.errors import BirdcageError
+from birdcage.pursuit.now import Located
+
+if TYPE_CHECKING:
+    from birdcage.pursuit.finder import Finder
+    from birdcage.sky.observer import Observer
+    from birdcage.sky.targets import Resolution
+    from birdcage.tracking.planning.refraction import Refraction
+
+NO_PLACE = (
+    "No place is set: `birdcage place add home WHERE --use` sets one (a city, a locator such as JO21jv, or two angles)."
+)
+
+
+def brief(meant: Resolution) -> str:
+    """Return why nothing is found in two rows of a terminal."""
+    from birdcage.sky.targets.problems import UNDERSTOOD
+
+    return meant.problem.replace(UNDERSTOOD, "Type a satellite, moon, polaris, 28.2E, dish 119 or 180 45.")
+
+
+class Pointer:
+    """Looks one text up, and where that stands as often as it is asked. For one thread alone."""
+
+    def __init__(self, finder: Finder) -> None:
+        self._finder = finder
+        self._meant: Resolution | None = None
+        self.text = ""
+        """What was typed; empty while nobody asks."""
+        self._below = ""
+        self._below_for = -1
+
+    def ask(self, text: str) -> None:
+        """Take another text."""
+        if text != self.text:
+            self.text = text
+            self.forget()
+
+    def forget(self) -> None:
+        """Look it up again: the catalogue has changed."""
+        self._meant, self._below_for = None, -1
+
+    def look(self, observer: Observer | None, now: datetime, refraction: Refraction) -> Located | None:
+        """Return where it stands; None while nobody asks."""
+        if not self.text.strip():
+            return None
+        if self._meant is None:
+            self._finder.refresh()
+            self._meant = self._finder.resolve(self.text)
+        meant = self._meant
+        if meant.found is None:
+            return Located(self.text, problem=brief(meant))
+        name = meant.target.name
+        if observer is None:
+            return Located(self.text, name, meant.exact, problem=NO_PLACE)
+        try:
+            seen = meant.target.look(observer, now)
+            below = self._below_words(meant, observer, now) if seen.el_deg <= 0.0 else ""
+        except BirdcageError as error:
+            below = str(error)
+        if below:
+            return Located(self.text, name, meant.exact, problem=" ".join(filter(None, (below, meant.note))))
+        from birdcage.tracking.planning.refraction import lift_deg
+
+        fixed = meant.target.kind == "fixed"
+        el_deg = seen.el_deg + (0.0 if fixed else float(lift_deg(seen.el_deg, refraction)))
+        silence = "" if meant.found.silence is None else meant.found.silence.brief
+        return Located(self.text, name, meant.exact, seen.az_deg, el_deg, silence)
+
+    def _below_words(self, meant: Resolution, observer: Observer, now: datetime) -> str:
+        """Return why it cannot be seen; its next rise is looked for once a minute."""
+        from birdcage.sky.targets.sight import below_words
+
+        minute = int(now.timestamp() // 60.0)
+        if minute != self._below_for:
+            self._below, self._below_for = below_words(meant.target, observer, now), minute
+        return self._below
