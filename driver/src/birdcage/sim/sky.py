@@ -11,19 +11,28 @@ from birdcage.sim.beam import gain
 from birdcage.sim.settings import Settings
 
 SLOTS: dict[float, float] = {
-    -61.5: 118.0,
-    -72.7: 126.0,
-    -77.0: 112.0,
-    -91.0: 48.0,
-    -99.2: 62.0,
-    -101.0: 150.0,
-    -103.0: 66.0,
-    -110.0: 138.0,
-    -119.0: 143.0,
-    -129.0: 124.0,
+    -61.5: 143.0,
+    -72.7: 101.0,
+    -77.0: 117.0,
+    -91.0: 21.0,
+    -99.2: 32.0,
+    -101.0: 118.0,
+    -103.0: 81.0,
+    -110.0: 111.0,
+    -119.0: 145.0,
+    -129.0: 29.0,
 }
-"""Degrees east to counts above the floor at the centre of the beam. Real peaks are 112 to 160 (section 7.6); the
-strength of each slot [I]."""
+"""Degrees east to counts above the floor at the centre of the beam, each slot alone.
+
+They are fitted, together with `COMPRESSION`, to the published scan of a real G2 (section 7.6): its five peaks, its
+ridge between them and the share of its cells above 440 and 500 counts. `scripts/bench/sky_scan.py` prints both. [I]
+"""
+COMPRESSION = 1.4
+"""How the detector squeezes what it hears: counts go with the 1/1.4th power of what arrives, and what arrives adds up.
+
+A scan cannot tell 1.2 from 2. 1.4 is what makes of the 5.4 degrees, which theory gives a 30 cm reflector at 12.45 GHz,
+the 6.4 degrees that a scan in counts shows. [I]
+"""
 SUN_COUNTS = 25.0
 """About 70 K in a 6.4 degree beam over a 100 K receiver. [I]"""
 AIR_COUNTS = 1.44
@@ -31,6 +40,9 @@ AIR_COUNTS = 1.44
 FLOOR_EL_DEG = 58.0
 REACH_DEG = 12.0
 """Beyond this the beam hears nothing of a source."""
+
+Source = tuple[tuple[float, float], float]
+"""Where something stands, true azimuth and elevation, and the counts that it makes alone."""
 
 
 class Sky:
@@ -44,21 +56,16 @@ class Sky:
     def level(self, when: datetime, az_deg: float, el_deg: float) -> float:
         """Return the noise-free level in counts with the beam at a true direction."""
         sources = [*self.slots, (sun(when, self._settings.lat, self._settings.lon), SUN_COUNTS)]
-        heard = sum(
-            counts * _gain(az_deg, el_deg, az, el)
-            for (az, el), counts in sources
-            if el > 0.0 and separation(az_deg, el_deg, az, el) < REACH_DEG
-        )
-        return self.floor(el_deg) + heard
+        arriving = math.fsum(_counts_heard(source, az_deg, el_deg) ** COMPRESSION for source in sources)
+        return self.floor(el_deg) + math.pow(arriving, 1.0 / COMPRESSION)
 
     def strongest(self, az_deg: float, el_deg: float) -> float | None:
         """Return the slot, in degrees east, that is heard best with the beam at a true direction; None for none."""
         heard = {
-            slot: counts * _gain(az_deg, el_deg, az, el)
-            for slot, ((az, el), counts) in zip(SLOTS, self.slots, strict=True)
-            if el > 0.0 and separation(az_deg, el_deg, az, el) < REACH_DEG
+            slot: _counts_heard(source, az_deg, el_deg) for slot, source in zip(SLOTS, self.slots, strict=True)
         }
-        return max(heard, key=heard.__getitem__, default=None)
+        best = max(heard, key=heard.__getitem__)
+        return best if heard[best] > 0.0 else None
 
     def floor(self, el_deg: float) -> float:
         """Return the level of the empty sky."""
@@ -69,6 +76,10 @@ def _air(el_deg: float) -> float:
     return 1.0 / math.sin(math.radians(max(el_deg, 5.0)))
 
 
-def _gain(az_deg: float, el_deg: float, source_az_deg: float, source_el_deg: float) -> float:
-    right = shortest_turn(source_az_deg, az_deg) * math.cos(math.radians(source_el_deg))
-    return gain(right, el_deg - source_el_deg)
+def _counts_heard(source: Source, beam_az_deg: float, beam_el_deg: float) -> float:
+    """Return the counts that a source makes alone, with the beam at a true direction."""
+    (az_deg, el_deg), counts = source
+    if el_deg <= 0.0 or separation(beam_az_deg, beam_el_deg, az_deg, el_deg) >= REACH_DEG:
+        return 0.0
+    right_deg = shortest_turn(az_deg, beam_az_deg) * math.cos(math.radians(el_deg))
+    return counts * max(gain(right_deg, beam_el_deg - el_deg), 0.0)
