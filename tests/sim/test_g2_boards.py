@@ -67,7 +67,7 @@ ANSWERS = {
         "diag": r"AZ DIAG: OK EL DIAG: OK\n",
         "reset": "",
         "sm": r"AZ SM: AUTO EL SM: AUTO\n",
-        "ss": r"AZ SS: 1 EL SS: 1\n",
+        "ss": r"1\n",
         "st": r"AZ ST: LOW EL ST: LOW\n",
     },
     "gpio": {
@@ -179,3 +179,16 @@ def test_bad_arguments_are_refused_and_move_nothing(terminal, menu, line):
     before = dish.port.dish.truth()
     assert answer(dish, menu, line) == "Invalid parameter.\n"
     assert dish.port.dish.truth() == before
+
+
+def test_what_the_sources_leave_open_of_os_and_a3981_is_a_setting(terminal):
+    dish = terminal("ss_reply=axes&nvs_version=")
+    dish.ask("a3981", "A3981>")
+    assert "AZ SS: 1 EL SS: 1\r\n" in dish.ask("ss", "A3981>")
+    dish.ask("q", "TRK>")
+    dish.ask("os", "OS>")
+    assert "NVS" not in dish.ask("id", "OS>")
+
+
+def test_the_boot_log_names_the_tuner(terminal):
+    assert "BCM4515 ID 0x4515 Rev B0, FW v113.37, strap 0x25018" in terminal("boot=1").listen(20.0)

@@ -74,7 +74,7 @@ ANSWERS = {
         "s": r"    Saving \.\.\. \nFlash file flashx:bank0 opened\nFlash sector cache enabled\.\nFlash doneSuccess\n",
         "anything": r"  0\) Log ID's                   0x00000007\n",
     },
-    "os": {"id": r"NXP Kinetis K60 ARM Cortex-M4\n(  [A-Za-z-]+( [A-Za-z]+)?: +\S.*\n){12}"},
+    "os": {"id": r"NXP Kinetis K60 ARM Cortex-M4\n(  [A-Za-z-]+( [A-Za-z]+)?: +\S.*\n){12}  NVS Version: +\S+\n"},
 }
 TABLE = [(menu, line, reply) for menu, lines in ANSWERS.items() for line, reply in lines.items()]
 

@@ -105,8 +105,31 @@ def test_unhomed_it_goes_for_int_max_and_the_shell_is_gone(terminal, menu, line)
     assert dish.listen(30.0).endswith("TRK>")
 
 
-def test_the_scan_of_adc_with_arguments_and_on_the_other_scale(terminal):
-    dish = at(terminal, "el=58&az=0&scan_rssi=adc", menu="adc")
+@pytest.mark.parametrize(
+    ("options", "menu", "line", "empty_sky"),
+    [
+        ("", "adc", "scan 0 2", 235),
+        ("", "mot", "azscanwxp 0 2 100 1", 400),
+        ("", "mot", "azscan 2 0 0", 400),
+        ("&scan_rssi=tuner", "adc", "scan 0 2", 400),
+        ("&azscan_rssi=adc", "mot", "azscanwxp 0 2 100 1", 235),
+    ],
+)
+def test_each_sweep_counts_on_its_own_scale(terminal, options, menu, line, empty_sky):
+    dish = at(terminal, f"el=58&az=0{options}", menu=menu)
+    found = points(dish.ask(line, f"{menu.upper()}>", within=60))
+    assert found
+    assert all(abs(rssi - empty_sky) < 10 for _, _, rssi, *_ in found)
+
+
+def test_the_scan_of_adc_counts_as_rssi_beside_it(terminal):
+    dish = at(terminal, "el=58&az=0", menu="adc")
+    alone = int(dish.ask("rssi", "ADC>").splitlines()[1])
+    assert all(abs(rssi - alone) < 10 for _, _, rssi, *_ in points(dish.ask("scan 0 2", "ADC>", within=60)))
+
+
+def test_the_scan_of_adc_with_arguments(terminal):
+    dish = at(terminal, "el=58&az=0", menu="adc")
     found = points(dish.ask("scan 0 2 50", "ADC>", within=60))
     assert len(found) == 5
     assert {delta for *_, delta in found} == {50}

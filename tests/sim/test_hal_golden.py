@@ -42,13 +42,13 @@ def test_t_hal205_from_power_up(hal, option, line):
 
 
 def test_the_layout_of_section_3(hal):
-    dish = hal("az=8.34&el=34.33&sk=0")
+    dish = hal("a_layout=lines&az=8.34&el=34.33&sk=0")
     dish.ask("motor", "MOT>")
     assert dish.ask("a", "MOT>") == "a\r\nAZ =   8.34\r\nEL =  34.33\r\nSK =   0.00\r\nWRAP = 455.00\r\nMOT>"
 
 
 def test_the_layout_of_section_4(hal):
-    dish = hal("a_layout=line&az=8.34")
+    dish = hal("az=8.34")
     dish.ask("motor", "MOT>")
     assert dish.ask("a", "MOT>") == "a\r\nAZ =   8.34 EL =  45.00 SK =  90.00 WRAP = 455.00\r\nMOT>"
 

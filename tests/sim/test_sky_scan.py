@@ -1,4 +1,4 @@
-"""The simulated sky is as loud as the one that a real G2 scanned, slots that adjoin included (`scripts/bench/sky_scan.py`)."""
+"""The simulated sky is as loud as the one that a real G2 scanned (`scripts/bench/sky_scan.py`)."""
 
 from __future__ import annotations
 

@@ -61,9 +61,7 @@ class Sky:
 
     def strongest(self, az_deg: float, el_deg: float) -> float | None:
         """Return the slot, in degrees east, that is heard best with the beam at a true direction; None for none."""
-        heard = {
-            slot: _counts_heard(source, az_deg, el_deg) for slot, source in zip(SLOTS, self.slots, strict=True)
-        }
+        heard = {slot: _counts_heard(source, az_deg, el_deg) for slot, source in zip(SLOTS, self.slots, strict=True)}
         best = max(heard, key=heard.__getitem__)
         return best if heard[best] > 0.0 else None
 

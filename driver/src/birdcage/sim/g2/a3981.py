@@ -1,6 +1,6 @@
 """The motor drivers' menu, `A3981>` (reference section 7.3).
 
-The form of `diag` is quoted [S1]; the others are made like it [I].
+The form of `diag` is quoted, and that `ss` returns an integer [S1]; the others are made like `diag` [I].
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ class A3981(G2Menu):
             "diag": self._each("DIAG", lambda index: "FAULT" if self._fault(index) else "OK"),
             "reset": self._reset,
             "sm": self._each("SM", lambda _: board.settings.step_mode),
-            "ss": self._each("SS", lambda _: str(board.settings.step_size)),
+            "ss": self._step_size,
             "st": self._each("ST", lambda index: "HIGH" if board.dish.axes[index].moving(board.now_s) else "LOW"),
         }
         self._forget()
@@ -48,6 +48,13 @@ class A3981(G2Menu):
             yield f"AZ {name}: {word(0)} EL {name}: {word(1)}\n"
 
         return run
+
+    def _step_size(self, args: list[str]) -> Script:
+        settings = self.board.settings
+        if args or settings.ss_reply == "axes":
+            yield from self._each("SS", lambda _: str(settings.step_size))(args)
+        else:
+            yield f"{settings.step_size}\n"
 
     def _fault(self, index: int) -> bool:
         """Whether the axis is blocked and was not reset since it was last told to move."""

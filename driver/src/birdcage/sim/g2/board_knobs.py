@@ -21,6 +21,7 @@ class BoardSettings(Settings):
         "di2conf": ("raw", "timeout"),
         "di2cs_bare": ("timeout", "parameter"),
         "latlon_unit": ("deg", "cdeg"),
+        "ss_reply": ("integer", "axes"),
     }
 
     transponder: int = 15
@@ -67,6 +68,10 @@ class BoardSettings(Settings):
     """What their `sm` says (section 7.3, [S1])."""
     step_size: int = 1
     """What their `ss` says: sixteenths of a full step (section 7.3: 1/16 microstep, so 1)."""
+    ss_reply: str = "integer"
+    """Whether `ss` prints that integer alone (section 7.3: "returns integer", [S1]) or one for each axis."""
+    nvs_version: str = "1"
+    """The NVS version that `id` of OS> prints ([S1]); the number is [open]. Empty for no such line ([B])."""
     stall_faults: bool = True
     """Whether a blocked axis shows as FAULT in `diag` until `reset`. [I]"""
 

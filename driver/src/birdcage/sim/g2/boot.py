@@ -13,7 +13,7 @@ BEFORE_HOMING = (
     (0.1, "Motor init System=12Inch master=40000 slave=24960 ratio=1.602564"),
     (0.1, "SPI2 init @ 6.857 MHz (mode 0x03)"),
     (0.1, "EXTENDED_DVB_DEBUG ENABLED"),
-    (1.5, "DVB init: AP RAM FW verified, ID 0x4515 Rev B0, FW v113.37, strap 0x25018"),
+    (1.5, "DVB init: AP RAM FW verified, BCM4515 ID 0x4515 Rev B0, FW v113.37, strap 0x25018"),
     (0.2, "Auto search: blind scan 18000-24000 ksps rolloff 0.35"),
     (0.3, "Enabled LNB STB"),
     (0.2, "Ant ID - 12-IN G2"),

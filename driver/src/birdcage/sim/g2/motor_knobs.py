@@ -20,7 +20,8 @@ class MotorSettings(BoardSettings):
         **BoardSettings.choices,
         "g_reply": ("none", "angles"),
         "position_unit": ("deg", "cdeg", "steps"),
-        "scan_rssi": ("tuner", "adc"),
+        "scan_rssi": ("adc", "tuner"),
+        "azscan_rssi": ("tuner", "adc"),
         "sweep_key": ("ignore", "abort"),
         "xponder_style": ("plain", "labelled", "blank"),
         "sleep": ("none", "silent", "wake"),
@@ -49,8 +50,12 @@ class MotorSettings(BoardSettings):
     """Centidegrees between two positions when it is not told (`Scan Delta:100`, [B])."""
     scan_read_s: float = 0.05
     """Time of one reading of a sweep. [open]"""
-    scan_rssi: str = "tuner"
-    """Whether a sweep's `RSSI:` counts as `rssi` of DVB> does (519 to 547 in section 7.7, [B]) or as that of ADC>."""
+    scan_rssi: str = "adc"
+    """Whether the `RSSI:` of `scan` in ADC> counts as `rssi` of that menu does (section 7.3: `RSSI:<adc>`, [S1]) or as
+    that of DVB>."""
+    azscan_rssi: str = "tuner"
+    """Whether the `RSSI:` of `azscan` and `azscanwxp` counts as `rssi` of DVB> does (519 to 547 in section 7.7, [B]) or
+    as that of ADC>."""
     sweep_key: str = "ignore"
     """Whether a key breaks a sweep off. [open]: the shell reads only between commands, says [S1]."""
     azscan_rows: int = 2

@@ -1,7 +1,7 @@
 """The sweeps that the firmware makes by itself: `azscan` and `azscanwxp` of `MOT>`, `scan` of `ADC>`.
 
 The arguments of the first two and the line of `scan` are quoted ([S1] [B], section 7.7); that the other two print the
-same line, their rate and their path are [I] or settings. What they hear is what the tuner hears at that instant.
+same line, their rate and their path are [I] or settings. Lock and SNR are the tuner's at that instant.
 """
 
 from __future__ import annotations
@@ -31,6 +31,8 @@ class Sweep:
     """Before each reading, once the axis stands."""
     transponders: int = 0
     """How many are tried at each position, from number 1; 0 for the one that is tuned."""
+    scale: str = "tuner"
+    """Whose counts it prints: those of the `tuner`, or of the `adc` before it."""
 
 
 def azscan(board: Board, args: list[str]) -> Script | None:
@@ -56,7 +58,8 @@ def azscanwxp(board: Board, args: list[str]) -> Script | None:
     if span == 0 or step < 1 or int(step) != step or transponders not in range(1, TRANSPONDERS + 1):
         return None
     points = max(round(abs(span) * 100 / step), 1)
-    wanted = Sweep(index, int(step) if span > 0 else -int(step), points, transponders=int(transponders))
+    step_cdeg = int(step) if span > 0 else -int(step)
+    wanted = Sweep(index, step_cdeg, points, transponders=int(transponders), scale=settings.azscan_rssi)
     return _guarded(board, index, lambda: _row(board, wanted))
 
 
@@ -70,7 +73,8 @@ def adc_scan(board: Board, args: list[str]) -> Script | None:
     span, step = [value or 0.0 for value in given] + [settings.scan_span, float(settings.scan_step_cdeg)][len(given) :]
     if span == 0 or step < 1 or int(step) != step:
         return None
-    wanted = Sweep(index, int(step) if span > 0 else -int(step), round(abs(span) * 100 / step) + 1)
+    step_cdeg = int(step) if span > 0 else -int(step)
+    wanted = Sweep(index, step_cdeg, round(abs(span) * 100 / step) + 1, scale=settings.scan_rssi)
     if args and not board.dish.axes[index].homed:
         return _refuse(board.dish.axes[index])  # only without arguments is it said to hang
     return _guarded(board, index, lambda: _row(board, wanted))
@@ -109,7 +113,7 @@ def _rows(board: Board, az_deg: float, el_deg: float, pause_s: float) -> Script:
             el.retarget(board.now_s, goal)
             yield Pause(max(el.end_s() - board.now_s, 0.0))
             step = -step
-        ended = yield from _row(board, Sweep(0, step, points, pause_s))
+        ended = yield from _row(board, Sweep(0, step, points, pause_s, scale=board.settings.azscan_rssi))
         if ended:
             return
 
@@ -156,7 +160,7 @@ def _line(board: Board, sweep: Sweep, axis: Axis) -> str:
     now_s = board.now_s
     centideg = round(axis.count(now_s)[0] * 100)
     heard = board.tuner.read(now_s)
-    rssi = heard.rssi if board.settings.scan_rssi == "tuner" else board.adc_counts()
+    rssi = heard.rssi if sweep.scale == "tuner" else board.adc_counts()
     return (
         f"Motor:{sweep.motor} Angle:{centideg % 36000 if sweep.motor == 0 else centideg} RSSI:{rssi} "
         f"Lock:{int(heard.locked)} SNR:{heard.snr_db:.0f} Scan Delta:{abs(sweep.step_cdeg)}"

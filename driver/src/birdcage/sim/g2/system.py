@@ -21,7 +21,8 @@ NXP Kinetis K60 ARM Cortex-M4
   Flash Base:    0x00010000 (65536)
   Flash Size:    458752 bytes (448 KB)
 """
-"""Fields and order [B]; the layout is that source's own rendering, not certainly the wire's."""
+"""Fields and order [B]; the layout is that source's own rendering, not certainly the wire's. The NVS version that [S1]
+names is printed below them (setting `nvs_version`)."""
 
 
 class System(G2Menu):
@@ -35,7 +36,8 @@ class System(G2Menu):
         self.commands |= {"id": self._id, "reboot": self._reboot}
 
     def _id(self, args: list[str]) -> Script:  # noqa: ARG002
-        yield IDENTITY
+        version = self.board.settings.nvs_version
+        yield IDENTITY + (f"  {'NVS Version:':<14} {version}\n" if version else "")
 
     def _reboot(self, args: list[str]) -> Script:  # noqa: ARG002
         self.board.reboot()

@@ -22,7 +22,7 @@ class HalSettings(Settings):
         **Settings.choices,
         "prompts": ("named", "alike"),
         "boot_line": ("nolnb", "nogps", "none"),
-        "a_layout": ("lines", "line"),
+        "a_layout": ("line", "lines"),
         "az_print": ("wrapped", "cable"),
         "wrap": ("455", "360", "0"),
         "below_floor": ("unreliable", "refuse", "clamp"),
@@ -72,8 +72,9 @@ class HalSettings(Settings):
     prompt_alike: str = ">"
     """The prompts. That of the motor menu [I], as the reference writes it; the others [open]."""
 
-    a_layout: str = "lines"
-    """Whether `a` prints a line for each axis, or all in one ([S0] writes it so). The tokens are [P]."""
+    a_layout: str = "line"
+    """Whether `a` prints all in one line (section 4, [S0]), or a line for each axis (section 3, [I]). The tokens are
+    [P]."""
     az_print: str = "wrapped"
     """Whether `a` prints azimuth as 0..360 (section 1, [V]) or as the cable's angle. [I]"""
     wrap_label: str = "WRAP ="
