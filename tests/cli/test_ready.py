@@ -235,7 +235,7 @@ def test_the_receiver_is_asked_whether_it_is_there(ready, set_up, reply, state, 
         serving.join(5.0)
     assert (status, found["radio"]["state"]) == (0, state)
     assert re.search(words, found["radio"]["words"])
-    assert heard == [b"f\n"]  # and nothing else: it stays where it is
+    assert heard == [b"f\n"]
 
 
 def test_a_receiver_that_is_not_there(ready, set_up):

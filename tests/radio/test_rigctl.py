@@ -6,7 +6,7 @@ import time
 
 import pytest
 from birdcage.radio.errors import RadioLost, RadioRefused
-from birdcage.radio.probe import ask_frequency
+from birdcage.radio.probe import Answers, ask_receiver
 from birdcage.radio.rigctl import Rig
 from birdcage.radio.wire import connector
 
@@ -128,11 +128,11 @@ def test_nothing_listens(server):
 
 
 def test_asking_once(server):
-    assert ask_frequency(server(sdr()).address) == 100e6
-    assert ask_frequency(server(lambda _line: b"RPRT -11\n").address) is None
+    assert ask_receiver(server(sdr()).address).frequency_hz == 100e6
+    assert ask_receiver(server(lambda _line: b"RPRT -11\n").address) == Answers(level_code=-11)
     began = time.monotonic()
     with pytest.raises(RadioLost):
-        ask_frequency(server(lambda _line: SILENCE).address, 0.2)
+        ask_receiver(server(lambda _line: SILENCE).address, 0.2)
     assert time.monotonic() - began < 1.0
 
 

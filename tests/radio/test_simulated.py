@@ -12,7 +12,7 @@ from birdcage.link.opening import is_registered
 from birdcage.radio.errors import RadioLost
 from birdcage.radio.now import RadioState
 from birdcage.radio.opening import caller
-from birdcage.radio.probe import ask_frequency
+from birdcage.radio.probe import ask_receiver
 from birdcage.radio.tuner import Tuner
 from birdcage.radio.tuning import Tuning
 from birdcage.sim.port import open_device
@@ -77,7 +77,7 @@ def test_beside_no_dish_it_hears_its_own_noise(address):
 def test_what_is_a_kind_of_port_and_what_an_address():
     assert is_registered("sim:rig")
     assert not any(is_registered(text) for text in ("localhost:4532", "radio.lan:7356", "socket://a:1", "/dev/ttyUSB0"))
-    assert ask_frequency("sim:rig") == 145e6
+    assert ask_receiver("sim:rig").frequency_hz == 145e6
 
 
 def test_an_option_that_it_does_not_have_is_told():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import re
 from dataclasses import replace
 
 import pytest
@@ -205,3 +206,10 @@ def test_what_a_mask_hides_all_the_way_can_be_followed_and_says_so(minutes, says
     assert "behind the horizon mask all the way" in text
     assert says in text
     assert "Never in reach" not in text
+
+
+def test_the_radio_pane_says_what_sdrpp_does_and_does_not():
+    text = re.sub(r"[ │]+", " ", run(read, "craft-sdrpp", size=(160, 48)))
+    for words in ("strength none: it answers RPRT 1", "recording told to begin", "SDR++ takes AOS with Recording",
+                  "too: check that it records."):  # fmt: skip
+        assert words in text, words

@@ -12,6 +12,7 @@ import sky_stand_in
 import stand_in
 from birdcage.base.geometry import separation
 from birdcage.pursuit.now import DeskNow, Found, Mode, Scheduled, Unfinished
+from birdcage.radio import peer
 from birdcage.radio.now import RadioNow, RadioState
 from birdcage.sky.age import expected_error
 from birdcage.sky.element_error import ElementError
@@ -190,7 +191,10 @@ def desk(of=None, **changes):
 
 
 TUNED = RadioNow(RadioState.TUNED, "localhost:4532", "METEOR-M2 4", 137.9e6, -1843.0, 137.898157e6, 137.89815e6, -38.2,
-                 True)  # fmt: skip
+                 recording=True)  # fmt: skip
+
+SDRPP = replace(TUNED, strength_db=None, strength_refused=1)
+SDRPP = replace(SDRPP, sentence=peer.remark(SDRPP))
 
 
 def pursuit(of, phase, why="", next_what="", next_s=None, clock=None, **more):
@@ -235,6 +239,11 @@ def old(clock):
 
 def old_chosen(clock):
     return stand_in.at_rest(clock), desk(plan("METOP-B", 38771, 12, 10, 231, 62, 38, age_days=3228.0)), []
+
+
+def heard_by_sdrpp(clock):
+    state, now, seen = following(clock)
+    return state, replace(now, radio=SDRPP), seen
 
 
 def keyhole(clock):
@@ -320,6 +329,7 @@ SCENES = {
     "craft-following": following, "craft-days": days,
     "craft-old": old, "craft-old-chosen": old_chosen, "craft-keyhole": keyhole, "craft-moon": followed_moon,
     "craft-interrupted": interrupted, "craft-over": over, "craft-held": held,
+    "craft-sdrpp": heard_by_sdrpp,
 }  # fmt: skip
 
 

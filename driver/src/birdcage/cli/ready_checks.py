@@ -29,12 +29,14 @@ class Check:
     """The command, or what else mends it; empty for what is good."""
 
 
-def checks(paths: Paths, settings: Settings, now: datetime) -> Iterator[Check]:
+def checks(paths: Paths, settings: Settings, now: datetime, *, try_recording: bool = False) -> Iterator[Check]:
     """Yield every check, in the order in which one mends them; takes at most 5 s.
 
-    No port is opened, and nobody is asked over a network but the receiver, where one is set.
+    No port is opened, and nobody is asked over a network but the receiver, where one is set: `try_recording` lets that
+    record for 2 s more.
     """
-    from birdcage.cli.ready_beside import hooks, radio
+    from birdcage.cli.ready_beside import hooks
+    from birdcage.cli.ready_radio import radio
     from birdcage.cli.ready_sky import clock, elements, ephemeris
 
     yield config(paths, settings)
@@ -48,7 +50,7 @@ def checks(paths: Paths, settings: Settings, now: datetime) -> Iterator[Check]:
     yield limits(settings)
     yield feed(settings)
     yield downlinks(paths)
-    yield from radio(settings)
+    yield from radio(settings, try_recording=try_recording)
     yield from hooks(settings)
 
 

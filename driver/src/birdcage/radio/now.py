@@ -38,10 +38,15 @@ class RadioNow:
     """What it says that it is tuned to."""
     strength_db: float | None = None
     """`l STRENGTH`: dB, over S9 with a real radio, over full scale with an SDR."""
+    strength_refused: int | None = None
+    """The code behind RPRT with which it refused `l STRENGTH`."""
     strength_at: datetime | None = None
     """When that was read."""
     recording: bool | None = None
-    """Whether it was told AOS and not LOS yet, and took it; None where it does not know these words."""
+    """Whether it was told AOS and not LOS yet, and took it; None where it does not know these words.
+
+    That is no proof of a recording: SDR++ takes AOS with its recording switched off, too.
+    """
     sentence: str = ""
 
     @property

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from birdcage.base.clock import Clock
 from birdcage.base.config.tracking_sections import RadioSettings
+from birdcage.radio import peer
 from birdcage.radio.errors import RadioLost, RadioRefused
 from birdcage.radio.now import RadioNow, RadioState
 from birdcage.radio.recorder import Recorder
@@ -159,11 +160,18 @@ class Receiver:
         if self._settings.strength and self._has_strength:
             # Not asked again where it is refused, nor where it cost the connection.
             self._has_strength = False
-            strength_db = _or_none(rig.strength_db)
-            self._has_strength = strength_db is not None
-            self._show(strength_db=strength_db, strength_at=self._clock.utc() if self._has_strength else None)
+            self._read_strength(rig)
         if self.now.state is RadioState.TUNED:
-            self._show(sentence=self._astray())
+            self._show(sentence=self._astray() or peer.remark(replace(self.now, recording=self._recorder.recording)))
+
+    def _read_strength(self, rig: Rig) -> None:
+        try:
+            strength_db = rig.strength_db()
+        except RadioRefused as refused:
+            self._show(strength_db=None, strength_at=None, strength_refused=refused.code)
+        else:
+            self._has_strength = True
+            self._show(strength_db=strength_db, strength_at=self._clock.utc(), strength_refused=None)
 
     def _astray(self) -> str:
         read_hz, tuned_hz = self.now.read_back_hz, self.now.tuned_hz
@@ -179,7 +187,7 @@ class Receiver:
         self._call_at = self._clock.monotonic() + wait_s
         hint = ""
         if first and error.reason == "silent":
-            hint = " SDR++ talks to one program at a time; rigctld must run without --vfo."
+            hint = f" {peer.SILENT}"
         if first and error.reason == "closed":
             hint = " gqrx does that to hosts that are not on its list."
         self._show(

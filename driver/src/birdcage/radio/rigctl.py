@@ -46,6 +46,10 @@ class Rig:
         """Return `l STRENGTH`: dB over S9 of a real radio, over full scale of an SDR. RadioRefused, RadioLost."""
         return self._number("l STRENGTH")
 
+    def modes(self) -> tuple[str, ...]:
+        """Return what `M ?` lists: it asks and sets nothing. RadioRefused, RadioLost."""
+        return tuple(self._ask("M ?", wants_value=True).split())
+
     def word(self, word: Literal["AOS", "LOS"]) -> None:
         """Say that a recording is to begin or to end. RadioRefused where it does not know these words, RadioLost.
 

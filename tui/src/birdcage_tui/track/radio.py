@@ -46,6 +46,8 @@ class RadioPane(Pane):
             facts += [("tuned", megahertz(radio.tuned_hz)), ("it says", megahertz(radio.read_back_hz))]
             if radio.strength_db is not None:
                 facts.append(("strength", f"{radio.strength_db:.1f} dB"))
+            elif radio.strength_refused is not None:
+                facts.append(("strength", f"none: it answers RPRT {radio.strength_refused}"))
             if radio.recording is not None:
                 facts.append(("recording", "told to begin" if radio.recording else "no"))
         for name, value in facts:
@@ -53,8 +55,9 @@ class RadioPane(Pane):
                 cells.put(1, y, name, "dim")
                 cells.put(13, y, value[: max(cells.width - 14, 0)], "text")
                 y += 1
+        told = "dim" if not radio.address else "warn" if radio.state is RadioState.TUNED else ink
         sentence = radio.sentence or ("" if radio.address else UNSET)
         for line in textwrap.wrap(sentence, max(cells.width - 2, 10)):
             if y < cells.height:
-                cells.put(1, y, line, "dim" if not radio.address else ink)
+                cells.put(1, y, line, told)
                 y += 1

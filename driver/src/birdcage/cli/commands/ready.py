@@ -9,20 +9,24 @@ from birdcage.cli.options import find_paths, flags, global_options, load_setting
 
 
 @click.command("ready", short_help="Check what is missing before you leave home.", epilog=DATA_EPILOG)
+@click.option("--try-recording", is_flag=True,
+              help="Tell the receiver AOS and, 2 s later, LOS. It records if that is armed; a recording under way "
+                   "ends.")  # fmt: skip
 @global_options("port", "firmware", "config", "json", "verbose")
 @click.pass_context
-def command(context: click.Context) -> None:
+def command(context: click.Context, try_recording: bool) -> None:
     """Go through all that is needed where there is no network: elements, clock, ephemeris, place, port, settings.
 
-    No port is opened and the dish stays as it is; a receiver that is set is asked for its frequency. ✓ is good, ! is
-    worth a look, ✗ must be mended: then the exit status is 1.
+    No port is opened and the dish stays as it is. A receiver that is set is asked for frequency, level and modes, and
+    left as it is: whether it records shows only with --try-recording. ✓ is good, ! is worth a look, ✗ must be mended:
+    then the exit status is 1.
     """
     from birdcage.base.clock import RealClock
     from birdcage.cli.ready_checks import GLYPHS, checks
     from birdcage.cli.say import say, tell, tell_json
 
     paths = find_paths()
-    found = list(checks(paths, load_settings(paths), RealClock().utc()))
+    found = list(checks(paths, load_settings(paths), RealClock().utc(), try_recording=try_recording))
     must = sum(each.state == "must" for each in found)
     look = sum(each.state == "look" for each in found)
     if flags().json:
