@@ -90,7 +90,17 @@ def test_a_slot_with_its_skew(where, as_json):
     assert (told["azimuth_deg"], told["elevation_deg"]) == pytest.approx((145.45, 25.41), abs=0.04)
     assert told["skew_deg"] == pytest.approx(-20.84, abs=0.05)
     assert told["rise_db"] is None
-    assert "20.8° counterclockwise" in where("28.2E", "--lat", 51.5, "--lon", -0.1).stdout
+    assert (told["slot_tilt_deg"], told["feed_skew_deg"]) == (7.0, pytest.approx(-13.84, abs=0.05))
+    text = where("28.2E", "--lat", 51.5, "--lon", -0.1).stdout
+    assert "skew       20.8° counterclockwise by geometry" in text
+    assert "tilt       7.0° clockwise of the slot's own: 13.8° counterclockwise in all" in text
+
+
+def test_a_slot_whose_tilt_no_source_tells(where, as_json):
+    told = as_json(where("13E", "--lat", 51.5, "--lon", -0.1, "--json"))
+    assert told["skew_deg"] == pytest.approx(-10.2, abs=0.2)
+    assert (told["slot_tilt_deg"], told["feed_skew_deg"]) == (None, None)
+    assert "tilt       the slot's own is not known" in where("13E", "--lat", 51.5, "--lon", -0.1).stdout
 
 
 @pytest.mark.parametrize(

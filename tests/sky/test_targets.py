@@ -207,13 +207,13 @@ def test_the_sky_turns_fifteen_degrees_an_hour_and_slots_stand_still():
 
 
 def test_the_skew_is_told_for_linear_polarisation_only():
-    assert target_of("28.2E").skew_deg(Observer(51.5, -0.1)) == pytest.approx(-20.84, abs=0.05)
-    assert target_of("119W").skew_deg(Observer(40.0, -100.0)) is None
+    assert target_of("28.2E").skew(Observer(51.5, -0.1)).geometry_deg == pytest.approx(-20.84, abs=0.05)
+    assert target_of("119W").skew(Observer(40.0, -100.0)) is None
 
 
 def test_where_the_polarisation_is_not_known_the_skew_is_told_for_a_linear_one():
     target = target_of("103W")
     assert target.slot.polarization is None
-    assert target.skew_deg(OMAHA) == pytest.approx(look_at_slot(OMAHA, -103.0).skew_deg)
+    assert target.skew(OMAHA).geometry_deg == pytest.approx(look_at_slot(OMAHA, -103.0).skew_deg)
     assert target_of("123.4W").slot.polarization is None
-    assert target_of("119W").skew_deg(Observer(39.1, -95.7)) is None, "it is circular"
+    assert target_of("119W").skew(Observer(39.1, -95.7)) is None, "it is circular"

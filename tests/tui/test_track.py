@@ -213,3 +213,17 @@ def test_the_radio_pane_says_what_sdrpp_does_and_does_not():
     for words in ("strength none: it answers RPRT 1", "recording told to begin", "SDR++ takes AOS with Recording",
                   "too: check that it records."):  # fmt: skip
         assert words in text, words
+
+
+@pytest.mark.parametrize(
+    ("size", "words"),
+    [
+        ((80, 24), ("Skew -14.0° geometry +7.0° slot = -7.0°",)),
+        ((120, 36), ("Skew 14.0° counterclockwise by geometry",
+                     "Tilt 7.0° clockwise of the slot's own: 7.0° counterclockwise in all")),
+    ],
+)  # fmt: skip
+def test_a_slot_has_its_skew_and_its_own_tilt_apart(size, words):
+    text = run(read, "craft-slot", size=size)
+    for each in words:
+        assert each in text

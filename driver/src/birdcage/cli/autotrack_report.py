@@ -32,7 +32,7 @@ def tell_schedule(rows: Sequence[Scheduled], begin: datetime, hours: float, widt
         tell(line)
     kept = [row for row in rows if row.kept]
     lasts = minutes(sum((row.reach_end - row.reach_start).total_seconds() for row in kept))
-    say(f"{len(kept)} of {len(rows)} passes would be followed, {lasts} in all.")
+    say(f"{len(kept)} of {len(rows)} passes would be followed, {lasts} in all. BEST is without refraction.")
 
 
 def timeline(rows: Sequence[Scheduled], begin: datetime, hours: float, width: int) -> Iterator[str]:
@@ -88,6 +88,7 @@ def values_of_schedule(rows: Sequence[Scheduled], begin: datetime, hours: float)
     return {
         "start": iso(begin),
         "hours": hours,
+        "refraction": "none",
         "passes": [
             {
                 "name": row.name,

@@ -115,13 +115,14 @@ def residual_plot(points: Sequence[tuple[int, float, float]]) -> list[str]:
     return [*lines, f"{'':8} {left}{f'right {edge}':>{PLOT_COLUMNS - len(left)}}"]
 
 
-def proposal_values(proposal: Proposal) -> dict[str, object]:
-    """Return a proposal for JSON."""
+def proposal_values(proposal: Proposal, refraction: str) -> dict[str, object]:
+    """Return a proposal for JSON; `refraction` is what lifts its elevation."""
     candidate = proposal.candidate
     return {
         "target": candidate.name,
         "azimuth_deg": round(candidate.az_deg, 3),
         "elevation_deg": round(candidate.el_deg, 3),
+        "refraction": refraction,
         "rise_db": _maybe(candidate.rise_db, 2),
         "sigma_deg": round(candidate.sigma_deg, 3),
         "error_now_deg": round(proposal.error_now_deg, 3),

@@ -42,6 +42,7 @@ class Row:
             "norad_id": None if elements is None else elements.norad_id or None,
             "azimuth_deg": round(self.seen.az_deg, 4) % 360.0,
             "elevation_deg": round(self.seen.el_deg, 4),
+            "refraction": "none",
             "range_km": rounded(self.seen.range_km, 3),
             "range_rate_km_s": rounded(self.seen.range_rate_km_s, 6),
             "in_reach": None if self.in_the_way is None else not self.in_the_way,

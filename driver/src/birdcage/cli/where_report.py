@@ -14,9 +14,12 @@ if TYPE_CHECKING:
     from birdcage.sky.elements import ElementSet
     from birdcage.sky.look import LookAngle, LookRate
     from birdcage.sky.observer import Observer
+    from birdcage.sky.skew import Skew
     from birdcage.sky.targets import Target
+    from birdcage.tracking.planning.refraction import Refraction
 
 
+NO_SKEW = dict.fromkeys(("skew_deg", "slot_tilt_deg", "feed_skew_deg"))
 FAINT_DB = 0.1
 """A meter does not show less."""
 
@@ -32,7 +35,10 @@ class Report:
     turning: LookRate
     in_the_way: str | None
     """Why this dish can't point there; empty for nothing, None when its limits are not known."""
-    skew_deg: float | None
+    skew: Skew | None
+    """Of a slot that is not circular."""
+    refraction: Refraction
+    """By what this dish is lifted when it tracks; nothing here is."""
     rise_db: float | None
     feed: str
     system_k: float
@@ -58,7 +64,8 @@ class Report:
             seen=seen,
             turning=rate(target, observer, when),
             in_the_way=what_stands_in_the_way(dish)(seen),
-            skew_deg=target.skew_deg(observer) if isinstance(target, SlotTarget) else None,
+            skew=target.skew(observer) if isinstance(target, SlotTarget) else None,
+            refraction=dish.settings.tracking.refraction,
             rise_db=expected_rise_db(target, seen, Ear.of(feed)),
             feed=dish.settings.feed.active,
             system_k=feed.system_k,
@@ -82,6 +89,15 @@ class Report:
             return None
         return expected_error(self.elements, self.when, self.seen.range_km if self.seen.el_deg > 0.0 else None)
 
+    @property
+    def lift_deg(self) -> float | None:
+        """How much higher the dish points when it tracks this; None below the horizon."""
+        from birdcage.tracking.planning.refraction import lift_deg
+
+        if self.seen.el_deg < 0.0 or self.target.kind == "fixed":
+            return None
+        return float(lift_deg(self.seen.el_deg, self.refraction))
+
     def values(self) -> dict[str, object]:
         """Return it for JSON."""
         from birdcage.sky.age import error_values
@@ -103,7 +119,9 @@ class Report:
             "range_rate_km_s": rounded(self.seen.range_rate_km_s, 6),
             "in_reach": None if self.in_the_way is None else not self.in_the_way,
             "in_the_way": self.in_the_way or None,
-            "skew_deg": rounded(self.skew_deg, 2),
+            "refraction": "none",
+            "refraction_deg": rounded(self.lift_deg, 4),
+            **(NO_SKEW if self.skew is None else self.skew.values()),
             "rise_db": rounded(self.rise_db, 4),
             "feed": self.feed,
             "system_k": self.system_k,
@@ -131,18 +149,23 @@ class Report:
             f"place      {where} {place.name}".rstrip(),
             f"azimuth    {seen.az_deg:11.3f} °  {self.turning.az_deg_s:+9.4f} °/s",
             f"elevation  {seen.el_deg:11.3f} °  {self.turning.el_deg_s:+9.4f} °/s",
+            f"refraction not in these angles{self._lift_words()}",
             f"range      {far}  {away}".rstrip(),
             f"this dish  {self._reach_words()}",
         ]
-        if self.skew_deg is not None:
-            side = "clockwise" if self.skew_deg > 0 else "counterclockwise"
-            lines.append(f"skew       {abs(self.skew_deg):.1f}° {side} from behind the dish, for linear polarisation")
+        if self.skew is not None:
+            lines += [f"{name:10} {words}" for name, words in zip(("skew", "tilt"), self.skew.words(), strict=True)]
         lines.append(f"rise       {self._rise_words()}")
         if self.elements is not None:
             lines.append(f"elements   {self._age_words()}")
         if self.error is not None:
             lines.append(f"error      {self.error.glyph} {self.error.grade}: {self.error.words}")
         return lines
+
+    def _lift_words(self) -> str:
+        if not self.lift_deg:
+            return ""
+        return f": tracking points {self.lift_deg:.3f}° higher ({self.refraction})"
 
     def _rise_words(self) -> str:
         from birdcage.sky.rise import rise_words

@@ -40,7 +40,7 @@ class SlotLook:
     range_km: float
     skew_deg: float
     """How far a feed must be turned for linear polarisation, -90 to 90: clockwise is positive, looking from behind the
-    dish towards the satellite. The satellite's own tilt, some degrees on a few of them, comes on top."""
+    dish towards the satellite. The slot's own tilt, some degrees on a few of them, comes on top (`sky.skew`)."""
 
     @property
     def visible(self) -> bool:

@@ -19,6 +19,8 @@ class Slot:
     """The one that a dish is pointed there for."""
     polarization: Literal["linear", "circular"] | None = None
     """Of its downlink; None where it is not known."""
+    tilt_deg: float | None = None
+    """By how much its satellites are turned about the line of sight, clockwise as in `birdcage.sky.skew`."""
     aliases: tuple[str, ...] = ()
 
     @property

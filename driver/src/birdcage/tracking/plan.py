@@ -13,6 +13,8 @@ from birdcage.tracking.curve import Curve, Floats
 
 if TYPE_CHECKING:
     from birdcage.sky.element_error import ElementError
+    from birdcage.sky.skew import Skew
+    from birdcage.tracking.planning.refraction import Refraction
     from birdcage.tracking.pointing_error import PointingError
 
 
@@ -28,6 +30,10 @@ class Aim:
     """Of its downlink; decibels and Doppler are told at it."""
     time_offset_s: float = 0.0
     """How much later than computed it comes."""
+    refraction: Refraction = "radio"
+    """By what the path of the plan is lifted near the horizon."""
+    skew: Skew | None = None
+    """Of a slot that is not circular."""
 
 
 class Part(Enum):

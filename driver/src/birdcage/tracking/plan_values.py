@@ -28,6 +28,8 @@ def plan_values(plan: Plan, *, step_s: float = _STEP_S) -> dict[str, Any]:
             "name": aim.name, "kind": aim.kind, "norad_id": aim.norad_id, "frequency_hz": aim.frequency_hz,
             "time_offset_s": aim.time_offset_s,
         },
+        "refraction": aim.refraction,
+        **({} if aim.skew is None else aim.skew.values()),
         "made_at": iso(plan.made_at),
         "pass": None if plan.passing is None else _pass(plan.passing),
         "reach": _reach(plan.reach),

@@ -20,6 +20,12 @@ _ROWS = 14
 _BAR = 69
 _INDENT = " " * 9
 _EVENTS = ("aos", "tca", "los")
+_REFRACTION = {
+    "radio": "el includes refraction, as radio waves are bent",
+    "optical": "el includes refraction, as light is bent",
+    "none": "el is without refraction",
+}
+"""By `Aim.refraction`."""
 _HEAD = "UTC        event         az     el    dish az dish el   error    loss"
 
 
@@ -28,7 +34,7 @@ def plan_lines(plan: Plan) -> list[str]:
     lines = [*_head(plan), "", *_summary(plan), ""]
     if plan.legs:
         lines += [*_bar(plan), ""]
-    lines += [_HEAD, *_table(plan)]
+    lines += [_HEAD, *_table(plan), _REFRACTION[plan.aim.refraction]]
     if plan.notes:
         lines.append("")
     for note in plan.notes:
@@ -51,6 +57,10 @@ def _head(plan: Plan) -> Iterator[str]:
         mhz = "" if aim.frequency_hz is None else f"{aim.frequency_hz / 1e6:.4f}".rstrip("0").rstrip(".") + " MHz"
         late = f"{aim.time_offset_s:+.1f} s along its track" if aim.time_offset_s else ""
         yield "   ".join(part for part in (mhz, late) if part)
+    if aim.skew is not None:
+        geometry, tilt = aim.skew.words()
+        yield f"Skew {geometry}"
+        yield f"Tilt {tilt}"
 
 
 def _summary(plan: Plan) -> Iterator[str]:

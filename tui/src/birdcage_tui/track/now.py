@@ -35,6 +35,9 @@ ROOMY = 56
 BIG = 9
 """From so many rows on the error is written in big digits."""
 
+SKEW_WIDTH = 70
+"""From so many columns on the skew is written out."""
+
 
 class TrackNow(Pane):
     """Words, most important first; the error in big digits where there is room."""
@@ -117,7 +120,7 @@ class TrackNow(Pane):
         if pursuit.latency_s is not None:
             steers += f", {pursuit.latency_s * 1000:.0f} ms a command"
         found += [("dim", steers)] if steers else []
-        return [*found, *(("dim", note) for note in pursuit.plan.notes)]
+        return [*found, *_skew(pursuit.plan, width), *(("dim", note) for note in pursuit.plan.notes)]
 
 
 def _watched(view: View, width: int) -> list[tuple[str, str]]:
@@ -140,6 +143,7 @@ def _watched(view: View, width: int) -> list[tuple[str, str]]:
     t_s = view.utc.timestamp()
     found.append(("text", _chance(view, plan, t_s)))
     found += _expected(plan, width)
+    found += _skew(plan, width)
     if plan.preposition is not None and plan.legs and plan.legs[0].start_s > t_s:
         point = plan.preposition
         where = f"{point.true_az_deg:.0f}°/{point.true_el_deg:.0f}°"
@@ -161,6 +165,15 @@ def _expected(plan: Plan, width: int) -> list[tuple[str, str]]:
     helps = [(ink, f"{pointing.advice}.")] if pointing.advice and width < ROOMY else []
     words = f"Expected: error {error_words(pointing)}, of the dish alone {own}."
     return [*helps, (ink, words)]
+
+
+def _skew(plan: Plan, width: int) -> list[tuple[str, str]]:
+    """Return how far to turn the feed for a slot, and what of that is the slot's own."""
+    if plan.aim.skew is None:
+        return []
+    if width < SKEW_WIDTH:
+        return [("text", plan.aim.skew.brief())]
+    return [("text", f"{name} {words}") for name, words in zip(("Skew", "Tilt"), plan.aim.skew.words(), strict=True)]
 
 
 def _chance(view: View, plan: Plan, t_s: float) -> str:

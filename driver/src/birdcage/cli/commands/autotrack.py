@@ -39,7 +39,8 @@ def command(
 
     Higher priorities come first (`birdcage elements favourite NAME --priority N`); within one the greatest time within
     reach wins. A pass is cut short only for one of higher priority. `[autotrack]` in birdcage.toml has the least
-    elevation and duration. With --elements every satellite of the file counts as a favourite.
+    elevation and duration. Times and elevations listed are without refraction; following adds it. With --elements every
+    satellite of the file counts as a favourite.
     Nothing moves without --engage; with it the dish has to know where it is, and Ctrl+C stops it.
     """
     from dataclasses import replace

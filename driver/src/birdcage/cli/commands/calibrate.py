@@ -72,7 +72,10 @@ def fit_(terms: int | None, name: str | None) -> None:
 @command.command("list", epilog=DATA_EPILOG)
 @global_options("config", "json", "verbose")
 def list_() -> None:
-    """Print the peaks and the sets; the set in force has a star."""
+    """Print the peaks and the sets; the set in force has a star.
+
+    A peak's true direction includes the refraction that was set when it was taken.
+    """
     from birdcage.base.alignments import is_in_force, load_sets
     from birdcage.cli.calibrate_words import peak_values, set_values, tell_peaks, tell_sets
     from birdcage.cli.say import say, tell, tell_json

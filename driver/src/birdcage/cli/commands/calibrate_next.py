@@ -25,7 +25,7 @@ def next_(at: datetime | None, every: bool) -> None:
 
     Sun, Moon and geostationary places that are up, in reach and not known to be beyond the feed's hearing. RISE is the
     signal to expect, FOUND TO how well a person finds its middle, SKY THEN the error to expect all over the sky
-    afterwards. No dish is needed.
+    afterwards. Elevations include refraction, as `tracking.refraction` sets it. No dish is needed.
     """
     from datetime import UTC, datetime
 
@@ -43,11 +43,13 @@ def next_(at: datetime | None, every: bool) -> None:
     fitted = fit_for(dish.settings, peaks.entries)
     found = proposals_for(dish.settings, peaks.entries, at or datetime.now(UTC), limits_of(dish), fitted)
     shown = found if every else found[:SHOWN]
+    refraction = dish.settings.tracking.refraction
     if flags().json:
-        tell_json([proposal_values(each) for each in shown])
+        tell_json([proposal_values(each, refraction) for each in shown])
         return
     if not found:
         say("Nothing is up that this feed may hear and the dish reaches, but for what was peaked on already.")
         return
     tell_proposals(shown)
+    say(f"Elevations include refraction ({refraction})." if refraction != "none" else "No refraction is included.")
     say(ENOUGH if enough(found) else f"Best: {found[0].candidate.name} {found[0].words()}.")

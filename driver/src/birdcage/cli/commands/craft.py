@@ -22,6 +22,7 @@ def command() -> None:
     """Ask a remote prediction service, if you have one: BIRDCAGE_CRAFT_URL, or elements.craft_url in birdcage.toml.
 
     It computes for its own place, not for yours, and birdcage never follows it: `birdcage passes` needs no network.
+    Whether its angles include refraction is up to that service.
     """
 
 

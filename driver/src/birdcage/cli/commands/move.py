@@ -24,7 +24,7 @@ HOLDER = "birdcage move"
 @click.command("move", epilog=EPILOG, context_settings=NEGATIVE_NUMBERS)
 @click.argument("target", nargs=-1)
 @click.option("--az", "az_deg", type=float, help="Azimuth in degrees, clockwise from true north.")
-@click.option("--el", "el_deg", type=float, help="Elevation in degrees.")
+@click.option("--el", "el_deg", type=float, help="Elevation of the beam in degrees; no refraction is added.")
 @click.option("--leapfrog/--no-leapfrog", help="Aim beyond the target, as older scripts did.  [default: exact]")
 @click.option("--clamp", is_flag=True, help="Go to the nearest allowed elevation instead of refusing.")
 @click.option("--no-wait", is_flag=True, help="End once the dish has taken the target; nobody watches it then.")
@@ -39,7 +39,8 @@ def command(
     """Point the dish at --az and --el, or at where TARGET stands now, and wait until it is there. Ctrl+C stops it.
 
     TARGET is named as for `birdcage where`: 180 45, moon, 28.2E, dish 119, iss. The dish goes there once and stays:
-    `birdcage track TARGET --engage` follows.
+    `birdcage track TARGET --engage` follows. For a target refraction is added, as `tracking.refraction` sets it; for
+    angles that you give it is not.
     """
     from birdcage.cli.dish import open_dish
     from birdcage.cli.say import position_lines, position_values, tell, tell_json
@@ -78,7 +79,7 @@ def _direction(
     from birdcage.cli.named_target import find_target
     from birdcage.cli.say import say
     from birdcage.cli.sky_options import find_observer
-    from birdcage.sky.targets.model import Fixed
+    from birdcage.sky.targets.model import Fixed, SlotTarget
     from birdcage.sky.targets.sight import below_words
     from birdcage.tracking.planning.refraction import lift_deg
 
@@ -104,7 +105,12 @@ def _direction(
         )
     seen = target.look(observer, now)
     el_deg = seen.el_deg + float(lift_deg(seen.el_deg, wants.settings.tracking.refraction))
-    say(f"{target.name}: AZ {seen.az_deg:.2f}° EL {el_deg:.2f}° now.")
+    refraction = wants.settings.tracking.refraction
+    lifted = "without refraction" if refraction == "none" else f"{refraction} refraction included"
+    say(f"{target.name}: AZ {seen.az_deg:.2f}° EL {el_deg:.2f}° now, {lifted}.")
+    skew = target.skew(observer) if isinstance(target, SlotTarget) else None
+    if skew is not None:
+        say(f"{skew.brief()}, clockwise from behind the dish.")
     return seen.az_deg, el_deg
 
 

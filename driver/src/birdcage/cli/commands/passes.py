@@ -69,7 +69,8 @@ def command(
     SATELLITE is named as for `birdcage where`: iss, AO-91, METEOR-M N2-3, 25544.
     AOS and LOS are of the satellite; *reach* is what of the pass the dish can point at: its floor and ceiling, the
     horizon and no-go sectors of birdcage.toml, the cable, and its speed near the zenith. `<` was up
-    before, `>` stays up. Where none is named, the table leaves out what is up all the time.
+    before, `>` stays up. Where none is named, the table leaves out what is up all the time. Times and elevations are
+    without refraction, which `birdcage track` adds: near the horizon the dish points up to half a degree higher.
     """
     from datetime import UTC
 
@@ -116,6 +117,8 @@ def command(
         from birdcage.sky.decay import reentry_warning
 
         missing = tell_passes(rows, begin, freq_hz, room())
+        if rows:
+            say("Times and elevations are without refraction.")
         if missing:
             say(f"No room for {', '.join(missing)}: a wider terminal, --csv or --json has all.")
         warning = reentry_warning((row.elements, row.passing.tca) for row in rows)

@@ -11,7 +11,10 @@ from birdcage.cli.options import flags, global_options, wanted
 @click.command("pos", epilog=EPILOG)
 @global_options()
 def command() -> None:
-    """Print where the dish points, in true degrees: one question to the dish."""
+    """Print where the dish points, in true degrees: one question to the dish.
+
+    That is the direction of its beam: a target that it follows stands there with refraction included.
+    """
     from birdcage.base.errors import PositionUnknown
     from birdcage.cli.dish import open_dish, why_unknown
     from birdcage.cli.say import position_lines, position_values, tell, tell_json

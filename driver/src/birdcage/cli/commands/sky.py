@@ -36,7 +36,7 @@ def command(
 ) -> None:  # fmt: skip
     """List what is up now, highest first: satellites of the catalogue, well-known slots, Sun, Moon and planets.
 
-    No dish and no network are needed.
+    Elevations are without refraction, which `birdcage track` adds. No dish and no network are needed.
     """
     from datetime import UTC, datetime
 
@@ -62,6 +62,8 @@ def command(
         return
     for line in table(rows, when):
         tell(line)
+    if rows:
+        say("Elevations are without refraction.")
     if len(rows) < len(up.rows):
         say(f"{len(up.rows) - len(rows)} more stand lower: --limit N shows them.")
     if not rows:

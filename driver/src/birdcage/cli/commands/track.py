@@ -67,7 +67,8 @@ def command(
 
     TARGET is named as for `birdcage where`: iss, AO-91, 25544, sun, polaris, 28.2E, dish 119, ra=5h34m,dec=+22d.
     Without --engage nothing is opened and nothing moves: the next pass that comes into reach is planned for the dish
-    that --firmware names. With --engage the dish has to know where it is. Ctrl+C stops it.
+    that --firmware names. Elevations of the plan include refraction as `tracking.refraction` sets it: radio, optical or
+    none. With --engage the dish has to know where it is. Ctrl+C stops it.
     """
     from birdcage.cli.named_target import find_target
     from birdcage.cli.options import wanted

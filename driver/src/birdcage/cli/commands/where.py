@@ -36,7 +36,8 @@ def command(
 
     TARGET is a satellite by name, another of its names, or number (iss, AO-91, 25544); sun, moon or a planet; polaris,
     cas a; 28.2E, dish 119 or a slot such as QO-100; ra=5h34m,dec=+22d; gal 120,-5; 180 45 or az 180 el -3.
-    No dish and no network are needed.
+    Azimuth and elevation are without refraction; how much `birdcage track` adds stands beside them. No dish and no
+    network are needed.
     """
     from datetime import UTC, datetime
 

@@ -31,6 +31,7 @@ def values_of(row: PassRow, freq_hz: float | None = None) -> dict[str, object]:
         "tca_azimuth_deg": round(passing.tca_azimuth_deg, 4),
         "los_azimuth_deg": round(passing.los_azimuth_deg, 4),
         "max_elevation_deg": round(passing.max_elevation_deg, 4),
+        "refraction": "none",
         "duration_s": round(passing.duration_s, 3),
         "reach": [{"start": iso(stretch.start), "end": iso(stretch.end)} for stretch in found.intervals],
         "reach_s": round(found.total_s, 3),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from dataclasses import replace
 
 from birdcage.sky.galactic import equatorial
 from birdcage.sky.slots import Slot, slots
@@ -33,7 +34,7 @@ def slot_at(longitude_deg: float) -> SlotTarget:
     known = min(slots(), key=lambda slot: abs(_turn(slot.longitude_deg - longitude_deg)))
     if abs(_turn(known.longitude_deg - longitude_deg)) >= _SAME_SLOT_DEG:
         return SlotTarget(Slot(longitude_deg, ""))
-    return SlotTarget(Slot(longitude_deg, known.name, known.networks, known.band, known.polarization))
+    return SlotTarget(replace(known, longitude_deg=longitude_deg))
 
 
 def _slot(found: re.Match[str]) -> SlotTarget:

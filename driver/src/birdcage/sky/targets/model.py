@@ -12,6 +12,7 @@ from birdcage.sky.ephemeris.bodies import Body, look_at_star
 from birdcage.sky.geostationary import look_at_slot
 from birdcage.sky.look import LookAngle, LookRate, rate_between
 from birdcage.sky.observer import Observer
+from birdcage.sky.skew import Skew, skew_of
 from birdcage.sky.slots import Slot
 
 Kind = Literal["satellite", "slot", "body", "star", "fixed"]
@@ -89,14 +90,9 @@ class SlotTarget:
         seen = look_at_slot(observer, self.slot.longitude_deg)
         return LookAngle(seen.az_deg, seen.el_deg, seen.range_km, 0.0)
 
-    def skew_deg(self, observer: Observer) -> float | None:
-        """Return how far a feed is to be turned for a linear downlink, in degrees; None where it is circular.
-
-        Where the polarisation is not known this is what a linear one would ask for.
-        """
-        return (
-            None if self.slot.polarization == "circular" else look_at_slot(observer, self.slot.longitude_deg).skew_deg
-        )
+    def skew(self, observer: Observer) -> Skew | None:
+        """Return how far a feed is to be turned for a linear downlink; None where it is circular."""
+        return skew_of(self.slot, observer)
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from birdcage.sky.element_error import ElementError, element_error
 from birdcage.sky.frames import posix_s
 from birdcage.sky.observer import Observer
 from birdcage.sky.passes.model import Pass
-from birdcage.sky.targets.model import Satellite, Target
+from birdcage.sky.targets.model import Satellite, SlotTarget, Target
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.mount import Mount
 from birdcage.tracking.plan import Aim, Plan
@@ -50,6 +50,8 @@ def plan_pass(
 
     BirdcageError where a position is not known at some time; ValueError for a naive time.
     """
+    if target.kind == "fixed":
+        refraction = "none"  # it is where the beam is to point, as in a go-to
     now_s = posix_s(now)
     if passing is None or (passing.already_up and passing.still_up):
         start_s, end_s = now_s, now_s + hours * 3600.0
@@ -61,7 +63,8 @@ def plan_pass(
     own_offset_s = target.time_offset_s if isinstance(target, Satellite) else 0.0
     aim = Aim(
         target.name, target.kind, target.elements.norad_id if isinstance(target, Satellite) else None,
-        frequency_hz, own_offset_s + time_offset_s,
+        frequency_hz, own_offset_s + time_offset_s, refraction,
+        target.skew(observer) if isinstance(target, SlotTarget) else None,
     )  # fmt: skip
     believed = None
     if isinstance(target, Satellite):
