@@ -28,6 +28,7 @@ BUDGET = {
     "g2_velocity_matched_median_rms_deg": 0.005, "travler5_median_rms_deg": 0.09, "travler5_off_keyhole_rms_deg": 0.12,
     "keyhole_ratio_to_limit": 2.6, "unplanned_rewinds": 0, "largest_backlog": 1, "time_within_1db_below_limit": 0.005,
     "robust_ratio": 2.0, "clock_wrong_restored_ratio": 1.2,
+    "velocity_lost_ratio_to_stepping": 1.15,
 }  # fmt: skip
 AT_LEAST = {"times_better_than_move_to_now": 10.0, "times_better_than_gpredict5": 100.0}
 HEAD = f"{'':34}{'median':>8}{'worst':>8}{'median':>8}{'worst':>8}{'within':>9}{'of':>9}{'commands':>10}"
@@ -52,6 +53,8 @@ def main() -> None:
         "g2 worn velocity": [Work(case, G2.name, "velocity matched", "worn") for case in some],
         "travler": [Work(case, TRAVLER_5.name, "queued") for case in travler],
         "travler hard": [Work(case, TRAVLER_5.name, "queued") for case in hard],
+        "g2 lost": [Work(case, G2.name, "fast", "lost") for case in some],
+        "g2 lost velocity": [Work(case, G2.name, "velocity matched", "lost") for case in some],
         "g2 some": [Work(case, G2.name, "fast") for case in some],
         "g2 shaken": [Work(case, G2.name, "fast", "shaken") for case in some],
         "g2 late": [Work(case, G2.name, "fast", late_s=LATE_S) for case in some],
@@ -126,6 +129,8 @@ def _print_all(scores: dict[str, list[Score]], passes: int) -> None:
     print(f"\nRobust, Carryout G2, every fifth pass\n{HEAD}\n{HEAD2}")
     _row("base case", scores["g2 some"])
     _row("200 ms jitter, 2 % lost, 0.06° play", scores["g2 shaken"])
+    _row("2 % of the replies lost", scores["g2 lost"])
+    _row("  velocity matched", scores["g2 lost velocity"])
     _row("clock 1 s behind", scores["g2 late"])
     _row("  with a time offset of -1 s", scores["g2 late mended"])
     print()
@@ -137,7 +142,16 @@ def _report(scores: dict[str, list[Score]]) -> dict[str, float]:
 
     ours = [
         score
-        for name in ("g2", "g2 hard", "g2 velocity", "travler", "travler hard", "g2 worn", "g2 shaken")
+        for name in (
+            "g2",
+            "g2 hard",
+            "g2 velocity",
+            "travler",
+            "travler hard",
+            "g2 worn",
+            "g2 shaken",
+            "g2 lost velocity",
+        )
         for score in scores[name]
     ]
     both = scores["g2"] + scores["travler"]
@@ -160,6 +174,11 @@ def _report(scores: dict[str, list[Score]]) -> dict[str, float]:
         "gpredict1_median_rms_deg": median("g2 Gpredict, 1°"),
         "move_to_now_median_rms_deg": median("g2 move to now, 1 Hz"),
         "robust_ratio": median("g2 shaken") / median("g2 some"),
+        "velocity_lost_median_rms_deg": median("g2 lost velocity"),
+        "velocity_lost_ratio_to_stepping": max(
+            matched.rms / stepped.rms
+            for matched, stepped in zip(scores["g2 lost velocity"], scores["g2 lost"], strict=True)
+        ),
         "clock_wrong_median_rms_deg": median("g2 late"),
         "clock_wrong_restored_ratio": median("g2 late mended") / median("g2 some"),
     }

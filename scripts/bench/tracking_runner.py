@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 
@@ -16,6 +17,7 @@ from birdcage.base.geometry import wrap_360
 from birdcage.link.link import Link
 from birdcage.protocol.model import DishModel
 from birdcage.protocol.registry import get_protocol
+from birdcage.sim.device import Device
 from birdcage.sim.port import SimPort, open_device
 from birdcage.tracking.controller import Controller, Helm
 from birdcage.tracking.curve import Curve
@@ -26,6 +28,7 @@ EARLY_S = 240.0
 """How long before the pass the bench is set up: a Trav'ler at 5 deg/s needs 91 s for its whole cable."""
 
 
+DELAY_S = 2.0
 PIECE_S = 0.004
 """How long a byte waits in the adapter at the longest while others follow it."""
 
@@ -37,8 +40,11 @@ class AdapterPort(SimPort):
     """
 
     share = 0.0
-    dice = random.Random(7)
     lost = 0
+
+    def __init__(self, device: Device, name: str, *, baud: int, seed: int) -> None:
+        self.dice = random.Random(seed)
+        super().__init__(device, name, baud=baud)
 
     def pending(self) -> bool:
         found = super().pending()
@@ -86,7 +92,7 @@ class Bench:
     start_s: float
     lost: float = 0.0
     late_s: float = 0.0
-    delay_s: float = 2.0
+    seed: int = 1
     samples: list[tuple[float, float, float]] = field(default_factory=list)
     commands: int = 0
     backlog: int = 0
@@ -98,8 +104,8 @@ class Bench:
         self.clock = VirtualClock(datetime.fromtimestamp(self.start_s - EARLY_S, UTC))
         self.device = open_device(self.address, clock=self.clock)
         self.protocol = get_protocol(self.address.partition("?")[0])
-        self.port = AdapterPort(self.device, "bench", baud=self.model.baud)
-        self.protocol.attach(Link(self.port, self.clock), self.clock, delay_s=self.delay_s)
+        self.port = AdapterPort(self.device, "bench", baud=self.model.baud, seed=self.seed)
+        self.protocol.attach(Link(self.port, self.clock), self.clock, delay_s=DELAY_S)
         self.antenna = BirdcageAntenna(self.protocol)
         self.antenna.initialize()
         self.antenna.model = self.model
@@ -137,11 +143,22 @@ class Bench:
         if ahead_s > 0:
             self.clock.advance(ahead_s)
 
-    def follow(self, controller: Controller, course: Curve, start_s: float, end_s: float) -> None:
-        """Let a controller steer from one time to another, as the computer's clock has them."""
-        self.wait(start_s)
+    def wait_in_place(self, until_s: float) -> None:
+        """Read the position once a second, as the station does."""
+        while self.now_s + 1.0 < until_s:
+            self.clock.advance(1.0)
+            with suppress(NoReply):
+                self.antenna.get_position()
+        self.wait(until_s)
+
+    def follow(self, controller: Controller, course: Curve, start_s: float, end_s: float, lead_s: float = 0.0) -> None:
+        """Let a controller steer from one time to another, as the computer's clock has them; it begins earlier."""
         stands, self.port.share = self.at, self.lost
-        helm = Helm(lambda: course, self.model, *stands, self.now_s, end_s, latency_s=self.latency_s)
+        self.wait_in_place(start_s - lead_s)
+        helm = Helm(
+            lambda: course, self.model, *stands, self.now_s, end_s, self.latency_s, from_s=start_s,
+            answered=self.protocol.console.answered, delay_s=DELAY_S,
+        )  # fmt: skip
         activity = controller(helm)
         answer: Answer | None = None
         try:
@@ -174,7 +191,9 @@ class Bench:
             now_s = self.now_s
             return Answer(now_s, az_deg=seen.azimuth, el_deg=seen.elevation, seen_s=(before_s + now_s) / 2.0)
         if isinstance(step, Limit):
-            self.protocol.set_speed(step.axis, step.speed_deg_s)
+            for motor, speed_deg_s in step.speeds_deg_s.items():
+                self.antenna.use_speeds(self.protocol.set_speed(motor, speed_deg_s))
+            self.protocol.enter_motor_menu()
             return Answer(self.now_s, sent_s=before_s)
         assert isinstance(step, Send)
         self.antenna.steer(step.axis, step.deg)

@@ -15,23 +15,25 @@ from birdcage.tracking.curve import Curve
 from birdcage.tracking.plan import Leg, Part, Plan
 from birdcage.tracking.planning.planner import plan_pass
 from birdcage.tracking.planning.refining import refine
-from birdcage.tracking.pursue import LEAD_S
+from birdcage.tracking.steering.choice import lead_s
 from birdcage.tracking.steering.fast import fast
 from birdcage.tracking.steering.queued import queued
 from birdcage.tracking.steering.velocity import velocity
 from tracking_dishes import G2, IDEAL, SHAKEN, TRAVLER_5, WORN, Dish
 from tracking_passes import Case
 from tracking_peers import PEERS
-from tracking_runner import EARLY_S, Bench
+from tracking_runner import DELAY_S, EARLY_S, Bench
 
 OURS: dict[str, Callable[[], Controller]] = {
     "fast": lambda: fast,
     "velocity matched": lambda: velocity,
     "queued": lambda: queued,
 }
+LEADS_S = {name: lead_s("velocity" if name == "velocity matched" else name, DELAY_S) for name in OURS}
+"""How long before the target comes into reach each takes over."""
 DISHES = {dish.name: dish for dish in (G2, TRAVLER_5)}
-CONDITIONS = {"base": IDEAL, "worn": WORN, "shaken": SHAKEN}
-LOST = {"shaken": 0.02}
+CONDITIONS = {"base": IDEAL, "worn": WORN, "shaken": SHAKEN, "lost": IDEAL}
+LOST = {"shaken": 0.02, "lost": 0.02}
 """Part of the answers."""
 CLOSE_DEG = 0.58
 """1 dB at Ku band for a dish of 33 inches."""
@@ -90,7 +92,7 @@ def run(work: Work) -> Score:
     true = plan if work.offset_s == 0.0 else planned(work, dish, now, 0.0)
     start_s = work.case.passing.aos.timestamp() + work.offset_s
     address = dish.address(CONDITIONS[work.condition], work.seed)
-    bench = Bench(address, dish.model, start_s, LOST.get(work.condition, 0.0), work.late_s)
+    bench = Bench(address, dish.model, start_s, LOST.get(work.condition, 0.0), work.late_s, seed=work.seed)
     stretches, rewinds = _stretches(plan)
     bench.sample(stretches[0][0] + work.late_s, stretches[-1][1] + work.late_s)
     if plan.preposition is not None:
@@ -104,8 +106,7 @@ def run(work: Work) -> Score:
             bench.go(rewind.waypoints or ((rewind.to_az_deg, course.at(rewind.end_s)[1]),))
         bench.at = course.at(begin_s)
         if ours:
-            lead_s = LEAD_S if rewind is None else 0.0
-            bench.follow(OURS[work.policy](), course, begin_s - lead_s, end_s)
+            bench.follow(OURS[work.policy](), course, begin_s, end_s, LEADS_S[work.policy] if rewind is None else 0.0)
         else:
             bench.follow(PEERS[work.policy](), plan.sky, begin_s, end_s)
     return _score(work, dish, plan, true, bench)

@@ -19,7 +19,7 @@ from .pursuit_bench import PARK, PursuitBench, at, g2, plan_of
 
 def slowing(helm):
     """A controller that slows the azimuth down, and then only looks."""
-    now = (yield Limit(0, 7.0)).now_s
+    now = (yield Limit({0: 7.0})).now_s
     while now < helm.until_s:
         yield Look()
         now = (yield Wait(now + 1.0)).now_s
@@ -107,11 +107,11 @@ def test_a_dish_that_does_not_take_its_speed_back_is_a_fault(bench):
 
 def test_stop_while_the_console_is_in_another_menu_to_set_a_speed():
     bench = g2()
-    start = at(bench) + 20.0
+    start = at(bench) + 40.0
     bench.pursue(
-        plan_of(start, lasts_s=60.0, az_rate=3.0, leave_s=start - 19.0), controller="velocity", velocity_allowed=True
+        plan_of(start, lasts_s=60.0, az_rate=3.0, leave_s=start - 39.0), controller="velocity", velocity_allowed=True
     )
-    bench.until(Phase.FOLLOWING).step(6.0)
+    bench.until(Phase.FOLLOWING).step(start + 6.0 - at(bench))
     write, pressed = bench.sim.write, []
 
     def press(data):

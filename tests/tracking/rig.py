@@ -17,6 +17,12 @@ from birdcage.tracking.steps import Answer, Limit, Look, Send, Wait
 REPLY_S = 0.0026
 """The answer on its way, at 115200 baud."""
 
+LATE_S = 0.15
+"""What is waited for the answer to a line of a stream."""
+DELAY_S = 2.0
+LINES = 8
+"""Menus there and back, two speeds set and read back."""
+
 
 def straight(az_rate, el_rate, *, seconds=120.0, az_deg=100.0, el_deg=30.0, start_s=1000.0):
     """A course at constant rates."""
@@ -33,6 +39,11 @@ class Rig:
     mode: str = "retarget"
     latency: tuple[float, float] = (0.02, 0.1)
     lost: float = 0.0
+    """Part of the moves that the dish never gets."""
+    unanswered: float = 0.0
+    """Part of the lines whose answers are lost: a stream goes on soon, any other exchange waits for a quiet line."""
+    early_s: float = 0.0
+    """How long before the course begins it starts."""
     seed: int = 1
     tells: bool = True
     steps: list = field(default_factory=list)
@@ -40,7 +51,8 @@ class Rig:
     largest_backlog: int = 0
 
     def __post_init__(self):
-        self.now = self.course.start_s
+        self.now = self.course.start_s - self.early_s
+        self.quiet_at = self.now
         self.random = random.Random(self.seed)
         az, el = self.course.at(self.now)
         self.ways = {0: [(self.now - 10.0, Slew(az, ()))], 1: [(self.now - 10.0, Slew(el, ()))]}
@@ -51,8 +63,14 @@ class Rig:
         az, el = self.course.at(self.now)
         return Helm(
             course=lambda: self.course, model=self.model, start_az_deg=az, start_el_deg=el, now_s=self.now,
-            until_s=changes.pop("until_s", self.course.end_s), **changes,
+            until_s=changes.pop("until_s", self.course.end_s), from_s=self.course.start_s,
+            answered=changes.pop("answered", self.answered()), delay_s=DELAY_S, **changes,
         )  # fmt: skip
+
+    def answered(self):
+        """How many lines in a row were answered up to now."""
+        chance = random.Random(self.seed)
+        return next((n for n in range(1000) if chance.random() < self.unanswered), 1000)
 
     def run(self, controller, *, each=None, **changes):
         activity = controller(self.helm(**changes))
@@ -73,20 +91,32 @@ class Rig:
         if isinstance(step, Wait):
             self.now = max(self.now, step.until_s)
             return Answer(self.now)
-        self.now += self.random.uniform(*self.latency)
+        if isinstance(step, Limit):
+            return self.limit(step, sent)
+        self.now = max(self.now, self.quiet_at) + self.random.uniform(*self.latency)
+        answered = self.random.random() >= self.unanswered
         if isinstance(step, Look):
-            if not self.tells:
+            if not self.tells or not answered:
+                self.now += 0.0 if answered else LATE_S
                 return Answer(self.now)
             return Answer(self.now, az_deg=self.at(0) % 360.0, el_deg=self.at(1), seen_s=self.now)
-        if isinstance(step, Limit):
-            self.speeds[step.axis] = step.speed_deg_s
-            return Answer(self.now, sent_s=sent)
         assert isinstance(step, Send)
         if self.random.random() >= self.lost:
             self.move(step)
         if self.mode == "blocking":
             self.now = max(self.now, self.ends[-1])
-        self.now += REPLY_S
+        self.now += REPLY_S if answered else LATE_S
+        return Answer(self.now, sent_s=sent if answered else None)
+
+    def limit(self, step, sent):
+        """There and back through the menus; an answer that is lost there is waited for in full (decision 0003)."""
+        self.now = max(self.now, self.quiet_at)
+        for _ in range(LINES):
+            self.now += self.random.uniform(*self.latency)
+            if self.random.random() < self.unanswered:
+                self.now, self.quiet_at = self.now + DELAY_S, self.now + 2 * DELAY_S
+                return Answer(self.now)
+        self.speeds |= step.speeds_deg_s
         return Answer(self.now, sent_s=sent)
 
     def move(self, step):

@@ -2,47 +2,135 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
+import numpy as np
 import pytest
+from birdcage.tracking.curve import Curve
 from birdcage.tracking.steering.fast import fast
 from birdcage.tracking.steering.velocity import velocity
 from birdcage.tracking.steps import Limit, Send
 
-from .rig import Rig, straight
+from .rig import DELAY_S, Rig, straight
+
+EARLY_S = 2 * DELAY_S + 2.0
+"""How long before the target the dish is in place: time enough for a lost answer and its mending."""
+
+
+def waiting(course, **options):
+    """A dish in place that waits for its target."""
+    return Rig(course, early_s=EARLY_S, **options)
+
+
+def arched(start_s=1000.0, seconds=150.0, peak_deg_s=1.3):
+    """A pass that turns the faster the higher it is, and comes down again."""
+    t = start_s + np.arange(0.0, seconds + 1.0, 1.0)
+    u = (t - start_s) / seconds
+    rate = 0.15 + (peak_deg_s - 0.15) * np.sin(np.pi * u) ** 4
+    az = 100.0 + np.concatenate(([0.0], np.cumsum((rate[1:] + rate[:-1]) / 2.0)))
+    return Curve(t, az, 20.0 + 20.0 * np.sin(np.pi * u))
+
+
+def losing(at_s, kind):
+    """Lose one answer: the first to a step of a kind from a time on."""
+    spent = []
+
+    def each(rig, step):
+        rig.unanswered = 0.0
+        if not spent and rig.now >= at_s and isinstance(step, kind):
+            spent.append(rig.now)
+            rig.unanswered = 1.0
+
+    return each
 
 
 @pytest.mark.parametrize(("az_rate", "el_rate"), [(1.0, 0.3), (-0.5, 0.5), (0.2, -0.1)])
 def test_no_saw_tooth_is_left(az_rate, el_rate):
     course = straight(az_rate, el_rate, seconds=40, el_deg=40.0)
-    glided = Rig(course).run(velocity)
+    glided = waiting(course).run(velocity)
     # Half a step of both axes, and what a speed in whole steps a second is off over a round.
     assert glided.rms(settle_s=8.0) < 0.012
-    assert glided.rms(settle_s=8.0) < Rig(course).run(fast).rms()
+    assert glided.rms(settle_s=8.0) < waiting(course).run(fast).rms()
+
+
+def test_it_is_on_the_course_from_the_first_moment():
+    """The speeds are set before the target comes: no step to begin with, and no round that begins behind it."""
+    rig = waiting(straight(1.0, 0.3, seconds=30)).run(velocity)
+    assert rig.errors(settle_s=0.0, until_s=1003.0).max() < 0.12
+    kinds = "".join(type(step).__name__[0] for _, step in rig.steps if isinstance(step, Limit | Send))
+    assert kinds.startswith("LSSLSSLSS")
 
 
 def test_each_move_goes_at_the_speed_of_the_target():
-    rig = Rig(straight(1.0, 0.0, seconds=30)).run(velocity)
-    speeds = [step.speed_deg_s for at, step in rig.steps if isinstance(step, Limit) and 1005.0 < at < 1029.0]
+    rig = waiting(straight(1.0, 0.0, seconds=30)).run(velocity)
+    speeds = [step.speeds_deg_s[0] for at, step in rig.steps if isinstance(step, Limit) and 1005.0 < at < 1029.0]
     assert len(speeds) > 20
     assert speeds == pytest.approx([1.0] * len(speeds), rel=0.1)
 
 
-def test_the_speed_is_set_before_the_move():
-    rig = Rig(straight(1.0, 0.3, seconds=10)).run(velocity)
-    kinds = "".join(type(step).__name__[0] for _, step in rig.steps if isinstance(step, Limit | Send))
-    assert kinds.startswith("SSLLSSLLSS")  # a step to begin with
-
-
 def test_speeds_are_as_before_when_the_leg_ends_and_the_dish_stands_on_the_course():
-    rig = Rig(straight(1.0, 0.3, seconds=60)).run(velocity, until_s=1010.0)
+    rig = waiting(straight(1.0, 0.3, seconds=60)).run(velocity, until_s=1010.0)
     assert rig.speeds == {0: 65.0, 1: 45.0}
     assert rig.at(0, rig.now + 1.0) == pytest.approx(rig.course.at(1010.0)[0], abs=0.01)
 
 
-def test_nothing_is_sent_to_a_target_that_stands_still_but_what_ends_the_leg():
-    rig = Rig(straight(0.0, 0.0, seconds=10)).run(velocity)
-    assert [step for at, step in rig.steps if isinstance(step, Limit | Send) and at < rig.course.end_s] == []
+def test_a_target_that_stands_still_is_left_alone():
+    rig = waiting(straight(0.0, 0.0, seconds=10)).run(velocity)
+    assert [step for _, step in rig.steps if isinstance(step, Send)] == []
+
+
+def test_it_steps_where_the_line_has_just_lost_an_answer():
+    rig = waiting(straight(1.0, 0.3, seconds=20)).run(velocity, answered=20)
+    assert [step for _, step in rig.steps if isinstance(step, Limit)] == []
 
 
 def test_a_late_round_does_not_stop_the_axis():
-    rig = Rig(straight(1.0, 0.0, seconds=30), latency=(0.02, 0.3)).run(velocity)
+    rig = waiting(straight(1.0, 0.0, seconds=30), latency=(0.02, 0.3)).run(velocity)
     assert rig.errors(settle_s=8.0).max() < 0.1  # a stop of 0.1 s would cost as much
+
+
+def test_it_does_not_glide_where_it_joins_in_mid_pass():
+    """To match the speeds then, it would have to stand for a round, or for as long as a lost answer takes."""
+    rig = Rig(straight(1.0, 0.3, seconds=30)).run(velocity)
+    assert [step for _, step in rig.steps if isinstance(step, Limit)] == []
+    assert rig.rms() == pytest.approx(Rig(straight(1.0, 0.3, seconds=30)).run(fast).rms())
+
+
+@pytest.mark.parametrize("kind", [Limit, Send])
+@pytest.mark.parametrize("at_s", [1015.0, 1040.0])
+def test_the_dish_goes_on_while_the_line_is_silent_after_a_lost_answer(kind, at_s):
+    rig = waiting(straight(1.0, 0.2, seconds=60)).run(velocity, each=losing(at_s, kind))
+    gaps = [(b - a, a) for (a, _), (b, _) in pairwise(rig.sends()) if a > 1002.0]
+    assert kind is Send or max(gaps)[0] > 2 * DELAY_S, "the line was not silent"
+    assert rig.errors(settle_s=8.0).max() < 0.15
+
+
+@pytest.mark.parametrize("kind", [Limit, Send])
+def test_from_the_first_lost_answer_on_it_steps_at_the_speeds_of_the_dish(kind):
+    rig = waiting(straight(1.0, 0.2, seconds=60)).run(velocity, each=losing(1020.0, kind))
+    lost_s = next(at for at, step in rig.steps if at >= 1020.0 and isinstance(step, kind))
+    limits = [step.speeds_deg_s for at, step in rig.steps if at > lost_s and isinstance(step, Limit)]
+    assert limits == [{0: 65.0, 1: 45.0}]
+    assert rig.speeds == {0: 65.0, 1: 45.0}
+    assert len([at for at, _ in rig.sends(0) if at > 1030.0]) > 100, "it does not step"
+
+
+def test_an_answer_lost_while_it_waits_costs_nothing():
+    stepped = waiting(straight(1.0, 0.2, seconds=30)).run(fast)
+    rig = waiting(straight(1.0, 0.2, seconds=30)).run(velocity, each=losing(0.0, Limit))
+    assert rig.speeds == {0: 65.0, 1: 45.0}
+    assert rig.errors(settle_s=0.0).max() < 1.3 * stepped.errors(settle_s=0.0).max()
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("faults", [
+    {"unanswered": 0.08}, {"unanswered": 0.02}, {"unanswered": 0.02, "answered": 1000}, {"latency": (0.02, 0.3)},
+    {"unanswered": 0.005, "latency": (0.05, 0.2), "answered": 1000},
+], ids=lambda faults: ", ".join(f"{name} {value}" for name, value in faults.items()))  # fmt: skip
+def test_it_is_never_worse_than_stepping(faults, seed):
+    """Also where the line becomes bad only as the pass begins, after many answers in time (`answered`)."""
+    course, faults = arched(peak_deg_s=0.6 + 0.35 * seed), dict(faults)
+    before = {"answered": faults.pop("answered")} if "answered" in faults else {}
+    glided = waiting(course, seed=seed, **faults).run(velocity, **before)
+    stepped = waiting(course, seed=seed, **faults).run(fast)
+    assert glided.rms(settle_s=0.0) < 1.15 * stepped.rms(settle_s=0.0)

@@ -58,6 +58,8 @@ class Talker:
         self._round_trip_s: float | None = None
         self.took_s = 0.0
         """How long the last line that was answered took, from its first byte out to its prompt."""
+        self.answered = 0
+        """How many lines in a row, up to the last one, were answered in time."""
         self.on_busy: Callable[[], None] = lambda: None
         """Told, once a line, that the dish is still busy with what came before it."""
 
@@ -284,9 +286,11 @@ class Talker:
             late.drop()
             raise
         if reply is None:
+            self.answered = 0
             late.add(ticket, line, sent, proves=proves)
             raise NoReply(f"No answer to `{line}` on {wire.link.name} within {patience_s:.2f} s.", reason=LATE)
         self._round_trip_s = self.took_s = clock.monotonic() - sent
+        self.answered += 1
         late.answered(ticket, line, sent, proves=proves)
         return reply
 
@@ -312,6 +316,7 @@ class Talker:
         except BaseException:
             wire.forget(ticket)
             raise
+        self.answered = 0 if reply is None else self.answered + 1
         if reply is None:
             strange = None if wire.token else stranger(self.dialect, wire.codec.unfinished)
             wire.forget(ticket)

@@ -136,9 +136,7 @@ class Helmsman:
         if isinstance(step, Read):
             return self._read()
         if isinstance(step, Limit):
-            sent_s = self.now_s
-            self.speeds.set(step.axis, step.speed_deg_s)
-            return Answer(self.now_s, sent_s)
+            return self._limit(step)
         return Answer(self.now_s)
 
     def looks_anew(self) -> bool:
@@ -313,6 +311,16 @@ class Helmsman:
         self._lost, self._late = self._lost + 1, 0
         if self._lost > MOST_LOST or stalled_axis(str(error)) is not None:
             raise error
+
+    def _limit(self, step: Limit) -> Answer:
+        sent_s = self.now_s
+        try:
+            self.speeds.set(step.speeds_deg_s)
+        except (CommandRefused, NoReply) as error:  # as a damaged answer may read, which tells the speeds
+            self._bear(error)
+            return Answer(self.now_s)
+        self._lost = self._late = 0
+        return Answer(self.now_s, sent_s)
 
     # The whole dish
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from birdcage.base.errors import BirdcageError
-from birdcage.protocol.model import Axis, DishModel
+from birdcage.protocol.model import DishModel
 from birdcage.station.reach_limits import reach_limits_of
 from birdcage.station.state import StationState
 from birdcage.tracking.mount import Mount, Standing
@@ -35,19 +36,24 @@ def mount_of(state: StationState, settings: Settings) -> Mount:
     )
 
 
+def own_speeds(model: DishModel, lent: Mapping[int, float]) -> DishModel:
+    """Return the model without the speeds that a pursuit changes as it follows; `lent`: what they were before."""
+    azimuth, elevation = model.azimuth, model.elevation
+    return replace(
+        model,
+        azimuth=replace(azimuth, speed_deg_s=lent.get(azimuth.index, azimuth.speed_deg_s)),
+        elevation=replace(elevation, speed_deg_s=lent.get(elevation.index, elevation.speed_deg_s)),
+    )
+
+
 def _in_force(model: DishModel, state: StationState) -> DishModel:
     """Return the model with the speeds that were read or set; without those that a pursuit changes as it follows."""
-    return replace(
-        model, azimuth=_at_speed(model.azimuth, state), elevation=_at_speed(model.elevation, state)
-    )  # fmt: skip
-
-
-def _at_speed(axis: Axis, state: StationState) -> Axis:
-    lent = state.speeds_lent.get(axis.index)
-    if lent is not None:
-        return replace(axis, speed_deg_s=lent)
-    told = state.readings.get(f"speed.{axis.index}")
-    return axis if told is None or isinstance(told.value, str) else replace(axis, speed_deg_s=float(told.value))
+    read = {
+        axis.index: float(told.value)
+        for axis in (model.azimuth, model.elevation)
+        if (told := state.readings.get(f"speed.{axis.index}")) is not None and not isinstance(told.value, str)
+    }
+    return own_speeds(model, read | dict(state.speeds_lent))
 
 
 def _standing(state: StationState) -> Standing | None:

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from types import MappingProxyType
 
 from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.base.errors import CommandRefused
 from birdcage.station.board import Board
 from birdcage.station.lent import LentSpeeds
 from birdcage.station.look import Look
+
+TRIES = 3
+"""How often a dish is told its own speed before it counts as one that does not take it."""
 
 
 class Speeds:
@@ -29,22 +34,29 @@ class Speeds:
         """Whether any is still to be put back."""
         return bool(self._before)
 
-    def set(self, motor: int, speed_deg_s: float) -> None:
-        """Set the greatest speed of one axis. Raises as `FirmwareProtocol.set_speed`."""
-        axis = self._antenna.protocol.model.axis(motor)
-        before = self._antenna.speeds_deg_s.get(motor, axis.speed_deg_s)
-        if motor not in self._before:
+    def set(self, speeds_deg_s: Mapping[int, float]) -> None:
+        """Set the greatest speed of axes, by motor number. Raises as `FirmwareProtocol.set_speed`."""
+        known, model = self._antenna.speeds_deg_s, self._antenna.protocol.model
+        before = {motor: known.get(motor, model.axis(motor).speed_deg_s) for motor in speeds_deg_s}
+        if not before.keys() <= self._before.keys():
             if self._lent is not None:
-                self._lent.write({**self._before, motor: before})
-            self._before[motor] = before
+                self._lent.write(before | self._before)
+            self._before = before | self._before
             self._show()
-        self._send(motor, speed_deg_s)
+        self._send(speeds_deg_s)
 
     def restore(self) -> None:
-        """Put every speed back. What fails is raised, and stays to be done."""
-        for motor, speed_deg_s in tuple(self._before.items()):
-            self._send(motor, speed_deg_s)
-            del self._before[motor]
+        """Put every speed back. What fails is raised, and stays to be done.
+
+        CommandRefused only where the dish shows another speed again and again: one answer may be damaged.
+        """
+        for tries_left in range(TRIES - 1, -1, -1):
+            try:
+                self._send(self._before)
+                break
+            except CommandRefused:
+                if not tries_left:
+                    raise
         self.forget()
 
     def forget(self) -> None:
@@ -57,10 +69,10 @@ class Speeds:
     def _show(self) -> None:
         self._board.change(speeds_lent=MappingProxyType(dict(self._before)))
 
-    def _send(self, motor: int, speed_deg_s: float) -> None:
+    def _send(self, speeds_deg_s: Mapping[int, float]) -> None:
         protocol = self._antenna.protocol
         self._look.elsewhere = True  # STOP has to come back to the motor menu first
-        speeds = protocol.set_speed(motor, speed_deg_s)
-        self._look.note_speeds(speeds)
+        for motor, speed_deg_s in speeds_deg_s.items():
+            self._look.note_speeds(protocol.set_speed(motor, speed_deg_s))
         protocol.enter_motor_menu()
         self._look.elsewhere = False

@@ -52,7 +52,8 @@ class Telling:
     def sample(self, voyage: Voyage, seen_s: float, now_s: float) -> None:
         """Tell how well the last reading points, which was made at `seen_s`; about once a second (POSIX seconds)."""
         live = self.live
-        if live is None or seen_s - self._sampled_s < EVERY_S:
+        waits = voyage.helm is not None and seen_s < voyage.helm.from_s  # the target is not in reach yet
+        if live is None or waits or seen_s - self._sampled_s < EVERY_S:
             return
         sample = sample_of(live.plan, self._board.state, self._antenna.alignment, seen_s)
         if sample is None:

@@ -33,7 +33,8 @@ def voyage_for(
     request: Pursue, board: Board, antenna: BirdcageAntenna, hear: Callable[[Notice], None]
 ) -> tuple[Voyage, str]:
     """Return it, and the name of the controller that steers. MotionRefused (`controller`) where that one must not."""
-    from birdcage.tracking.steering.choice import controller_for
+    from birdcage.station.mounting import own_speeds
+    from birdcage.tracking.steering.choice import controller_for, lead_s
     from birdcage.tracking.voyage import Voyage
 
     options, gate = request.options, antenna.protocol.gate
@@ -41,11 +42,14 @@ def voyage_for(
     park = None
     if options.at_end == "park" and options.park_az_deg is not None and options.park_el_deg is not None:
         park = antenna.alignment.to_dish(options.park_az_deg, options.park_el_deg)
+    delay_s = antenna.protocol.console.delay_s
     beam_deg, loss_db = board.state.beam_deg, options.dead_band_db
     voyage = Voyage(
-        request.plan, controller, lambda: antenna.model, lambda: _bounds(board), hear, request.asked, park,
+        request.plan, controller, lambda: own_speeds(antenna.model, board.state.speeds_lent), lambda: _bounds(board),
+        hear, request.asked, park,
         gate.cable_limits if gate.cable_deg is not None else None, options.dead_band_steps,
         beam_deg * math.sqrt(loss_db / 12.0) if beam_deg is not None and loss_db is not None else 0.0,
+        lambda: antenna.protocol.console.answered, delay_s, lead_s(name, delay_s),
     )  # fmt: skip
     return voyage, name
 

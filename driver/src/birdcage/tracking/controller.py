@@ -10,6 +10,9 @@ from birdcage.protocol.model import DishModel
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.steps import Activity
 
+LEAD_S = 1.0
+"""How long before the target comes into reach a controller takes over."""
+
 
 @dataclass(slots=True)
 class Helm:
@@ -22,6 +25,7 @@ class Helm:
     """Where the dish stands, or was sent last, as the course counts it."""
     start_el_deg: float
     now_s: float
+    """When steering begins, or goes on in another way."""
     until_s: float
     """When the leg ends."""
     latency_s: float = 0.06
@@ -31,6 +35,12 @@ class Helm:
     """An axis that would move by less than this, or by less than `dead_band_steps` of its steps, is left alone."""
     look_every_s: float = 1.0
     """How often the position is read."""
+    from_s: float = 0.0
+    """When the target comes into reach: the dish waits for it until then."""
+    answered: int = 0
+    """How many lines in a row the dish has answered in time before."""
+    delay_s: float = 2.0
+    """The longest that a byte may be on its way: after a lost answer the line is silent for up to twice that."""
 
 
 Controller: TypeAlias = Callable[[Helm], Activity]

@@ -9,7 +9,7 @@ from collections.abc import Generator
 
 from birdcage.base.geometry import shortest_turn
 from birdcage.tracking import ways
-from birdcage.tracking.controller import Helm
+from birdcage.tracking.controller import LEAD_S, Helm
 from birdcage.tracking.plan import Leg, Part
 from birdcage.tracking.planning.routes import Point
 from birdcage.tracking.steps import Activity, Answer, Look, Send, Slew, Step, Wait
@@ -19,8 +19,6 @@ COUNTDOWN_S = 5.0
 """Before motion that no person has just asked for (DESIGN section 5)."""
 JUST_ASKED_S = 60.0
 """So long after a person has asked for it, a first motion is what they asked for."""
-LEAD_S = 1.0
-"""How long before a leg begins the controller takes over."""
 IN_PLACE_DEG = 0.1
 JOIN_DEG = 1.0
 """Further from the course than this the whole dish is sent there first."""
@@ -46,7 +44,7 @@ class Pursuer:
                     rolling = True
             elif leg.part is Part.REWIND:
                 yield from self._rewind(leg)
-            elif self._now_s < leg.start_s - LEAD_S:
+            elif self._now_s < leg.start_s - self._lead_s(leg):
                 yield from self._be_ready(leg)
             else:
                 yield from self._follow(leg)
@@ -90,20 +88,34 @@ class Pursuer:
         self._tell(
             Stage.READY, f"In place: the target comes into reach at {clock_text(leg.start_s)}.", "reach", leg.start_s
         )
-        yield from self._wait(leg.start_s - LEAD_S)
+        yield from self._wait(leg.start_s - self._voyage.lead_s)
+
+    def _lead_s(self, leg: Leg) -> float:
+        """Return how long before a leg begins the controller takes over: longer from where the dish is in place."""
+        in_place = self._is_at(self._voyage.course().at(leg.start_s), IN_PLACE_DEG)
+        return self._voyage.lead_s if in_place else LEAD_S
 
     def _follow(self, leg: Leg) -> Activity:
         voyage = self._voyage
-        if not self._is_at(voyage.course().at(self._now_s), JOIN_DEG):
+        if not self._is_at(voyage.course().at(max(self._now_s, leg.start_s)), JOIN_DEG):
             self._tell(Stage.PREPOSITIONING, "Going to where the target is now.", "follow", None)
             yield from self._join(leg)
         if self._place is None:
             return
         what, at_s = voyage.upcoming(self._now_s)
-        self._tell(Stage.FOLLOWING, f"On the target until {clock_text(leg.end_s)}.", what, at_s)
+        waits = self._now_s < leg.start_s - LEAD_S
+        if waits:
+            what, at_s = "reach", leg.start_s
+        self._tell(
+            Stage.FOLLOWING,
+            f"In place: the target comes into reach at {clock_text(leg.start_s)}." if waits
+            else f"On the target until {clock_text(leg.end_s)}.",
+            what, at_s,
+        )  # fmt: skip
         helm = voyage.helm = Helm(
             voyage.course, voyage.model(), *self._place, self._now_s, leg.end_s, voyage.latency_s,
-            voyage.dead_band_steps, voyage.dead_band_deg,
+            voyage.dead_band_steps, voyage.dead_band_deg, from_s=leg.start_s,
+            answered=voyage.answered(), delay_s=voyage.delay_s,
         )  # fmt: skip
         try:
             yield from self._steer(helm)

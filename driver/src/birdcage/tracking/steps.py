@@ -7,7 +7,7 @@ dish's own, unrolled: the turn of the cable where that is known.
 
 from __future__ import annotations
 
-from collections.abc import Generator
+from collections.abc import Generator, Mapping
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -42,10 +42,10 @@ class Look:
 
 @dataclass(frozen=True, slots=True)
 class Limit:
-    """Set the greatest speed of an axis, for velocity-matched moves; whoever drives restores it on every way out."""
+    """Set the greatest speed of axes, for velocity-matched moves; whoever drives restores them on every way out."""
 
-    axis: int
-    speed_deg_s: float
+    speeds_deg_s: Mapping[int, float]
+    """By motor number."""
 
 
 Step: TypeAlias = Wait | Send | Slew | Look | Limit
@@ -57,12 +57,18 @@ class Answer:
 
     now_s: float
     sent_s: float | None = None
-    """When the line of a `Send` or `Limit` began to go out."""
+    """When the line of a `Send` or `Limit` began to go out; None where its answer was lost: it may have been taken."""
     az_deg: float | None = None
     """Of a `Look` or `Slew`: where the dish was; None where that is not known."""
     el_deg: float | None = None
     seen_s: float | None = None
     """When it was there, as well as can be told: in the middle of the exchange."""
+
+    def is_lost(self, step: Step) -> bool:
+        """Return whether the dish's answer to a step was lost, or came too late."""
+        if isinstance(step, Look):
+            return self.az_deg is None
+        return isinstance(step, Send | Limit) and self.sent_s is None
 
 
 Activity: TypeAlias = Generator[Step, Answer, None]

@@ -9,7 +9,7 @@ from enum import Enum
 
 from birdcage.base.geometry import shortest_turn
 from birdcage.protocol.model import DishModel
-from birdcage.tracking.controller import Controller, Helm
+from birdcage.tracking.controller import LEAD_S, Controller, Helm
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.plan import Leg, Plan
 from birdcage.tracking.planning.bounds import Bounds
@@ -57,6 +57,12 @@ class Voyage:
     """Between which turns the cable may stand, where that is known and limited."""
     dead_band_steps: float = 0.5
     dead_band_deg: float = 0.0
+    answered: Callable[[], int] = lambda: 0
+    """As `Helm.answered`, at that moment."""
+    delay_s: float = 2.0
+    """As `Helm.delay_s`."""
+    lead_s: float = LEAD_S
+    """How long before the target comes into reach the controller takes over, where the dish is in place by then."""
     latency_s: float = 0.06
     helm: Helm | None = None
     """While it follows."""

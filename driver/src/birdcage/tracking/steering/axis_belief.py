@@ -31,18 +31,19 @@ class AxisBelief:
         self.goal_deg = at_deg
         """Where it was sent last."""
         self._slew = Slew(at_deg, ())
-        self._began_s = now_s
+        self.began_s = now_s
+        """When it has acted on the command that it was sent last."""
         self._shift_deg = 0.0
 
     def at(self, t_s: float) -> tuple[float, float]:
         """Return where it is at a time, and how fast it turns."""
-        at_deg, velocity = self._slew.at(t_s - self._began_s)
+        at_deg, velocity = self._slew.at(t_s - self.began_s)
         return at_deg + self._shift_deg, velocity
 
     @property
     def rests_s(self) -> float:
         """When it comes to rest."""
-        return self._began_s + self._slew.duration_s
+        return self.began_s + self._slew.duration_s
 
     def planned(self, goal_deg: float, from_s: float) -> Slew:
         """Return its way to a goal if it gets the command at `from_s`."""
@@ -52,7 +53,7 @@ class AxisBelief:
 
     def send(self, goal_deg: float, from_s: float) -> None:
         """Take in that it was sent to a goal."""
-        self._slew, self._began_s, self._shift_deg = self.planned(goal_deg, from_s), from_s, 0.0
+        self._slew, self.began_s, self._shift_deg = self.planned(goal_deg, from_s), from_s, 0.0
         self.goal_deg = goal_deg
 
     def quantised(self, deg: float, span_deg: tuple[float, float]) -> float:
@@ -75,7 +76,7 @@ class AxisBelief:
         most_deg = DOUBT_DEG + self.axis.overshoot_deg + way_s * self.axis.speed_deg_s
         if abs(read_deg - at_deg) <= most_deg + abs(velocity) * UNSURE_S:
             return True
-        self._slew, self._began_s, self._shift_deg, self.goal_deg = Slew(read_deg, ()), seen_s, 0.0, read_deg
+        self._slew, self.began_s, self._shift_deg, self.goal_deg = Slew(read_deg, ()), seen_s, 0.0, read_deg
         return False
 
     def lean_on(self, read_deg: float | None, seen_s: float, share: float) -> None:

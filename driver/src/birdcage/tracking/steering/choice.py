@@ -7,12 +7,12 @@ from types import MappingProxyType
 
 from birdcage.base.errors import MotionRefused
 from birdcage.protocol.model import DishModel
-from birdcage.tracking.controller import Controller
+from birdcage.tracking.controller import LEAD_S, Controller
 from birdcage.tracking.steering.fast import fast
 from birdcage.tracking.steering.leapfrogging import leapfrog
 from birdcage.tracking.steering.modelled import modelled
 from birdcage.tracking.steering.queued import queued
-from birdcage.tracking.steering.velocity import velocity
+from birdcage.tracking.steering.velocity import PREPARES_S, velocity
 
 CONTROLLERS: Mapping[str, Controller] = MappingProxyType(
     {"fast": fast, "velocity": velocity, "queued": queued, "modelled": modelled, "leapfrog": leapfrog}
@@ -38,6 +38,11 @@ def controller_for(model: DishModel, wanted: str = "auto", *, velocity_allowed: 
     if refusal:
         raise MotionRefused(f"{refusal} Nothing was sent.", reason="controller")
     return name, CONTROLLERS[name]
+
+
+def lead_s(name: str, delay_s: float) -> float:
+    """Return how long before the target comes into reach a controller takes over; `delay_s` as in `Helm`."""
+    return PREPARES_S + 2.0 * delay_s if name == "velocity" else LEAD_S
 
 
 def _against(model: DishModel, name: str, *, velocity_allowed: bool) -> str:

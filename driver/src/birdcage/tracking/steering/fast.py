@@ -39,12 +39,12 @@ class Aim:
 class Rudder:
     """One axis of a fast dish: when it was sent, and where to send it next."""
 
-    def __init__(self, helm: Helm, column: int) -> None:
+    def __init__(self, helm: Helm, column: int, belief: AxisBelief | None = None) -> None:
         self._helm = helm
         self._column = column
         axis = (helm.model.azimuth, helm.model.elevation)[column]
         self.index = axis.index
-        self.belief = AxisBelief(axis, (helm.start_az_deg, helm.start_el_deg)[column], helm.now_s)
+        self.belief = belief or AxisBelief(axis, (helm.start_az_deg, helm.start_el_deg)[column], helm.now_s)
         self.interval = Interval(2.0 * helm.latency_s)
         self.sent_s = helm.now_s
         self.looked_s = 0.0
@@ -84,10 +84,10 @@ def fast(helm: Helm) -> Activity:
     yield from steer(helm, looks=True)
 
 
-def steer(helm: Helm, *, looks: bool) -> Activity:
-    """Follow with or without reading the position."""
+def steer(helm: Helm, *, looks: bool, beliefs: tuple[AxisBelief | None, AxisBelief | None] = (None, None)) -> Activity:
+    """Follow with or without reading the position; `beliefs`: of a dish that is on its way already."""
     latency = Latency(helm.model, helm.latency_s)
-    rudders = Rudder(helm, 0), Rudder(helm, 1)
+    rudders = Rudder(helm, 0, beliefs[0]), Rudder(helm, 1, beliefs[1])
     now_s, look_s = helm.now_s, helm.now_s + helm.look_every_s
     while now_s < helm.until_s:
         if looks and now_s >= look_s:

@@ -3,126 +3,167 @@
 Each round sets the greatest speed of both axes and then sends both beyond where the next round will find them, so that
 an axis goes on at that speed until it is told better: a late command costs next to nothing, and there is no saw-tooth.
 Nobody has confirmed on a dish that its speeds may be changed so often: the owner has to allow it (`[tracking]`).
+
+A round changes menus and reads speeds back, so an answer that is lost in it holds everything up for twice the longest
+delay, where a stream of targets (`fast`) goes on at once. So it begins on a line that has proved sound, and while the
+dish waits for its target; an axis is sent further than such a pause lasts; and from the first answer that does not come
+in time the dish steps, at its own speeds, until the leg ends (decision 0031).
 """
 
 from __future__ import annotations
 
-import math
+from collections.abc import Generator, Sequence
 from dataclasses import replace
 
-from birdcage.tracking.controller import Helm
+from birdcage.tracking.controller import LEAD_S, Helm
 from birdcage.tracking.steering.axis_belief import AxisBelief, spans
-from birdcage.tracking.steering.dead_band import dead_band_deg
-from birdcage.tracking.steering.latency import Latency, Smoothed
-from birdcage.tracking.steps import Activity, Limit, Look, Send, Wait
+from birdcage.tracking.steering.fast import steer
+from birdcage.tracking.steering.gliding import REST_S, Glide, Pace
+from birdcage.tracking.steering.latency import Latency
+from birdcage.tracking.steps import Activity, Answer, Limit, Look, Send, Step, Wait
 
-REST_S = 0.02
-EXCHANGES = 11
-"""A first guess of what a round takes: changing menus there and back, two speeds read back, two moves."""
-BEYOND = 3.0
-"""How many rounds ahead an axis is sent: it must not come to rest before a late one, and goes on no longer than that
-when there is none."""
-
-
-TELLING_DEG = 0.02
-"""A goal that prints as the one before may count as the same command, and its speed would not come into force."""
+SOUND = 60
+"""It glides where so many lines in a row were answered in time: on a line that loses 8 %, in one case of 150."""
+PREPARES_S = 16.0
+"""What it takes, beside a pause of the line, to see that it is sound, to set the first speeds and to put them back."""
+EXCHANGES = 9
+"""A first guess of what a round takes: changing menus there and back, two speeds set and read back, two moves."""
+TRIES = 3
+"""How often a speed is put back where the answers are lost; whoever drives sees to the rest."""
 LEANS = 0.3
 """What a reading counts against the model: its last digit and its moment are as uncertain as what has added up."""
 
 
-class Glide:
-    """One axis: how fast it should go for the next round, and where to."""
-
-    def __init__(self, helm: Helm, column: int) -> None:
-        self._helm = helm
-        self._column = column
-        self.axis = (helm.model.azimuth, helm.model.elevation)[column]
-        self.belief = AxisBelief(self.axis, (helm.start_az_deg, helm.start_el_deg)[column], helm.now_s)
-        self.speed_deg_s = self.axis.speed_deg_s
-        self.goal_deg = self.belief.goal_deg
-
-    def plan(self, acts_s: float, round_s: float) -> bool:
-        """Choose speed and goal of a round whose move acts at a time; return whether it is worth any command."""
-        course = self._helm.course()
-        at_deg = self.belief.at(acts_s)[0]
-        next_s = min(acts_s + round_s, self._helm.until_s)
-        way = course.at(next_s)[self._column] - at_deg
-        # The dish counts whole steps a second.
-        steps_s = max(round(abs(way) / max(next_s - acts_s, REST_S) / self.axis.step_deg), 1)
-        self.speed_deg_s = min(steps_s * self.axis.step_deg, self.axis.speed_deg_s)
-        beyond = at_deg + way * BEYOND
-        if abs(beyond - self.belief.goal_deg) < TELLING_DEG:
-            beyond = self.belief.goal_deg + math.copysign(2.0 * TELLING_DEG, way)
-        self.goal_deg = self.belief.quantised(beyond, spans(course)[self._column])
-        told = abs(self.goal_deg - self.belief.goal_deg) >= TELLING_DEG
-        return told and abs(self.goal_deg - at_deg) >= self.axis.step_deg / 2.0
-
-    def first_deg(self, t_s: float) -> float:
-        """Return where the course will be at a time, as the motor can stand there."""
-        course = self._helm.course()
-        return self.belief.quantised(course.at(min(t_s, self._helm.until_s))[self._column], spans(course)[self._column])
-
-    def sent(self, acted_s: float) -> None:
-        """Take in that the dish has acted on the command."""
-        self.belief.axis = replace(self.axis, speed_deg_s=self.speed_deg_s)
-        self.belief.send(self.goal_deg, acted_s)
-
-
-class Pace:
-    """How long rounds take, by how many axes are told something in one; seconds."""
-
-    def __init__(self, latency_s: float) -> None:
-        round_s = EXCHANGES * latency_s
-        self.rounds = {count: Smoothed(round_s) for count in (1, 2)}
-        self.leads = {(index, count): Smoothed(round_s) for index in (0, 1) for count in (1, 2)}
-        """From the begin of a round until an axis acts on its move."""
-
-    def round_s(self, count: int) -> float:
-        """Return how long a round for so many axes takes."""
-        return self.rounds[count].seconds
-
-    def lead_s(self, glide: Glide, count: int) -> float:
-        """Return how long after its begin such a round moves an axis."""
-        return self.leads[glide.axis.index, count].seconds
-
-
 def velocity(helm: Helm) -> Activity:
     """Follow at matched speeds; at the end of the leg the speeds are as before, and the dish stands on the course."""
-    latency = Latency(helm.model, helm.latency_s)
-    glides = Glide(helm, 0), Glide(helm, 1)
-    pace = Pace(helm.latency_s)
-    now_s, look_s = helm.now_s, helm.now_s + helm.look_every_s
-    for glide in glides:
-        # Before the first round takes effect the target is gone already: a step meets it half-way.
-        deg = glide.first_deg(now_s + helm.latency_s + pace.lead_s(glide, 2) / 2.0)
-        if abs(deg - glide.belief.goal_deg) >= dead_band_deg(helm, glide.axis):
-            answer = yield Send(glide.axis.index, deg)
-            glide.belief.send(deg, latency.measure(glide.axis.index, answer, 0.0))
-            now_s = answer.now_s
-    while now_s < helm.until_s:
-        if now_s >= look_s:
-            seen = yield Look()
-            look_s = max(look_s + helm.look_every_s, seen.now_s)
-            for glide, read_deg in zip(glides, (seen.az_deg, seen.el_deg), strict=True):
-                if glide.belief.check(read_deg, latency.seen_s(seen)):
-                    glide.belief.lean_on(read_deg, latency.seen_s(seen), LEANS)
-        began_s = now_s
-        due = [glide for glide in glides if glide.plan(now_s + pace.lead_s(glide, 2), pace.round_s(2))]
-        if len(due) == 1:
-            due[0].plan(now_s + pace.lead_s(due[0], 1), pace.round_s(1))
-        if not due:
-            now_s = (yield Wait(min(now_s + REST_S, helm.until_s))).now_s
-            continue
-        for glide in due:
-            yield Limit(glide.axis.index, glide.speed_deg_s)
-        for glide in due:
-            answer = yield Send(glide.axis.index, glide.goal_deg)
-            now_s, acted_s = answer.now_s, latency.measure(glide.axis.index, answer, 0.0)
-            glide.sent(acted_s)
-            pace.leads[glide.axis.index, len(due)].take(acted_s - began_s)
-        pace.rounds[len(due)].take(now_s - began_s)
-        helm.latency_s = latency.mean_s
-    course = helm.course()
-    for glide, end_deg, span_deg in zip(glides, course.at(helm.until_s), spans(course), strict=True):
-        yield Limit(glide.axis.index, glide.axis.speed_deg_s)
-        yield Send(glide.axis.index, glide.belief.quantised(end_deg, span_deg))
+    yield from Glider(helm).run()
+
+
+class Glider:
+    """Glides as long as every answer comes in time, and steps from then on."""
+
+    def __init__(self, helm: Helm) -> None:
+        self._helm = helm
+        axes = (helm.model.azimuth, helm.start_az_deg), (helm.model.elevation, helm.start_el_deg)
+        self._beliefs = AxisBelief(*axes[0], helm.now_s), AxisBelief(*axes[1], helm.now_s)
+        self._glides = Glide(helm, 0, self._beliefs[0]), Glide(helm, 1, self._beliefs[1])
+        self._latency, self._pace = Latency(helm.model, helm.latency_s), Pace(EXCHANGES * helm.latency_s)
+        self._due: list[Glide] = []
+        """The axes that have to move."""
+        self._late: Glide | None = None
+        """The axis whose move was not answered in time."""
+
+    def run(self) -> Activity:
+        """Follow until the leg ends."""
+        helm = self._helm
+        if (yield from self._is_sound()):
+            if (yield from self._prepare()):
+                yield from self._glide()
+            yield from self._restore()
+        yield from steer(helm, looks=True, beliefs=self._beliefs)
+        course = helm.course()
+        for glide, end_deg, span_deg in zip(self._glides, course.at(helm.until_s), spans(course), strict=True):
+            goal = glide.belief.quantised(end_deg, span_deg)
+            if abs(goal - glide.belief.goal_deg) >= glide.axis.step_deg / 2.0:
+                yield Send(glide.axis.index, goal)
+
+    def _is_sound(self) -> Generator[Step, Answer, bool]:
+        """Return whether the line is sound, and the dish waits long enough yet to prepare and to mend what is lost."""
+        helm, sound = self._helm, self._helm.answered
+        latest_s = helm.from_s - 2.0 * helm.delay_s - LEAD_S
+        while sound < SOUND and helm.now_s < min(latest_s, helm.until_s):
+            if not (yield from self._look()):
+                return False
+            sound += 1
+        return sound >= SOUND and helm.now_s <= latest_s
+
+    def _prepare(self) -> Generator[Step, Answer, bool]:
+        """Set the speeds at which the target will come, and wait for it; return whether the answer came in time."""
+        helm = self._helm
+        began_s = helm.now_s
+        self._due = [glide for glide in self._glides if glide.plan(helm.from_s, self._pace.round_s(2))]
+        if not (yield from self._limit(self._glides)):
+            return False
+        self._pace = Pace(helm.now_s - began_s + 2.0 * helm.latency_s)
+        begin_s = helm.from_s - helm.latency_s
+        while helm.now_s < min(begin_s, helm.until_s):
+            yield from self._do(Wait(min(begin_s, helm.until_s)))
+        return True
+
+    def _glide(self) -> Activity:
+        """Glide at the speeds that are set, and then at better ones, until the leg ends or an answer is lost."""
+        helm, pace = self._helm, self._pace
+        look_s = helm.now_s + helm.look_every_s
+        for glide in self._due:
+            if not (yield from self._send(glide)):
+                return
+        while helm.now_s < helm.until_s:
+            if helm.now_s >= look_s:
+                if not (yield from self._look()):
+                    return
+                look_s = max(look_s + helm.look_every_s, helm.now_s)
+            began_s = helm.now_s
+            due = [glide for glide in self._glides if glide.plan(began_s + pace.lead_s(glide, 2), pace.round_s(2))]
+            if len(due) == 1:
+                due[0].plan(began_s + pace.lead_s(due[0], 1), pace.round_s(1))
+            if not due:
+                yield from self._do(Wait(min(began_s + REST_S, helm.until_s)))
+                continue
+            if not (yield from self._limit(due)):
+                return
+            for glide in due:
+                if not (yield from self._send(glide)):
+                    return
+                pace.leads[glide.axis.index, len(due)].take(glide.belief.began_s - began_s)
+            pace.rounds[len(due)].take(helm.now_s - began_s)
+            helm.latency_s = self._latency.mean_s
+
+    def _restore(self) -> Activity:
+        """Put the speeds back, and see where the dish is."""
+        helm, late = self._helm, self._late
+        if late is not None:
+            # Once a line of the other axis is answered, nothing of the late one is under way any more (decision 0018):
+            # only then the menu can be left at once. And the dish is aimed anew, in case that takes long.
+            for glide in sorted(self._glides, key=lambda each: each is late):
+                glide.plan(helm.now_s + self._latency.of(glide.axis.index), self._pace.round_s(2))
+                yield from self._send(glide)
+        for _ in range(TRIES):
+            limit = Limit({glide.axis.index: glide.axis.speed_deg_s for glide in self._glides})
+            if not (yield from self._do(limit)).is_lost(limit):
+                break
+        for glide in self._glides:
+            glide.belief.axis = glide.axis
+        if helm.now_s < helm.until_s:
+            yield from self._look()
+
+    def _do(self, step: Step) -> Generator[Step, Answer, Answer]:
+        answer = yield step
+        self._helm.now_s = answer.now_s
+        return answer
+
+    def _limit(self, glides: Sequence[Glide]) -> Generator[Step, Answer, bool]:
+        """Set the speeds that were planned; return whether the answer came in time."""
+        step = Limit({glide.axis.index: glide.speed_deg_s for glide in glides})
+        answer = yield from self._do(step)
+        for glide in glides:
+            glide.belief.axis = replace(glide.axis, speed_deg_s=glide.speed_deg_s)
+        return not answer.is_lost(step)
+
+    def _send(self, glide: Glide) -> Generator[Step, Answer, bool]:
+        """Send an axis where it was planned; return whether the answer came in time."""
+        step = Send(glide.axis.index, glide.goal_deg)
+        answer = yield from self._do(step)
+        # Where its answer is lost, the dish has most likely taken it all the same.
+        glide.belief.send(glide.goal_deg, self._latency.measure(glide.axis.index, answer, 0.0))
+        if answer.is_lost(step):
+            self._late = glide
+        return not answer.is_lost(step)
+
+    def _look(self) -> Generator[Step, Answer, bool]:
+        """Read where the dish is; return whether the answer came in time."""
+        seen = yield from self._do(Look())
+        seen_s = self._latency.seen_s(seen)
+        for glide, read_deg in zip(self._glides, (seen.az_deg, seen.el_deg), strict=True):
+            if glide.belief.check(read_deg, seen_s):
+                glide.belief.lean_on(read_deg, seen_s, LEANS)
+        return seen.az_deg is not None
