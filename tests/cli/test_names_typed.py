@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from datetime import UTC, datetime
 
 import pytest
@@ -105,7 +106,14 @@ def test_move_goes_where_a_target_stands(run, pty_dish):
     result = run("move", "dish", "119", port=pty_dish.path)
     assert result.exit_code == 0, result.stderr
     assert "119°W EchoStar 14: AZ 214.35°" in result.stderr
+    assert "° now, radio refraction included." in result.stderr
+    assert "Skew" not in result.stderr, "it is circular"
     assert pty_dish.device.truth().az_deg % 360.0 == pytest.approx(214.35, abs=0.1)
+
+
+def test_move_tells_the_skew_of_a_linear_slot(run, pty_dish):
+    result = run("move", "95W", port=pty_dish.path)
+    assert re.search(r"Skew [-+]\d\.\d° geometry, slot's own unknown, clockwise from behind the dish\.", result.stderr)
 
 
 @pytest.mark.parametrize(

@@ -1,14 +1,17 @@
 """The go-to line: what may be typed, what it means, and what is said before Enter."""
 
 import re
+import textwrap
 from dataclasses import replace
 
 import pytest
 import stand_in
+import track_stand_in
 from birdcage.base.clock import VirtualClock
 from birdcage.base.config.sections import NoGoSector
 from birdcage.base.presets import Preset
 from birdcage.protocol.model import Turn
+from birdcage.pursuit.now import Located
 from birdcage.sky.targets.direction import Part, Wish, read_direction
 from birdcage.station.requests import Goto
 from birdcage_tui.goto import GotoLine, foretell
@@ -299,3 +302,11 @@ def test_esc_gives_the_focus_back_and_ctrl_c_stops():
         return stops, app.focused.id, app.station.asked_for(Goto)
 
     assert run(leave) == (["you"], "rose", [])
+
+
+def test_a_slot_is_foretold_with_its_skew():
+    skew = "Skew -14.0° geometry +7.0° slot = -7.0°"
+    located = Located("28.2E", "28.2°E Astra 28", True, 157.66, 29.28, skew=skew)
+    ink, words = foretell("28.2E", replace(view_of(), track=track_stand_in.desk(None, located=located)))
+    assert (ink, words.rpartition("   ")[2]) == ("text", skew)
+    assert len(textwrap.wrap(words, 78)) <= 2, "the preview has two rows"

@@ -50,7 +50,7 @@ def foretell(text: str, view: View) -> tuple[str, str]:
     reason = held_back(view) or forbidden(view.state, aim.az_deg, aim.el_deg)
     if reason is not None:
         return "warn", f"▲ Refused: {reason}"
-    return "text", f"✕ {way_words(view, aim)}"
+    return "text", f"✕ {way_words(view, aim)}{f'   {aim.skew}' if aim.skew else ''}"
 
 
 def _foretell_skew(text: str, view: View) -> tuple[str, str]:

@@ -47,7 +47,8 @@ def aim_of(text: str, view: View) -> Aim:
         return preset
     if located.az_deg is None or located.el_deg is None:
         raise ValueError(located.problem)
-    return Aim(located.az_deg, located.el_deg, ", ".join(filter(None, (located.name, located.silence))))
+    name = ", ".join(filter(None, (located.name, located.silence)))
+    return Aim(located.az_deg, located.el_deg, name, located.skew)
 
 
 def located_of(text: str, view: View) -> Located | None:

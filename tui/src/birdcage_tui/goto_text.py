@@ -31,6 +31,8 @@ class Aim:
     el_deg: float
     name: str = ""
     """Of the preset or the target that was named, if one was."""
+    skew: str = ""
+    """How far to turn a feed for a slot that was named."""
 
 
 def wind_of(az_deg: float) -> str:

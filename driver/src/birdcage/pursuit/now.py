@@ -53,6 +53,8 @@ class Located:
     """The same, refraction included as set."""
     silence: str = ""
     """`silent since 2025-08-13`; empty for what is not known to be."""
+    skew: str = ""
+    """How far to turn a feed for a slot (`birdcage.sky.skew`); empty where that does not matter."""
     problem: str = ""
     """Why there is no direction: nothing or several are meant, it is below the horizon, no place is set."""
 

@@ -67,12 +67,15 @@ class Pointer:
             below = str(error)
         if below:
             return Located(self.text, name, meant.exact, problem=" ".join(filter(None, (below, meant.note))))
+        from birdcage.sky.targets.model import SlotTarget
         from birdcage.tracking.planning.refraction import lift_deg
 
         fixed = meant.target.kind == "fixed"
         el_deg = seen.el_deg + (0.0 if fixed else float(lift_deg(seen.el_deg, refraction)))
         silence = "" if meant.found.silence is None else meant.found.silence.brief
-        return Located(self.text, name, meant.exact, seen.az_deg, el_deg, silence)
+        skew = meant.target.skew(observer) if isinstance(meant.target, SlotTarget) else None
+        turned = "" if skew is None else skew.brief()
+        return Located(self.text, name, meant.exact, seen.az_deg, el_deg, silence, turned)
 
     def _below_words(self, meant: Resolution, observer: Observer, now: datetime) -> str:
         """Return why it cannot be seen; its next rise is looked for once a minute."""
