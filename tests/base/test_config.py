@@ -80,10 +80,12 @@ theme = "night"
 def test_the_stock_feed_is_built_in_and_may_stow(read):
     settings = read("")
     assert settings.feed.active == "stock-ku"
-    assert settings.active_feed.beam_deg == 6.3
+    feed = settings.active_feed
+    assert (feed.freq_min_hz, feed.freq_max_hz, feed.lo_hz, feed.polarization) == (12.2e9, 12.7e9, 11.25e9, "circular")
+    assert feed.beam_deg is None, "its beam is the dish's"
     assert settings.active_feed.stow_allowed
     changed = read('[feed."stock-ku"]\nlo_hz = 9.75e9\n').active_feed
-    assert (changed.lo_hz, changed.beam_deg) == (9.75e9, 6.3)
+    assert (changed.lo_hz, changed.freq_min_hz) == (9.75e9, 12.2e9)
 
 
 def test_an_unknown_key_is_refused_with_the_nearest(read):

@@ -72,7 +72,12 @@ def test_only_what_the_feed_may_hear_and_the_dish_reaches():
     everywhere = lambda _az, _el: True  # noqa: E731
     ku = {each.name for each in candidates(HERE, WHEN, STOCK_FEED, everywhere)}
     assert "Sun" in ku
-    assert any("SES 1" in name for name in ku)
+    assert any("EchoStar 10" in name for name in ku)
+    assert not any("Galaxy 3C" in name for name in ku), "linear, below 12.2 GHz"
+    linear = FeedProfile(freq_min_hz=11.7e9, freq_max_hz=12.2e9, polarization="linear")
+    fss = {each.name for each in candidates(HERE, WHEN, linear, everywhere)}
+    assert any("Galaxy 3C" in name for name in fss)
+    assert not any("EchoStar 10" in name for name in fss)
     assert not any("GOES" in name or "formerly" in name or "Astra" in name for name in ku)
     l_band = {
         each.name for each in candidates(HERE, WHEN, FeedProfile(freq_min_hz=1.6e9, freq_max_hz=1.72e9), everywhere)

@@ -6,22 +6,24 @@ import json
 from datetime import UTC, datetime
 
 import pytest
+from birdcage.base.beam import Beam
 from birdcage.base.errors import StoreError
 from birdcage.calibration.peak import UNKNOWN_SIGMA_DEG, Peak, sigma_by_hand
 from birdcage.calibration.peaks_file import add_peak, load_peaks, remove_peaks
 
 WHEN = datetime(2026, 3, 20, 18, 30, 0, 250000, tzinfo=UTC)
+ROUND = Beam(6.3, 6.3)
 SUN = Peak(WHEN, "Sun", 180.5, 44.25, 155.0, 44.0, 0.1, "hand", 2.5)
 SLOT = Peak(WHEN, "101°W SES 1", 188.0, 44.0, 163.0, 43.8, 0.14, "rssi")
 
 
 def test_a_strong_source_is_found_well_and_a_faint_one_hardly():
-    in_this_beam = [sigma_by_hand(rise, 6.3) for rise in (10.0, 2.0, 1.2, 0.3, 0.05, 0.0)]
+    in_this_beam = [sigma_by_hand(rise, ROUND) for rise in (10.0, 2.0, 1.2, 0.3, 0.05, 0.0)]
     assert in_this_beam == sorted(in_this_beam)
     assert in_this_beam[1] == pytest.approx(0.09, abs=0.02)
     assert in_this_beam[-2:] == [pytest.approx(3.15), 3.15]  # half a beam: a person sees that there is nothing
-    assert sigma_by_hand(10.0, 0.5) == 0.05  # gears and steps
-    assert sigma_by_hand(None, 6.3) == sigma_by_hand(2.0, None) == UNKNOWN_SIGMA_DEG
+    assert sigma_by_hand(10.0, Beam(0.5, 0.5)) == 0.05  # gears and steps
+    assert sigma_by_hand(None, ROUND) == sigma_by_hand(2.0, None) == UNKNOWN_SIGMA_DEG
 
 
 def test_off_is_on_the_sky():

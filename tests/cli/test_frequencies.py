@@ -136,6 +136,17 @@ def test_mode_symbol_rate_and_pipeline_are_in_json(ask, at_home, as_json):
     assert metop["polarization"] == "RHCP"
 
 
+def test_the_stock_feed_is_circular_and_hears_no_linear_television_below_its_band(ask, as_json):
+    told = lines(ask("downlinks"))
+    assert any(re.match("EchoStar 16 12224-12676 .*circular", line) for line in told)
+    assert not [line for line in told if line.startswith(("Galaxy", "QO-100"))]
+    assert "12200 to 12700 MHz" in ask("downlinks", "galaxy").stderr
+    result = ask("if", "--rf", "12224M")
+    assert "Feed stock-ku: LO 11250 MHz." in result.stderr
+    assert "IF         974 MHz" in result.stdout
+    assert "as in a DISH and Bell LNB, circular" in result.stdout
+
+
 def test_a_feed_without_a_band_lists_all_and_says_why(ask, at_home, as_json):
     (at_home / "birdcage.toml").write_text('[feed]\nactive = "horn"\n[feed.horn]\nbeam_deg = 5.0\n')
     result = ask("downlinks", "--json")

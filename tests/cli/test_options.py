@@ -32,6 +32,25 @@ def test_flag_over_variable_over_file(run, as_json, tmp_path) -> None:
     ]  # fmt: skip
 
 
+def test_the_beam_of_each_feed_is_shown_with_where_it_comes_from(run, as_json, tmp_path) -> None:
+    file = tmp_path / "birdcage.toml"
+    file.write_text("[feed.helix]\nfreq_min_hz = 1.67e9\nfreq_max_hz = 1.71e9\n[feed.old]\nbeam_deg = 6.3\n")
+
+    def shown(firmware):
+        lines = run("--config", file, "config", "show", firmware=firmware).stdout.splitlines()
+        return {line.split()[0]: " ".join(line.split()[1:]) for line in lines if line.split()[0].endswith(".beam")}
+
+    assert shown("hal205") == {
+        "feed.stock-ku.beam": "2.0° x 2.9° from reflector and frequency",
+        "feed.helix.beam": "14.8° x 21.3° from reflector and frequency",
+        "feed.old.beam": "6.3° x 6.3° entered by hand",
+    }
+    assert shown("g2")["feed.stock-ku.beam"].endswith("; 6.4° x 6.3° measured in counts: upper bound")
+    assert shown("")["feed.stock-ku.beam"].startswith("- (needs dish.firmware")
+    value = as_json(run("--config", file, "config", "show", "--json", firmware="hal205"))["feed.old.beam"]["value"]
+    assert (value["az_deg"], value["el_deg"], value["origin"]) == (6.3, 6.3, "entered")
+
+
 def test_the_default_port_is_that_of_the_document_and_no_firmware_is_claimed(run) -> None:
     result = run("status", "--json", port="", firmware="")
     assert result.exit_code == 3

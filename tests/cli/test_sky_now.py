@@ -37,7 +37,7 @@ def filled(at_home):
 
 
 def test_satellites_slots_and_bodies_highest_first(sky, as_json, filled):
-    rows = as_json(sky("--json"))
+    rows = as_json(sky("--json", firmware="g2"))
     elevations = [row["elevation_deg"] for row in rows]
     assert elevations == sorted(elevations, reverse=True)
     assert min(elevations) >= 0.0

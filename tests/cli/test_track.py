@@ -105,6 +105,21 @@ def test_a_pass_is_followed_to_its_end_at_the_speed_of_a_simulated_dish(run, tmp
     assert "following" in phases
 
 
+def test_the_plan_of_a_travler_counts_in_its_own_beam_until_settings_say_another(run, as_json, tmp_path):
+    (tmp_path / "demo.json").write_text(json.dumps([omm(demo_orbits(datetime.now(UTC), Observer(50.0, 10.0))[3])]))
+    (tmp_path / "before.toml").write_text("[feed.stock-ku]\nbeam_deg = 6.3\n")
+
+    def mean_db(*more):
+        words = ("track", "LEO 4", *PLACE, "--plan", "--json", "--elements", tmp_path / "demo.json", *more)
+        plan = as_json(run(*words, firmware="hal205"))
+        return plan["forecast"]["mean_loss_db"], plan["forecast"]["rms_error_deg"]
+
+    (narrow_db, error_deg), (wide_db, same_deg) = mean_db(), mean_db("--config", tmp_path / "before.toml")
+    assert error_deg == pytest.approx(same_deg, rel=0.1)
+    assert 12.0 * (error_deg / 2.885) ** 2 < narrow_db < 12.0 * (error_deg / 2.011) ** 2
+    assert wide_db == pytest.approx(12.0 * (same_deg / 6.3) ** 2, abs=1e-4)
+
+
 def test_a_dish_that_does_not_know_where_it_is_follows_nothing(run):
     result = run("track", *FIXED, *PLACE, "--engage", port="sim:g2?unhomed=1")
     assert (result.exit_code, result.stdout) == (4, "")

@@ -44,7 +44,7 @@ def _checksum(line):
 
 
 def test_the_sun_as_json(where, as_json):
-    told = as_json(where("sun", *HOUSTON, *AT, "--json"))
+    told = as_json(where("sun", *HOUSTON, *AT, "--json", firmware="g2"))
     assert (told["name"], told["kind"], told["at"]) == ("Sun", "body", "2026-11-21T18:00:00.000Z")
     assert told["azimuth_deg"] == pytest.approx(177.5, abs=1.0)
     assert told["elevation_deg"] == pytest.approx(40.3, abs=0.5)
@@ -52,20 +52,37 @@ def test_the_sun_as_json(where, as_json):
     assert told["azimuth_rate_deg_s"] > 0.004
     assert 1.0 < told["rise_db"] < 2.5
     assert told["sidereal_time_h"] == pytest.approx(15.71, abs=0.02)
-    assert (told["epoch"], told["age_s"], told["skew_deg"], told["in_reach"]) == (None, None, None, None)
+    assert (told["epoch"], told["age_s"], told["skew_deg"], told["in_reach"]) == (None, None, None, True)
 
 
 def test_the_sun_for_people(where):
-    result = where("Sun", *HOUSTON, *AT)
+    result = where("Sun", *HOUSTON, *AT, firmware="g2")
     assert (result.exit_code, result.stderr) == (0, "")
     assert "2026-11-21 18:00:00 UTC, sidereal 15h41m31s" in result.stdout
     assert "29.7600°N 95.3700°W" in result.stdout
-    assert "dB to expect with feed stock-ku, 100 K of noise assumed" in result.stdout
+    assert "rise       2.0 dB to expect with feed stock-ku, 100 K of noise assumed" in result.stdout
+    assert "beam       5.5° x 5.5° from reflector and frequency" in result.stdout
+    assert "           6.4° x 6.3° measured in counts: upper bound" in result.stdout
+
+
+def test_the_sun_is_louder_in_the_narrower_beam_of_a_travler(where, as_json):
+    told = as_json(where("sun", *HOUSTON, *AT, "--json", firmware="hal205"))
+    assert told["rise_db"] == pytest.approx(6.1, abs=0.2)
+    assert (told["beam"]["az_deg"], told["beam"]["el_deg"]) == pytest.approx((2.01, 2.89), abs=0.01)
+    assert (told["beam"]["origin"], told["beam"]["az_at_most_deg"]) == ("reflector and frequency", None)
+    assert "beam       2.0° x 2.9° from reflector and frequency\nrise       6." in (
+        where("sun", *HOUSTON, *AT, firmware="hal205").stdout
+    )
+
+
+def test_without_a_dish_no_beam_is_made_up(where):
+    told = where("sun", *HOUSTON, *AT).stdout
+    assert "rise       - (name the dish with --firmware: its reflector makes the beam)" in told
 
 
 def test_the_moon_is_a_twentieth_of_a_decibel_and_that_is_said(where):
-    result = where("moon", *HOUSTON, *AT)
-    assert "rise       0.05 dB" in result.stdout
+    result = where("moon", *HOUSTON, *AT, firmware="g2")
+    assert "rise       0.06 dB" in result.stdout
     assert "too little to see without averaging" in result.stdout
 
 

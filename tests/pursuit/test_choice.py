@@ -6,6 +6,7 @@ from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 
 import pytest
+from birdcage.base.beam import Beam
 from birdcage.base.config import Settings
 from birdcage.base.config.tracking_sections import TrackingSettings
 from birdcage.pursuit.choosing import choice_of
@@ -52,7 +53,7 @@ def test_the_next_pass_in_reach_is_planned_once(choice):
     {"mount": replace(MOUNT, limits=replace(MOUNT.limits, el_floor_deg=30.0))},
     {"mount": replace(MOUNT, model=replace(G2, azimuth=replace(G2.azimuth, speed_deg_s=20.0)))},
     {"mount": replace(MOUNT, standing=Standing(-380.0, 45.0))},
-    {"mount": replace(MOUNT, beam_deg=3.0)},
+    {"mount": replace(MOUNT, beam=Beam(3.0, 3.0))},
     {"observer": Observer(50.1, 10.0, 300.0)},
     {"settings": replace(SETTINGS, tracking=TrackingSettings(preposition_s=10.0))},
 ], ids=["limits", "speed", "turn", "beam", "place", "settings"])  # fmt: skip

@@ -12,7 +12,8 @@ from birdcage.station.requests import Goto
 from birdcage.station.state import Link
 
 TYPED = {
-    "port": "/dev/ttyUSB0", "baud": "115200", "name": "helix", "beam_deg": "12", "lo_hz": "9750 MHz",
+    "port": "/dev/ttyUSB0", "baud": "115200", "name": "helix", "band": "1670 to 1710 MHz", "beam_deg": "12",
+    "lo_hz": "9750 MHz",
     "floor": "20", "ceiling": "60", "cable_min": "-400", "cable_max": "20", "pitch_deg": "1", "roll_deg": "1",
     "latitude_deg": "39.1", "longitude_deg": "-95.7", "locator": "EM29dc", "utc": "18:20:40", "el": "n",
     "reading_deg": "12", "declination_deg": "2", "el_offset_deg": "0",

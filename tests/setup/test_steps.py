@@ -174,9 +174,13 @@ class TestFeed:
         house.choose("feed", "other", name="L-band helix", beam_deg="12,5", lo_hz="9750 MHz", az_offset_deg="0.5")
         feed = house.file().active_feed
         assert (feed.beam_deg, feed.lo_hz, feed.az_offset_deg, feed.stow_allowed) == (12.5, 9.75e9, 0.5, False)
-        assert (house.state.feed_name, house.state.beam_deg, house.state.stow_allowed) == ("L-band helix", 12.5, False)
+        assert (house.state.feed_name, house.state.beam.az_deg, house.state.stow_allowed) == (
+            "L-band helix",
+            12.5,
+            False,
+        )
         assert house.view("feed").evidence == (
-            "L-band helix, beam 12.5 deg, LO 9750 MHz, offset +0.50/+0.00 deg, stow locked"
+            "L-band helix, beam 12.5° x 12.5° entered by hand, LO 9750 MHz, offset +0.50/+0.00 deg, stow locked"
         )
 
     def test_one_of_the_file(self, house):

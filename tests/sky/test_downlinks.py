@@ -214,7 +214,11 @@ def test_a_feed_hears_what_lies_in_its_band_and_is_not_known_to_be_dead():
 def test_the_stock_feed_hears_the_slots_and_not_the_amateurs_just_below():
     heard = {each.downlink.satellite for each in hearable(shipped(), STOCK_FEED)}
     assert {"EchoStar 16", "Nimiq 4", "Hot Bird"} <= heard
-    assert "QO-100" not in heard
+    assert not {"QO-100", "Galaxy 19", "Galaxy 3C"} & heard, "below 12.2 GHz"
+    by_name = {each.downlink.satellite: each for each in hearable(shipped(), STOCK_FEED)}
+    assert by_name["EchoStar 16"].remark == ""
+    assert by_name["Hot Bird"].remark == "a part of its band, 3 dB lost: linear into a feed of the other kind"
+    assert by_name["Hot Bird"].center_hz == pytest.approx(12.45e9), "where this feed hears it"
 
 
 def test_a_feed_without_a_band_hears_nothing_and_says_so():

@@ -107,7 +107,7 @@ def test_a_feed_brings_beam_offset_and_whether_it_may_stow(bench):
     assert bench.state.stow_allowed is True
     apply(bench, feeds=feeds, feed=FeedSettings(active="helix"))
     state = bench.state
-    assert (state.feed_name, state.beam_deg, state.stow_allowed) == ("helix", 12.0, False)
+    assert (state.feed_name, state.beam.size, state.stow_allowed) == ("helix", "12.0° x 12.0°", False)
     assert (state.az_offset_deg, state.el_offset_deg) == (1.0, -2.0)
 
 
@@ -161,7 +161,7 @@ def test_the_start_and_run_time_derive_the_same(bench):
         "az_offset_deg",
         "alignment",
         "feed_name",
-        "beam_deg",
+        "beam",
         "stow_allowed",
         "cable_min_deg",
     ):

@@ -22,7 +22,9 @@ def test_without_a_dish_there_is_no_mount():
 
 
 def test_limits_are_the_dish_s_own_degrees_and_its_speed_is_the_one_in_force():
-    bench = Bench(options={"alignment": Alignment(5.0, 2.0), "min_elevation_deg": 25.0, "beam_deg": 3.0}).connect()
+    bench = Bench(
+        options={"alignment": Alignment(5.0, 2.0), "min_elevation_deg": 25.0, "feed": FeedProfile(beam_deg=3.0)}
+    ).connect()
     bench.do(Goto(180, 45, "you"))
     bench.step(8)
     bench.do(SetSpeed(0, 30.0, "you"))
@@ -32,7 +34,7 @@ def test_limits_are_the_dish_s_own_degrees_and_its_speed_is_the_one_in_force():
     assert mount.model.azimuth.speed_deg_s == pytest.approx(30.0, abs=0.02)
     assert mount.alignment == Alignment(5.0, 2.0)
     assert (mount.standing.az_deg, mount.standing.el_deg) == pytest.approx((175.0, 43.0), abs=0.1)
-    assert mount.beam_deg == 3.0
+    assert mount.beam.size == "3.0° x 3.0°"
 
 
 def test_the_beam_is_as_wide_as_the_band_of_its_feed_says():
@@ -41,9 +43,9 @@ def test_the_beam_is_as_wide_as_the_band_of_its_feed_says():
     bench = Bench().connect()
     bench.do(ApplySettings(settings, "you"))
     mount = mount_of(bench.state, settings)
-    assert mount.beam_deg_at(None) == 3.0
-    assert mount.beam_deg_at(10.0e9) == pytest.approx(3.6)
-    assert mount.beam_deg_at(137.1e6) == 3.0, "no law tells how wide it is so far off its band"
+    assert mount.beam_at(None).el_deg == 3.0
+    assert mount.beam_at(10.0e9).az_deg == pytest.approx(3.6)
+    assert mount.beam_at(137.1e6).az_deg == 3.0, "no law tells how wide it is so far off its band"
 
 
 def test_it_stands_on_a_turn_of_the_cable_where_that_was_counted():

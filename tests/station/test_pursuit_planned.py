@@ -6,7 +6,7 @@ import sys
 
 import pytest
 from birdcage.base.clock import VirtualClock
-from birdcage.base.config import Settings
+from birdcage.base.config import FeedProfile, Settings
 from birdcage.base.geometry import separation
 from birdcage.protocol.model import Turn
 from birdcage.station.mounting import mount_of
@@ -33,7 +33,7 @@ def planned(bench, aside_deg, **orbit):
 
 @pytest.mark.parametrize("aside_deg", [4.0, -12.0])
 def test_a_pass_with_the_turn_of_the_cable_known(aside_deg):
-    bench = g2(beam_deg=2.5)
+    bench = g2(feed=FeedProfile(beam_deg=2.5))
     bench.do(Home("you"), 60)
     bench.do(Goto(20, 40, "you"))
     assert bench.state.turn is Turn.COUNTED
@@ -63,7 +63,7 @@ def test_a_dish_whose_moves_queue_follows_its_plan():
 
 
 def test_the_forecast_holds_for_a_dish_that_overshoots_as_the_g2_does():
-    bench = g2(beam_deg=2.5)
+    bench = g2(feed=FeedProfile(beam_deg=2.5))
     plan = planned(bench, -12.0)
     bench.pursue(plan, at_end="stay")
     bench.until(Phase.FOLLOWING, 3000).step(100.0)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+from birdcage.base.beam import Beam
 from birdcage.base.config.feeds import FeedProfile
 from birdcage.base.config.sections import AlignmentSettings, HorizonPoint, MotionSettings, NoGoSector, PlaceSettings
 from birdcage.base.config.settings import Settings
@@ -18,7 +19,7 @@ MODELS = {model.firmware: model for model in list_models()}
 
 
 def test_without_a_dish_and_settings_nothing_is_limited_but_by_the_horizon():
-    assert reach_limits(Settings(), None) == replace(ReachLimits(), turn_known=True, tolerance_deg=3.15)
+    assert reach_limits(Settings(), None) == replace(ReachLimits(), turn_known=True, tolerance_deg=1.0)
 
 
 def test_the_model_limits_what_settings_leave_open():
@@ -66,7 +67,7 @@ def test_the_horizon_of_the_place_counts():
 def test_a_live_dish_counts_as_the_station_knows_it():
     state = StationState(
         dish=MODELS["g2"], el_min_deg=21.0, el_max_deg=66.0, cable_min_deg=-400.0, cable_max_deg=20.0,
-        az_offset_deg=7.0, beam_deg=4.0, turn=StateTurn.COUNTED,
+        az_offset_deg=7.0, beam=Beam(4.0, 6.0), turn=StateTurn.COUNTED,
     )  # fmt: skip
     limits = reach_limits_of(state, Settings())
     assert (limits.el_floor_deg, limits.el_ceiling_deg, limits.cable) == (21.0, 66.0, (-400.0, 20.0))

@@ -6,6 +6,7 @@ from dataclasses import replace
 from datetime import UTC, datetime
 from functools import cache
 
+from birdcage.base.beam import Beam
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.hal.model import TRAVLER
 from birdcage.sky import demo_orbits
@@ -61,7 +62,8 @@ def mount(model=CARRYOUT_G2, *, at=(10.0, 30.0), known=True, beam_deg=2.75, alig
     }  # fmt: skip
     options = {} if alignment is None else {"alignment": alignment}
     return Mount(
-        model, ReachLimits(**{**given, **limits}), standing=None if at is None else Standing(*at), beam_deg=beam_deg,
+        model, ReachLimits(**{**given, **limits}), standing=None if at is None else Standing(*at),
+        beam=None if beam_deg is None else Beam(beam_deg, beam_deg),
         **options,
     )  # fmt: skip
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from birdcage.antenna.alignment import Alignment
+from birdcage.base.beam import Beam
 from birdcage.sky.horizon import HorizonMask
 from birdcage.sky.reach_limits import NoGo
 from birdcage.sky.targets.model import Fixed
@@ -221,7 +222,7 @@ def test_what_stays_below_the_floor_is_not_followed_and_the_plan_says_why():
 
 
 def test_decibels_are_told_at_the_frequency_asked_for_and_only_where_the_beam_is_known():
-    on = replace(mount(), beam_at_hz=12.0e9)
+    on = replace(mount(), beam=Beam(2.75, 2.75, 12.0e9))
     at_12, at_6 = (plan_of(4.0, on, frequency_hz=hz).forecast for hz in (12.0e9, 6.0e9))
     assert at_12.loss_db.max() == pytest.approx(4.0 * at_6.loss_db.max())
     assert at_12.loss_db == pytest.approx(12.0 * (at_12.error_deg / 2.75) ** 2)

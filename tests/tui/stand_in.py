@@ -7,6 +7,7 @@ from dataclasses import replace
 from types import MappingProxyType
 
 import setup_stand_in
+from birdcage.base.beam import Beam
 from birdcage.base.clock import VirtualClock
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.hal.model import TRAVLER
@@ -101,7 +102,7 @@ def at_rest(clock):
         search=Search.OFF,
         turn=Turn.COUNTED,
         feed_name="Ku LNB",
-        beam_deg=2.6,
+        beam=Beam(2.6, 2.6),
         el_min_deg=18.0,
         el_max_deg=65.0,
         readings=MappingProxyType(

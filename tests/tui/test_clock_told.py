@@ -84,7 +84,7 @@ def test_row_two_has_it_at_every_size(size):
     [
         (OLD, "▲ clock ±18.2 s, ±18.2° overhead"),
         (SLOW, "▲ clock 3.0 s slow, ±3.1° overhead"),
-        (GOOD, "Ku LNB  beam 2.6°  EN10"),
+        (GOOD, "Ku LNB  beam 2.6° x 2.6°  EN10"),
     ],
 )
 def test_the_pocket_view_has_only_a_doubt_and_has_it_whole(verdict, row):

@@ -8,6 +8,7 @@ from datetime import UTC, datetime
 
 import pytest
 from birdcage.base.clock import VirtualClock
+from birdcage.base.config import STOCK_FEED
 from birdcage.base.errors import LinkError
 from birdcage.base.held import HeldNote
 from birdcage.link.link import Link
@@ -35,7 +36,9 @@ class House:
         firmware = address.partition("?")[0]
         self.clock = VirtualClock()
         self.device = open_device(address, clock=self.clock)
-        settings = StationSettings(f"sim:{firmware}", firmware, self._open, beam_deg=6.3, feed_name="stock-ku", **more)
+        settings = StationSettings(
+            f"sim:{firmware}", firmware, self._open, feed=STOCK_FEED, feed_name="stock-ku", **more
+        )
         self.station = Station(self.clock, settings)
         self.session = Stepped(self.clock, self.station)
         self.app = BirdcageApp(self.session, AppSettings(place=Place(39.1, -95.7)))

@@ -6,6 +6,8 @@ from dataclasses import replace
 
 import pytest
 import stand_in
+from birdcage.base.beam import beam_of
+from birdcage.base.config import STOCK_FEED
 from birdcage_tui.commands import PAGES
 from birdcage_tui.footer import KeyBar
 from birdcage_tui.pages.register import MADE
@@ -183,3 +185,19 @@ def test_what_stop_can_do_is_never_cut_off(means):
 
     words, text = run(tell, "slewing")
     assert f"│ {words}" in text
+
+
+def test_health_names_both_widths_of_the_beam_and_their_origin_where_there_is_room():
+    def health(size):
+        async def show(app, pilot):
+            beam = beam_of(STOCK_FEED, stand_in.TRAVLER.reflector)
+            app.station.state = replace(app.station.state, beam=beam, feed_name="stock-ku", stow_allowed=True)
+            app.paint()
+            await pilot.pause()
+            return stand_in.text_of(app)
+
+        return run(show, size=size)
+
+    assert "stock-ku 2.0° x 2.9°, stow allowed" in health((120, 36))
+    assert "stock-ku, beam 2.0° x 2.9° theory, stow allowed" in health((160, 48))
+    assert "stock-ku, beam 2.0° x 2.9° from reflector and frequency, stow allowed" in health((220, 60))

@@ -6,6 +6,7 @@ from pathlib import Path as File
 
 import pytest
 import sky_stand_in
+from birdcage.base.beam import Beam
 from birdcage.base.config import FeedProfile
 from birdcage.base.geometry import separation
 from birdcage_tui.passes.figures import sun_lines
@@ -56,8 +57,8 @@ def test_without_a_downlink_doppler_is_told_per_100_mhz():
 
 def test_the_sun_in_the_beam_is_a_warning():
     row = replace(sky_stand_in.rows()[0], sun=(sky_stand_in.NOON, 3.0))
-    assert sun_lines(row, 6.3)[-1] == ("warn", "▲ Sun in the beam 12:00:00")
-    assert sun_lines(row, 2.0)[-1] == ("text", "Sun 3° off at 12:00")
+    assert sun_lines(row, Beam(6.3, 6.3))[-1] == ("warn", "▲ Sun in the beam 12:00:00")
+    assert sun_lines(row, Beam(2.0, 2.9))[-1] == ("text", "Sun 3° off at 12:00")
     assert sun_lines(replace(row, sun=None, sunlit_share=0.4), 6.3) == [("text", "Sun-lit 40% of it, Sun down")]
     assert sun_lines(replace(row, sunlit_share=None), 6.3) == []
 

@@ -139,6 +139,6 @@ def test_the_demos_satellite_is_heard_through_the_beam_that_follows_it():
     assert " dB  peak -3" in text
     assert "receiver" in text
     assert radio.state is RadioState.TUNED
-    assert radio.downlink_hz == 11.7e9
-    assert radio.tuned_hz == pytest.approx(11.7e9 - 9.75e9, abs=300e3)
+    assert radio.downlink_hz == 12.21e9
+    assert radio.tuned_hz == pytest.approx(12.21e9 - 11.25e9, abs=300e3)
     assert radio.doppler_hz

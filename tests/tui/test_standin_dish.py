@@ -6,6 +6,7 @@ import re
 
 import pytest
 from birdcage.base.clock import VirtualClock
+from birdcage.base.config import STOCK_FEED
 from birdcage.link.link import Link
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings
@@ -45,7 +46,7 @@ class Room:
     def __init__(self, **habits):
         self.clock = VirtualClock()
         self.dish = StandIn(self.clock.monotonic, Habits(**{"az_speed": 20.0, "el_speed": 12.0, **habits}))
-        settings = StationSettings("standin", "g2", self._open, beam_deg=6.3, feed_name="stock-ku")
+        settings = StationSettings("standin", "g2", self._open, feed=STOCK_FEED, feed_name="stock-ku")
         self.station = Station(self.clock, settings)
         self.session = Stepped(self.clock, self.station)
         self.app = BirdcageApp(self.session, AppSettings(place=Place(39.1, -95.7)))

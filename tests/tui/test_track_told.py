@@ -180,7 +180,7 @@ def test_the_looks_of_another_pursuit_do_not_stay():
 def test_what_is_not_known_is_a_dash():
     async def unknown(app, pilot, _desk):
         state = app.station.state
-        app.station.state = replace(state, beam_deg=None, pursuit=replace(
+        app.station.state = replace(state, beam=None, pursuit=replace(
             state.pursuit, sample=replace(state.pursuit.sample, loss_db=None)))  # fmt: skip
         app.track.looks[-1] = replace(app.track.looks[-1], loss_db=None)
         app.paint()

@@ -8,6 +8,7 @@ from itertools import pairwise
 
 import numpy as np
 import sky_stand_in
+from birdcage.base.beam import Beam
 from birdcage.sky.age import expected_error
 from birdcage.sky.element_error import ElementError
 from birdcage.sky.elements import ElementSet
@@ -76,7 +77,7 @@ def plan(name="METEOR-M2 4", number=59051, minutes=-4.0, length=14.0, from_az=34
         Preposition(first[0], first[1], first[0] % 360.0, first[1], (first,), spans[0][0] - 68.0, 8.0), holes,
         dish, tuple(sorted(incidents, key=lambda each: each.at_s)),
         ("Above 65° the dish cannot follow: 02:40 are missed.",) if len(spans) > 1 else (),
-        elements=aged, pointing=pointing_error(dish, aged, lambda error_deg: 12.0 * (error_deg / 2.6) ** 2),
+        elements=aged, pointing=pointing_error(dish, aged, Beam(2.6, 2.6)),
     )  # fmt: skip
 
 
@@ -109,5 +110,5 @@ def moon():
         Aim("Moon", "body"), utc(NOON), None, reach, sky, sky,
         (Leg(Part.FOLLOW, NOON, NOON + 3600.0, 171.0, 189.0, 0),),
         Preposition(171.0, 42.0, 171.0, 42.0, ((171.0, 42.0),), NOON, 3.0), (),
-        dish, (), pointing=pointing_error(dish, None, lambda _: None),
+        dish, (), pointing=pointing_error(dish, None, None),
     )  # fmt: skip

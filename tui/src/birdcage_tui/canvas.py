@@ -124,6 +124,13 @@ class Braille:
             angle = 2 * math.pi * step / count
             self.dot(x + radius * math.sin(angle) + 0.5, y - radius * math.cos(angle) + 0.5, ink)
 
+    def ellipse(self, x: float, y: float, across: float, up: float, ink: str, spacing: float = 1.0) -> None:
+        """Draw an upright ellipse by its half axes, with a dot every `spacing` dots along it."""
+        count = max(24, round(math.pi * (across + up)))
+        angles = [2 * math.pi * step / count for step in range(count + 1)]
+        points = [(x + across * math.sin(angle) + 0.5, y - up * math.cos(angle) + 0.5) for angle in angles]
+        self.dotted(points, ink, spacing)
+
     def dotted(self, points: Sequence[tuple[float, float]], ink: str, spacing: float) -> None:
         """Draw a curve through `points` as dots that are evenly spaced along it."""
         due = 0.0

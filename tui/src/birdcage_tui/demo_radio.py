@@ -17,11 +17,11 @@ if TYPE_CHECKING:
     from birdcage.sky.elements import ElementSet
     from birdcage.sky.observer import Observer
 
-LO_HZ = 9.75e9
-"""Of the converter in the focus: the receiver is tuned below 3 GHz, as a real one behind such a converter is."""
+LO_HZ = 11.25e9
+"""Of the stock feed: the receiver is tuned below 1.5 GHz, as a real one behind such a converter is."""
 PASSBAND_HZ = 50_000.0
 """At 20 times the speed the Doppler of a low satellite goes 11 kHz between two words to the receiver."""
-FIRST_MHZ, STEP_MHZ = 11_700.0, 10.0
+FIRST_MHZ, STEP_MHZ = 12_210.0, 10.0
 """Carrier of the first satellite, and from each to the next: inside of what the stock feed hears."""
 LEVEL_DB = -38.0
 """What the receiver tells of a satellite at 1000 km in the middle of the beam."""

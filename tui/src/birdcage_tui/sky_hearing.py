@@ -25,7 +25,7 @@ def hearing_of(feed: FeedProfile, user_file: Path) -> Callable[[int, str], str] 
     @cache
     def hears(norad_id: int, name: str) -> str:
         found = hearable(table.of(norad_id, name), feed)
-        return ", ".join(f"{each.downlink.center_hz / 1e6:g} MHz {each.downlink.mode}" for each in found[:MOST])
+        return ", ".join(f"{each.center_hz / 1e6:g} MHz {each.downlink.mode}" for each in found[:MOST])
 
     return hears
 
@@ -47,8 +47,9 @@ def tuning_of(feed: FeedProfile, user_file: Path) -> Callable[[int, str], Freque
     @cache
     def tuned(norad_id: int, name: str) -> Frequency | None:
         sent = [each for each in table.of(norad_id, name) if each.alive is not False]
-        heard = [each.downlink for each in hearable(sent, feed)]
-        for one in (*heard, *sent):
+        for heard in hearable(sent, feed):
+            return Frequency(heard.center_hz, f"its {heard.downlink.mode}")
+        for one in sent:
             return Frequency(one.center_hz, f"its {one.mode}")
         if feed.freq_min_hz is None or feed.freq_max_hz is None:
             return None

@@ -212,8 +212,8 @@ def _standing(view: View, *, brief: bool) -> str:
     if doubt and brief:
         return doubt.replace("doubtful: ", "")
     parts = [state.feed_name] if state.feed_name else []
-    if state.beam_deg is not None:
-        parts.append(f"beam {state.beam_deg:.1f}°")
+    if state.beam is not None:
+        parts.append(f"beam {state.beam.size}")
     if state.az_offset_deg or state.el_offset_deg:
         parts.append(f"offset az {state.az_offset_deg:+.2f}° el {state.el_offset_deg:+.2f}°")
     if lean := state.alignment.lean_words():

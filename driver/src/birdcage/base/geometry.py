@@ -16,6 +16,29 @@ def shortest_turn(start_deg: float, end_deg: float) -> float:
     return (end_deg - start_deg + 180.0) % 360.0 - 180.0
 
 
+def offset(az1_deg: float, el1_deg: float, az2_deg: float, el2_deg: float) -> tuple[float, float]:
+    """Return how far the second direction lies to the right of the first and above it, in degrees on the sky.
+
+    Both together are the separation, whatever its size.
+    """
+    el1, el2, turn = math.radians(el1_deg), math.radians(el2_deg), math.radians(az2_deg - az1_deg)
+    right = math.cos(el2) * math.sin(turn)
+    up = math.cos(el1) * math.sin(el2) - math.sin(el1) * math.cos(el2) * math.cos(turn)
+    aside = math.hypot(right, up)
+    scale = separation(az1_deg, el1_deg, az2_deg, el2_deg) / aside if aside else 0.0
+    return right * scale, up * scale
+
+
+def beside(az_deg: float, el_deg: float, right_deg: float, up_deg: float) -> tuple[float, float]:
+    """Return the direction that lies so far to the right of another and above it: `offset` backwards."""
+    away, el = math.radians(math.hypot(right_deg, up_deg)), math.radians(el_deg)
+    bearing = math.atan2(right_deg, up_deg)
+    height = math.sin(el) * math.cos(away) + math.cos(el) * math.sin(away) * math.cos(bearing)
+    there = math.asin(min(1.0, max(-1.0, height)))
+    turn = math.atan2(math.sin(bearing) * math.sin(away) * math.cos(el), math.cos(away) - math.sin(el) * height)
+    return wrap_360(az_deg + math.degrees(turn)), math.degrees(there)
+
+
 def separation(az1_deg: float, el1_deg: float, az2_deg: float, el2_deg: float) -> float:
     """Return the angle on the sky between two directions, in [0, 180] (haversine, exact for small angles)."""
     d_az = math.radians(az2_deg - az1_deg)

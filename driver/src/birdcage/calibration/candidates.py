@@ -9,19 +9,19 @@ from typing import TYPE_CHECKING
 
 from birdcage.calibration.expected import expected
 from birdcage.calibration.peak import SLOT_RISE_DB, sigma_by_hand
+from birdcage.sky.downlinks import load_downlinks
+from birdcage.sky.downlinks_hearing import may_hear_slot
 from birdcage.sky.ephemeris.bodies import BODIES
 from birdcage.sky.rise import LEAST_DB, Ear, expected_rise_db
 from birdcage.sky.slots import slots
 from birdcage.sky.targets.model import BodyTarget, SlotTarget
 
 if TYPE_CHECKING:
+    from birdcage.base.beam import Beam
     from birdcage.base.config import FeedProfile
     from birdcage.sky.observer import Observer
     from birdcage.sky.targets.model import Target
     from birdcage.tracking.planning.refraction import Refraction
-
-BANDS_HZ = {"Ku": (10.7e9, 12.75e9), "L": (1.52e9, 1.71e9), "Ka": (18.3e9, 20.2e9)}
-"""What slots send in, by the bands of `birdcage.sky.slots`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,31 +44,30 @@ class Candidate:
 
 def candidates(
     observer: Observer, when: datetime, feed: FeedProfile, allowed: Callable[[float, float], bool],
-    refraction: Refraction = "radio",
+    refraction: Refraction = "radio", beam: Beam | None = None,
 ) -> tuple[Candidate, ...]:  # fmt: skip
     """Return what is up, in reach, and not known to be beyond this feed's hearing."""
     return tuple(
-        each for each in _all(observer, when, feed, refraction) if each.el_deg > 0 and allowed(each.az_deg, each.el_deg)
+        each
+        for each in _all(observer, when, feed, refraction, beam)
+        if each.el_deg > 0 and allowed(each.az_deg, each.el_deg)
     )
 
 
-def _all(observer: Observer, when: datetime, feed: FeedProfile, refraction: Refraction) -> Iterator[Candidate]:
-    ear = Ear.of(feed)
+def _all(
+    observer: Observer, when: datetime, feed: FeedProfile, refraction: Refraction, beam: Beam | None
+) -> Iterator[Candidate]:
+    ear = Ear.of(feed, beam)
     for name in ("sun", "moon"):
         body = BodyTarget(BODIES[name])
         rise_db = expected_rise_db(body, body.look(observer, when), ear)
         if rise_db is None or rise_db >= LEAST_DB:
             az_deg, el_deg = expected(body, observer, when, refraction)
-            yield Candidate(body, az_deg, el_deg, sigma_by_hand(rise_db, feed.beam_deg), rise_db)
+            yield Candidate(body, az_deg, el_deg, sigma_by_hand(rise_db, beam), rise_db)
+    table = load_downlinks()
     for slot in slots():
-        if slot.is_empty or not _in_band(feed, *BANDS_HZ[slot.band]):
+        if slot.is_empty or not may_hear_slot(slot, feed, table):
             continue
         there = SlotTarget(slot)
         az_deg, el_deg = expected(there, observer, when, refraction)
-        yield Candidate(there, az_deg, el_deg, sigma_by_hand(SLOT_RISE_DB, feed.beam_deg), None)
-
-
-def _in_band(feed: FeedProfile, low_hz: float, high_hz: float) -> bool:
-    """Return whether a feed may hear a band; one that does not say what it hears may."""
-    above = feed.freq_max_hz is None or feed.freq_max_hz >= low_hz
-    return above and (feed.freq_min_hz is None or feed.freq_min_hz <= high_hz)
+        yield Candidate(there, az_deg, el_deg, sigma_by_hand(SLOT_RISE_DB, beam), None)

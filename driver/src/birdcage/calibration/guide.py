@@ -26,6 +26,7 @@ from birdcage.station.session import Session
 from birdcage.station.state import MOVING, Link, Pointing
 
 if TYPE_CHECKING:
+    from birdcage.base.beam import Beam
     from birdcage.calibration.fit import Fit
     from birdcage.calibration.next_best import Proposal
     from birdcage.sky.targets.model import Target
@@ -106,6 +107,10 @@ class Guide:
         return self._fit
 
     @property
+    def _beam(self) -> Beam | None:
+        return self._station.state.beam
+
+    @property
     def busy(self) -> str:
         """What is under way; empty where nothing is."""
         return self._busy
@@ -133,7 +138,7 @@ class Guide:
     def refresh(self) -> tuple[Proposal, ...]:
         """Look what is up now and which of it is best to peak on next. ConfigError where no place is set."""
         limits = reach_limits_of(self._station.state, self.settings)
-        self._proposals = proposals_for(self.settings, self.peaks, self._clock.utc(), limits, self._fit)
+        self._proposals = proposals_for(self.settings, self.peaks, self._clock.utc(), limits, self._fit, self._beam)
         return self._proposals
 
     def choose(self, target: Target | Candidate) -> None:
@@ -172,7 +177,7 @@ class Guide:
         reason, position, target = self._may_not_take(), self._position, self._target
         if reason or position is None or target is None:
             raise NoPeak(reason, reason="target" if target is None else "moving" if self._moving else "position")
-        peak = peak_at(self.settings, target, position, sigma_deg)
+        peak = peak_at(self.settings, target, position, sigma_deg, self._beam)
         kept = add_peak(peaks_file(self._paths), peak)
         self._read()
         return kept
@@ -257,16 +262,18 @@ class Guide:
         return ""
 
 
-def peak_at(settings: Settings, target: Target, position: Pointing, sigma_deg: float | None = None) -> Peak:
+def peak_at(
+    settings: Settings, target: Target, position: Pointing, sigma_deg: float | None = None, beam: Beam | None = None
+) -> Peak:
     """Return a peak by hand on a target with the dish as it was read. BirdcageError where the target is nowhere.
 
     A positive `sigma_deg` is how well it was done; without it, as well as a person can.
     """
     observer, feed = observer_of(settings), settings.active_feed
     az_deg, el_deg = expected(target, observer, position.utc, settings.tracking.refraction)
-    rise_db = expected_rise_db(target, target.look(observer, position.utc), Ear.of(feed))
+    rise_db = expected_rise_db(target, target.look(observer, position.utc), Ear.of(feed, beam))
     heard_db = SLOT_RISE_DB if isinstance(target, SlotTarget) else rise_db
-    sigma = sigma_by_hand(heard_db, feed.beam_deg) if sigma_deg is None else sigma_deg
+    sigma = sigma_by_hand(heard_db, beam) if sigma_deg is None else sigma_deg
     return Peak(
         position.utc, target.name, az_deg, el_deg, position.dish_az_deg, position.dish_el_deg, sigma, "hand", rise_db
     )

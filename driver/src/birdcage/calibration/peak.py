@@ -5,9 +5,12 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from datetime import datetime
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from birdcage.base.geometry import shortest_turn
+
+if TYPE_CHECKING:
+    from birdcage.base.beam import Beam
 
 Found = Literal["hand", "rssi"]
 """How the dish was put on the object: nudged by a person, or by its own signal strength."""
@@ -53,14 +56,16 @@ class Peak:
         return across, self.true_el_deg - el_deg
 
 
-def sigma_by_hand(rise_db: float | None, beam_deg: float | None) -> float:
+def sigma_by_hand(rise_db: float | None, beam: Beam | None) -> float:
     """Return how well a person finds the middle of a source that adds `rise_db` in a Gaussian beam, in degrees.
 
     By going to half the signal on both sides, where the level changes most, and halving: a level read to `SEEN_DB`.
-    Never worse than half a beam, where a person would see that there is nothing.
+    In both axes, so it is as good as in the wider one. Never worse than half a beam, where a person would see that
+    there is nothing.
     """
-    if rise_db is None or beam_deg is None:
+    if rise_db is None or beam is None:
         return UNKNOWN_SIGMA_DEG
+    beam_deg = max(beam.az_deg, beam.el_deg)
     signal: float = (10.0 ** (rise_db / 10.0) - 1.0) / 2.0
     db_per_deg = 10.0 / math.log(10.0) * signal / (1.0 + signal) * 4.0 * math.log(2.0) / beam_deg
     if not db_per_deg:

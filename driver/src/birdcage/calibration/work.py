@@ -19,6 +19,7 @@ from birdcage.sky.observer import Observer
 from birdcage.station.settings import rules_from
 
 if TYPE_CHECKING:
+    from birdcage.base.beam import Beam
     from birdcage.base.config import Settings
     from birdcage.calibration.candidates import Candidate
     from birdcage.calibration.fit import Fit
@@ -79,18 +80,29 @@ def set_from(settings: Settings, fitted: Fit, name: str, utc: datetime) -> Align
 
 
 def proposals_for(
-    settings: Settings, peaks: Sequence[Peak], when: datetime, limits: ReachLimits, fitted: Fit | None = None
+    settings: Settings,
+    peaks: Sequence[Peak],
+    when: datetime,
+    limits: ReachLimits,
+    fitted: Fit | None = None,
+    beam: Beam | None = None,
 ) -> tuple[Proposal, ...]:
     """Return what to peak on next, best first; what lies beside a peak already taken is left out.
 
-    ConfigError where no place is set. It takes some tenths of a second at first, while the ephemeris is read.
+    `beam`: of dish and feed, where known. ConfigError where no place is set. It takes some tenths of a second at first,
+    while the ephemeris is read.
     """
     from birdcage.calibration.candidates import candidates
     from birdcage.calibration.next_best import rank
 
     alignment = in_force(settings) if fitted is None else fitted.alignment
     found = candidates(
-        observer_of(settings), when, settings.active_feed, allowed_by(limits), settings.tracking.refraction
+        observer_of(settings),
+        when,
+        settings.active_feed,
+        allowed_by(limits),
+        settings.tracking.refraction,
+        beam,
     )
     return rank(
         [each for each in found if not _beside(each, peaks)], peaks, priors_for(settings, peaks), alignment,

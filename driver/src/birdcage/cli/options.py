@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 
 if TYPE_CHECKING:
+    from birdcage.base.beam import Beam
     from birdcage.base.config import Settings
     from birdcage.base.paths import Paths
     from birdcage.station.known import DishModel
@@ -54,14 +55,27 @@ class Wanted:
     @property
     def model(self) -> DishModel | None:
         """What that firmware drives; None for one that this version does not speak."""
-        from birdcage.station.known import list_models
-
-        return next((model for model in list_models() if model.firmware == self.firmware), None)
+        return model_of(self.firmware)
 
     @property
     def named_model(self) -> DishModel | None:
         """The same where somebody named the firmware: what is computed without a dish guesses none."""
         return self.model if self.firmware_given else None
+
+    @property
+    def beam(self) -> Beam | None:
+        """The beam of the dish that was named, with the active feed; None where it is not known."""
+        from birdcage.base.beam import beam_of
+
+        model = self.named_model
+        return beam_of(self.settings.active_feed, None if model is None else model.reflector)
+
+
+def model_of(firmware: str | None) -> DishModel | None:
+    """Return what a firmware drives; None for none, and for one that this version does not speak."""
+    from birdcage.station.known import list_models
+
+    return next((model for model in list_models() if model.firmware == firmware), None)
 
 
 def flags() -> Flags:

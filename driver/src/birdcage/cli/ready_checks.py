@@ -144,6 +144,8 @@ def limits(settings: Settings) -> Check:
 
 def feed(settings: Settings) -> Check:
     """Whether it is known what hangs in the focus."""
+    from birdcage.base.beam import beam_of
+    from birdcage.cli.options import model_of
     from birdcage.sky.downlinks_hearing import has_band
 
     name, mounted = settings.feed.active, settings.active_feed
@@ -156,7 +158,10 @@ def feed(settings: Settings) -> Check:
     lo = "" if mounted.lo_hz is None else f", LO {mounted.lo_hz / 1e6:.10g} MHz"
     band = f"{mounted.freq_min_hz / 1e6:.10g} to {mounted.freq_max_hz / 1e6:.10g} MHz"
     stow = "may be stowed" if mounted.stow_allowed else "stow locked"
-    return Check("feed", "good", f"{name}, {band}{lo}, {stow}")
+    model = model_of(settings.dish.firmware)
+    beam = beam_of(mounted, None if model is None else model.reflector)
+    width = "" if beam is None else f", beam {beam.size}"
+    return Check("feed", "good", f"{name}, {band}{lo}{width}, {stow}")
 
 
 def downlinks(paths: Paths) -> Check:

@@ -71,7 +71,7 @@ def look_round(
     from birdcage.sky.rise import Ear, expected_rise_db
     from birdcage.sky.targets.model import Satellite
 
-    ear, notes, in_the_way = Ear.of(dish.settings.active_feed), [], what_stands_in_the_way(dish)
+    ear, notes, in_the_way = Ear.of(dish.settings.active_feed, dish.beam), [], what_stands_in_the_way(dish)
     seen = [*_satellites(entries, observer, when), *_slots(observer, when)]
     try:
         seen += _bodies(observer, when)

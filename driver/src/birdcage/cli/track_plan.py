@@ -47,6 +47,7 @@ def plan_for(choice: Choice, wants: Wanted, observer: Observer, now: datetime) -
 
 def mount_for(wants: Wanted) -> Mount:
     """Return the dish that was named, as it is where nothing is known of it but its kind. ConfigError without one."""
+    from birdcage.base.beam import beam_of
     from birdcage.base.errors import ConfigError
     from birdcage.station.reach_limits import reach_limits
     from birdcage.station.settings import rules_from
@@ -57,5 +58,5 @@ def mount_for(wants: Wanted) -> Mount:
         raise ConfigError(NO_DISH)
     return Mount(
         model, reach_limits(wants.settings, model), rules.alignment, None,
-        rules.min_elevation_deg, rules.max_elevation_deg, rules.beam_deg,
+        rules.min_elevation_deg, rules.max_elevation_deg, beam_of(rules.feed, model.reflector),
     )  # fmt: skip

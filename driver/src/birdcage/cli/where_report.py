@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from birdcage.cli.say import iso
 
 if TYPE_CHECKING:
+    from birdcage.base.beam import Beam
     from birdcage.cli.options import Wanted
     from birdcage.sky.age import ExpectedError
     from birdcage.sky.elements import ElementSet
@@ -40,6 +41,8 @@ class Report:
     refraction: Refraction
     """By what this dish is lifted when it tracks; nothing here is."""
     rise_db: float | None
+    beam: Beam | None
+    """Of the dish that was named, with the active feed."""
     feed: str
     system_k: float
     system_given: bool
@@ -66,7 +69,8 @@ class Report:
             in_the_way=what_stands_in_the_way(dish)(seen),
             skew=target.skew(observer) if isinstance(target, SlotTarget) else None,
             refraction=dish.settings.tracking.refraction,
-            rise_db=expected_rise_db(target, seen, Ear.of(feed)),
+            rise_db=expected_rise_db(target, seen, Ear.of(feed, dish.beam)),
+            beam=dish.beam,
             feed=dish.settings.feed.active,
             system_k=feed.system_k,
             system_given=f"feed.{dish.settings.feed.active}.system_k" in dish.settings.sources,
@@ -124,6 +128,7 @@ class Report:
             **(NO_SKEW if self.skew is None else self.skew.values()),
             "rise_db": rounded(self.rise_db, 4),
             "feed": self.feed,
+            "beam": None if self.beam is None else self.beam.values(),
             "system_k": self.system_k,
             "sidereal_time_h": round(self.sidereal_h, 6) % 24.0,
             "epoch": None if elements is None else iso(elements.epoch),
@@ -155,6 +160,9 @@ class Report:
         ]
         if self.skew is not None:
             lines += [f"{name:10} {words}" for name, words in zip(("skew", "tilt"), self.skew.words(), strict=True)]
+        if self.beam is not None and self.target.kind == "body":
+            first, *more = self.beam.words.split("; ")
+            lines += [f"beam       {first}", *(f"           {each}" for each in more)]
         lines.append(f"rise       {self._rise_words()}")
         if self.elements is not None:
             lines.append(f"elements   {self._age_words()}")
@@ -171,7 +179,8 @@ class Report:
         from birdcage.sky.rise import rise_words
 
         if self.rise_db is None:
-            return "-"
+            unknown = self.target.kind == "body" and self.beam is None
+            return "- (name the dish with --firmware: its reflector makes the beam)" if unknown else "-"
         noise = f"{self.system_k:g} K of noise {'' if self.system_given else 'assumed'}".rstrip()
         faint = "; too little to see without averaging" if self.rise_db < FAINT_DB else ""
         return f"{rise_words(self.rise_db)} to expect with feed {self.feed}, {noise}{faint}"

@@ -6,6 +6,8 @@ import math
 from dataclasses import dataclass, replace
 from enum import Enum
 
+from birdcage.base.beam import Reflector
+
 
 class Turn(Enum):
     """How well the turn of the cable is known (SEAMS *Frames*)."""
@@ -160,6 +162,8 @@ class DishModel:
     position_reported: bool
     power_switch: str
     """What a person switches off where no STOP helps: `12 V switch`, `power switch`."""
+    reflector: Reflector | None = None
+    """As sold; None where its size is not known. It makes the beam, together with the feed."""
     skew: Axis | None = None
     """The axis that turns the feed about the beam; None where there is none."""
 

@@ -12,13 +12,13 @@ if TYPE_CHECKING:
 
 
 def usual_frequency_hz(elements: ElementSet, feed: FeedProfile, downlinks: Path) -> float | None:
-    """Return the middle of its first downlink that the feed hears, of those known to be on the air first; else None.
+    """Return the middle of what the feed hears of its first downlink, of those known to be on the air first; else None.
 
     `downlinks`: the user's own table, which need not be there.
     """
     from birdcage.sky.downlinks import load_downlinks
     from birdcage.sky.downlinks_hearing import hearable
 
-    heard = [each.downlink for each in hearable(load_downlinks(downlinks).of(elements.norad_id, elements.name), feed)]
-    first = sorted(heard, key=lambda each: each.alive is not True)  # stable: in the order of the table
+    heard = hearable(load_downlinks(downlinks).of(elements.norad_id, elements.name), feed)
+    first = sorted(heard, key=lambda each: each.downlink.alive is not True)  # stable: in the order of the table
     return first[0].center_hz if first else None

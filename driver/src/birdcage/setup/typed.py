@@ -51,6 +51,25 @@ def frequency_hz(values: Mapping[str, str], name: str, label: str) -> float | No
     return value
 
 
+def band_hz(values: Mapping[str, str], name: str, label: str) -> tuple[float | None, float | None]:
+    """Return both ends of a band in Hz from `1670 to 1710 MHz` or `1.67-1.71 GHz`; nothing where nothing was typed.
+
+    The unit of the upper end counts for the lower one too, where that has none.
+    """
+    text = values.get(name, "").strip()
+    if not text:
+        return None, None
+    ends = re.split(r"\s+to\s+|\s*[-\u2013]\s*", text)
+    if len(ends) != 2:
+        raise NoSuchChoice(f"{label}: {text!r} is no band such as 1670 to 1710 MHz.")
+    unit = re.sub(r"[-+0-9.,\s]", "", ends[1])
+    low = ends[0] if re.search(r"[a-zA-Z]", ends[0]) else ends[0] + unit
+    low_hz, high_hz = (frequency_hz({name: end}, name, label) for end in (low, ends[1]))
+    if low_hz is None or high_hz is None or low_hz >= high_hz:
+        raise NoSuchChoice(f"{label}: {text!r} does not go from a lower to a higher frequency.")
+    return low_hz, high_hz
+
+
 def yes(values: Mapping[str, str], name: str, label: str) -> bool:
     """Return whether `y` or `yes` was typed; nothing typed is no."""
     text = values.get(name, "").strip().lower()

@@ -1,4 +1,7 @@
-"""The G2's beam as measured on an isolated cluster of satellites at elevation 27 (reference section 7.6)."""
+"""The beam: a G2's as measured on an isolated cluster of satellites at elevation 27 (reference section 7.6).
+
+Another dish has the same shape, narrower as its reflector is larger, in each direction by itself.
+"""
 
 from __future__ import annotations
 
@@ -12,6 +15,15 @@ AZ_PROFILE = (409, 431, 465, 500, 525, 541, 544, 537, 520, 491, 459, 428, 413)
 """Counts at -6..+6 degrees of azimuth; on the sky these are cos(27 deg) apart."""
 SIDELOBE = ((7.0, 410.0), (8.0, 416.0), (8.5, 418.0), (9.0, 416.0), (10.0, 408.0), (12.0, FLOOR))
 """First sidelobe 415 to 420 at 8 to 9 degrees; the shape around it [I]."""
+
+MEASURED_IN = (12.0, 12.0)
+"""Width and height of the reflector that it was measured with, in inches."""
+COMPRESSION = 1.4
+"""How the detector squeezes what it hears: counts go with the 1/1.4th power of what arrives, and what arrives adds up.
+
+A scan cannot tell 1.2 from 2. 1.4 is what makes of the 5.5 degrees, which theory gives a 12 inch reflector at
+12.45 GHz, the 6.4 degrees that a scan in counts shows. [I]
+"""
 
 Profile = tuple[tuple[float, float], ...]
 
@@ -27,12 +39,14 @@ _RIGHT = _profile(AZ_PROFILE[6:], math.cos(math.radians(27.0)))
 _LEFT = _profile(AZ_PROFILE[6::-1], math.cos(math.radians(27.0)))
 
 
-def gain(right_deg: float, up_deg: float) -> float:
-    """Return what the beam lets through, 1 at its centre.
+def gain(right_deg: float, up_deg: float, reflector_in: tuple[float, float] = MEASURED_IN) -> float:
+    """Return what the beam lets through in counts, 1 at its centre.
 
-    `right_deg` and `up_deg` are how far the beam's centre stands from the source on the sky. Between the measured
-    cuts the profiles are blended by direction.
+    `reflector_in`: width and height of the reflector. `right_deg` and `up_deg` are how far the beam's centre stands
+    from the source on the sky. Between the measured cuts the profiles are blended by direction.
     """
+    right_deg *= reflector_in[0] / MEASURED_IN[0]
+    up_deg *= reflector_in[1] / MEASURED_IN[1]
     away = math.hypot(right_deg, up_deg)
     if away == 0.0:
         return 1.0
@@ -42,8 +56,10 @@ def gain(right_deg: float, up_deg: float) -> float:
     return (share * vertical + (1.0 - share) * horizontal - FLOOR) / (PEAK - FLOOR)
 
 
-def gain_toward(az_deg: float, el_deg: float, source_az_deg: float, source_el_deg: float) -> float:
-    """Return what a beam that looks at one direction lets through of a source at another, anywhere in the sky."""
+def power_toward(
+    az_deg: float, el_deg: float, source_az_deg: float, source_el_deg: float, reflector_in: tuple[float, float]
+) -> float:
+    """Return what share of a source's power a beam lets through that looks elsewhere, anywhere in the sky."""
     el, source_el = math.radians(el_deg), math.radians(source_el_deg)
     turn = math.radians(az_deg - source_az_deg)
     right = math.cos(el) * math.sin(turn)
@@ -53,7 +69,7 @@ def gain_toward(az_deg: float, el_deg: float, source_az_deg: float, source_el_de
     away_deg = math.degrees(math.atan2(aside, ahead))
     # As far away as on the sphere, in the direction in which it is seen from the source.
     scale = away_deg / aside if aside else 0.0
-    return gain(right * scale, up * scale)
+    return math.pow(max(gain(right * scale, up * scale, reflector_in), 0.0), COMPRESSION)
 
 
 def _counts(profile: Profile, away_deg: float) -> float:

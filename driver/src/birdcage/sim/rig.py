@@ -14,7 +14,7 @@ from typing import ClassVar
 
 from birdcage.base.clock import Clock
 from birdcage.sim.beacons import Beacon, read_beacons
-from birdcage.sim.beam import gain_toward
+from birdcage.sim.beam import power_toward
 from birdcage.sim.chance import seeded
 from birdcage.sim.device import Device
 from birdcage.sim.settings import Options
@@ -74,7 +74,9 @@ class Rig:
                 continue
             off_hz = heard.frequency_hz - settings.lo_hz - self.frequency_hz
             if abs(off_hz) <= settings.passband_hz / 2.0:
-                share = gain_toward(beam.beam_az_deg, beam.beam_el_deg, heard.az_deg, heard.el_deg)
+                share = power_toward(
+                    beam.beam_az_deg, beam.beam_el_deg, heard.az_deg, heard.el_deg, dish.settings.reflector_in
+                )
                 power += share * 10.0 ** (heard.level_db / 10.0)
         return 10.0 * math.log10(power)
 

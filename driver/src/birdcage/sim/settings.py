@@ -31,6 +31,8 @@ class Settings(Options):
     """The knobs that every simulated dish has. Angles in degrees, times in seconds of dish time."""
 
     firmware: ClassVar[str] = "dish"
+    reflector_in: ClassVar[tuple[float, float]] = (12.0, 12.0)
+    """Width and height of its reflector in inches: they make its beam."""
     choices: ClassVar[Mapping[str, tuple[str, ...]]] = {
         "stall": ("stop", "slip"),
         "root_q": ("error", "ignore", "kill"),

@@ -7,7 +7,7 @@ from datetime import datetime
 
 from birdcage.base.geometry import separation, shortest_turn
 from birdcage.sim.almanac import geostationary, sun
-from birdcage.sim.beam import gain
+from birdcage.sim.beam import COMPRESSION, gain
 from birdcage.sim.settings import Settings
 
 SLOTS: dict[float, float] = {
@@ -26,12 +26,6 @@ SLOTS: dict[float, float] = {
 
 They are fitted, together with `COMPRESSION`, to the published scan of a real G2 (section 7.6): its five peaks, its
 ridge between them and the share of its cells above 440 and 500 counts. `scripts/bench/sky_scan.py` prints both. [I]
-"""
-COMPRESSION = 1.4
-"""How the detector squeezes what it hears: counts go with the 1/1.4th power of what arrives, and what arrives adds up.
-
-A scan cannot tell 1.2 from 2. 1.4 is what makes of the 5.4 degrees, which theory gives a 30 cm reflector at 12.45 GHz,
-the 6.4 degrees that a scan in counts shows. [I]
 """
 SUN_COUNTS = 25.0
 """About 70 K in a 6.4 degree beam over a 100 K receiver. [I]"""
@@ -56,14 +50,24 @@ class Sky:
     def level(self, when: datetime, az_deg: float, el_deg: float) -> float:
         """Return the noise-free level in counts with the beam at a true direction."""
         sources = [*self.slots, (sun(when, self._settings.lat, self._settings.lon), SUN_COUNTS)]
-        arriving = math.fsum(_counts_heard(source, az_deg, el_deg) ** COMPRESSION for source in sources)
+        arriving = math.fsum(self._counts_heard(source, az_deg, el_deg) ** COMPRESSION for source in sources)
         return self.floor(el_deg) + math.pow(arriving, 1.0 / COMPRESSION)
 
     def strongest(self, az_deg: float, el_deg: float) -> float | None:
         """Return the slot, in degrees east, that is heard best with the beam at a true direction; None for none."""
-        heard = {slot: _counts_heard(source, az_deg, el_deg) for slot, source in zip(SLOTS, self.slots, strict=True)}
+        heard = {
+            slot: self._counts_heard(source, az_deg, el_deg) for slot, source in zip(SLOTS, self.slots, strict=True)
+        }
         best = max(heard, key=heard.__getitem__)
         return best if heard[best] > 0.0 else None
+
+    def _counts_heard(self, source: Source, beam_az_deg: float, beam_el_deg: float) -> float:
+        """Return the counts that a source makes alone, with the beam at a true direction."""
+        (az_deg, el_deg), counts = source
+        if el_deg <= 0.0 or separation(beam_az_deg, beam_el_deg, az_deg, el_deg) >= REACH_DEG:
+            return 0.0
+        right_deg = shortest_turn(az_deg, beam_az_deg) * math.cos(math.radians(el_deg))
+        return counts * max(gain(right_deg, beam_el_deg - el_deg, self._settings.reflector_in), 0.0)
 
     def floor(self, el_deg: float) -> float:
         """Return the level of the empty sky."""
@@ -72,12 +76,3 @@ class Sky:
 
 def _air(el_deg: float) -> float:
     return 1.0 / math.sin(math.radians(max(el_deg, 5.0)))
-
-
-def _counts_heard(source: Source, beam_az_deg: float, beam_el_deg: float) -> float:
-    """Return the counts that a source makes alone, with the beam at a true direction."""
-    (az_deg, el_deg), counts = source
-    if el_deg <= 0.0 or separation(beam_az_deg, beam_el_deg, az_deg, el_deg) >= REACH_DEG:
-        return 0.0
-    right_deg = shortest_turn(az_deg, beam_az_deg) * math.cos(math.radians(el_deg))
-    return counts * max(gain(right_deg, beam_el_deg - el_deg), 0.0)

@@ -8,11 +8,14 @@ from dataclasses import dataclass
 from fnmatch import translate
 from typing import TYPE_CHECKING
 
-from birdcage.sky.downlinks import Downlink, called
+from birdcage.sky.downlinks import Downlink, Downlinks, called
 
 if TYPE_CHECKING:
     from birdcage.base.config import FeedProfile
+    from birdcage.sky.slots import Slot
 
+BANDS_HZ = {"Ku": (10.7e9, 12.75e9), "L": (1.52e9, 1.71e9), "Ka": (18.3e9, 20.2e9)}
+"""What slots send in, by the bands of `birdcage.sky.slots`."""
 CROSSED_DB = 3.0
 """Lost between linear and circular: half the power, whichever way round."""
 
@@ -26,6 +29,9 @@ class Hearing:
     """Whether all of its band lies in the feed's."""
     loss_db: float | None
     """By the kinds of polarisation alone; None where one of them is not known."""
+
+    center_hz: float
+    """The middle of what of its band lies in the feed's."""
 
     @property
     def remark(self) -> str:
@@ -51,13 +57,28 @@ def hearing(downlink: Downlink, feed: FeedProfile) -> Hearing | None:
         return None
     kinds = (downlink.kind, feed.polarization)
     loss_db = None if None in kinds else (0.0 if kinds[0] == kinds[1] else CROSSED_DB)
-    return Hearing(downlink, low_hz <= downlink.freq_min_hz and downlink.freq_max_hz <= high_hz, loss_db)
+    heard_hz = max(low_hz, downlink.freq_min_hz), min(high_hz, downlink.freq_max_hz)
+    return Hearing(downlink, heard_hz == (downlink.freq_min_hz, downlink.freq_max_hz), loss_db, sum(heard_hz) / 2.0)
 
 
 def hearable(downlinks: Iterable[Downlink], feed: FeedProfile) -> tuple[Hearing, ...]:
     """Return what of it a feed can hear and that is not known to be off the air."""
     found = (hearing(each, feed) for each in downlinks if each.alive is not False)
     return tuple(each for each in found if each is not None)
+
+
+def may_hear_slot(slot: Slot, feed: FeedProfile, downlinks: Downlinks) -> bool:
+    """Return whether a feed may hear a place on the arc, which it does unless it is known that it cannot.
+
+    By what is known to be sent from there; where nothing is, by what is sent in that band at all. A feed that does not
+    say what it hears may hear anything.
+    """
+    low_hz, high_hz = BANDS_HZ[slot.band]
+    sent = [each for each in downlinks.at(slot.longitude_deg) if low_hz <= each.center_hz <= high_hz]
+    if has_band(feed) and sent:
+        return bool(hearable(sent, feed))
+    below = feed.freq_max_hz is not None and feed.freq_max_hz < low_hz
+    return not below and (feed.freq_min_hz is None or feed.freq_min_hz <= high_hz)
 
 
 def listener(downlinks: Iterable[Downlink], feed: FeedProfile) -> Callable[[int, str], bool]:

@@ -52,7 +52,7 @@ class ReachLimits:
     """The greatest speed of the azimuth; None for no limit."""
     el_rate_deg_s: float | None = None
     tolerance_deg: float = DEFAULT_TOLERANCE_DEG
-    """How far off the dish may be while it cannot turn fast enough: half a beam."""
+    """How far off the dish may be while it cannot turn fast enough: half a beam, the narrower way."""
 
     @property
     def cable(self) -> tuple[float, float] | None:

@@ -17,6 +17,7 @@ from birdcage.sky.ephemeris.bodies import Body
 from birdcage.sky.targets.model import BodyTarget
 
 if TYPE_CHECKING:
+    from birdcage.base.beam import Beam
     from birdcage.base.config import FeedProfile
     from birdcage.sky.look import LookAngle
     from birdcage.sky.targets.model import Target
@@ -59,19 +60,18 @@ Mercury, Uranus and Neptune are assumptions. No dish of this size hears a planet
 class Ear:
     """What a feed hears with."""
 
-    beam_deg: float
-    """Width at half power."""
+    beam: Beam
     freq_hz: float
     system_k: float
     """Noise of receiver, ground and sky together, with nothing in the beam."""
 
     @classmethod
-    def of(cls, feed: FeedProfile) -> Ear | None:
-        """Return that of a feed, at the middle of its band; None when its beam or its band is not known."""
+    def of(cls, feed: FeedProfile, beam: Beam | None) -> Ear | None:
+        """Return that of a feed, at the middle of its band; None when the beam or its band is not known."""
         edges = [edge for edge in (feed.freq_min_hz, feed.freq_max_hz) if edge is not None]
-        if feed.beam_deg is None or not edges:
+        if beam is None or not edges:
             return None
-        return cls(feed.beam_deg, sum(edges) / len(edges), feed.system_k)
+        return cls(beam, sum(edges) / len(edges), feed.system_k)
 
 
 def expected_rise_db(target: Target, look: LookAngle, ear: Ear | None) -> float | None:
@@ -89,8 +89,8 @@ def body_rise_db(body: Body, range_km: float, ear: Ear) -> float | None:
     bright_k = quiet_sun_k(ear.freq_hz) if body.name == "Sun" else DISC_K[body.name]
     if bright_k is None:
         return None
-    # The share of a Gaussian beam that a disc in its middle covers.
-    share = 1.0 - math.exp(-math.log(2.0) * (body.width_deg(range_km) / ear.beam_deg) ** 2)
+    # The share of a Gaussian beam that a disc in its middle covers; of an ellipse, as of the round one of its area.
+    share = 1.0 - math.exp(-math.log(2.0) * (body.width_deg(range_km) / ear.beam.mean_deg) ** 2)
     return 10.0 * math.log10(1.0 + bright_k * share / ear.system_k)
 
 

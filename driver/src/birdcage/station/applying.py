@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.base.beam import beam_of
 from birdcage.base.config import Settings
 from birdcage.base.errors import BirdcageError
 from birdcage.station.board import Board
@@ -52,7 +53,7 @@ class Applying:
         self._board.change(
             position=position, alignment=alignment,
             az_offset_deg=alignment.az_offset_deg, el_offset_deg=alignment.el_offset_deg,
-            feed_name=rules.feed_name, beam_deg=rules.beam_deg, beam_at_hz=rules.beam_at_hz,
+            feed_name=rules.feed_name, beam=beam_of(rules.feed, self._antenna.model.reflector),
             stow_allowed=rules.stow_allowed, motion_refused_because=rules.refuse_motion,
         )  # fmt: skip
         self._look.limit()

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from birdcage.antenna.alignment import Alignment
-from birdcage.base.geometry import separation, wrap_360
+from birdcage.base.geometry import offset, separation, wrap_360
 from birdcage.station.pursuit import Sample
 from birdcage.station.state import StationState
 
@@ -45,20 +45,23 @@ class Errors:
 
 def sample_of(plan: Plan, state: StationState, alignment: Alignment, seen_s: float) -> Sample | None:
     """Return how well the last reading, made at `seen_s` (POSIX), points; None where there is none to judge."""
-    from birdcage.tracking.mount import beam_deg_at
-
-    here, beam_deg = state.position, beam_deg_at(state.beam_deg, state.beam_at_hz, plan.aim.frequency_hz)
+    here = state.position
+    beam = None if state.beam is None else state.beam.at(plan.aim.frequency_hz)
     if here is None or plan.course is None:
         return None
     target_az, target_el = plan.sky.at(seen_s)
     planned_az, planned_el = alignment.to_true(*plan.course.at(seen_s))
     error = separation(target_az, target_el, here.az_deg, here.el_deg)
     expected = error if plan.pointing is None else plan.pointing.at(seen_s, error)
+    lost_db = None
+    if beam is not None and expected is not None:
+        # The share of the elements is of unknown direction.
+        added_deg = math.sqrt(max(expected**2 - error**2, 0.0))
+        lost_db = beam.loss_db(*offset(target_az, target_el, here.az_deg, here.el_deg)) + beam.most_loss_db(added_deg)
     commanded = state.target_az_deg, state.target_el_deg
     return Sample(
         here.at, here.utc, wrap_360(target_az), target_el, wrap_360(planned_az), planned_el,
         commanded[0] if commanded[0] is not None else here.az_deg,
         commanded[1] if commanded[1] is not None else here.el_deg,
-        here.az_deg, here.el_deg, error,
-        None if beam_deg is None or expected is None else 12.0 * (expected / beam_deg) ** 2, expected,
+        here.az_deg, here.el_deg, error, lost_db, expected,
     )  # fmt: skip

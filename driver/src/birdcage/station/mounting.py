@@ -31,8 +31,7 @@ def mount_of(state: StationState, settings: Settings) -> Mount:
         _standing(state),
         None if state.el_min_deg is None else state.el_min_deg - offset_deg,
         None if state.el_max_deg is None else state.el_max_deg - offset_deg,
-        state.beam_deg,
-        state.beam_at_hz,
+        state.beam,
     )
 
 

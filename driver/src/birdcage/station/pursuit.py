@@ -45,7 +45,7 @@ class PursuitOptions:
     velocity_allowed: bool = False
     dead_band_steps: float = 0.5
     dead_band_db: float | None = None
-    """At the beam of the feed; the greater of both counts."""
+    """By the beam of dish and feed; the greater of both counts."""
     at_end: AtEnd = "park"
     park_az_deg: float | None = None
     """True. Without a park direction the dish stays."""
@@ -74,7 +74,7 @@ class Sample:
     error_deg: float
     """The dish's own: between where the target is computed to be and the reported direction, as an angle on the sky."""
     loss_db: float | None
-    """What the error to expect costs at the beam of the feed; None where either is not known."""
+    """What the error to expect costs with the beam of dish and feed; None where either is not known."""
     expected_error_deg: float | None
     """With what the age of the elements adds as a rule; None where that is not known."""
 

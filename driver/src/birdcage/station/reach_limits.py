@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
+from birdcage.base.beam import Beam, beam_of
 from birdcage.protocol.model import Axis, DishModel, Turn
 from birdcage.sky.horizon import HorizonMask
 from birdcage.sky.reach_limits import DEFAULT_TOLERANCE_DEG, NoGo, ReachLimits
@@ -47,7 +48,7 @@ def reach_limits(settings: Settings, model: DishModel | None, *, turn_known: boo
         turn_known=turn_known,
         az_rate_deg_s=None if model is None else _rate(model.azimuth),
         el_rate_deg_s=None if model is None else _rate(model.elevation),
-        tolerance_deg=_tolerance(rules.beam_deg),
+        tolerance_deg=_tolerance(beam_of(rules.feed, None if model is None else model.reflector)),
     )
 
 
@@ -65,7 +66,7 @@ def reach_limits_of(state: StationState, settings: Settings) -> ReachLimits:
         turn_known=state.turn is not Turn.UNKNOWN,
         az_rate_deg_s=None if model is None else _rate(model.azimuth),
         el_rate_deg_s=None if model is None else _rate(model.elevation),
-        tolerance_deg=_tolerance(state.beam_deg),
+        tolerance_deg=_tolerance(state.beam),
     )
 
 
@@ -74,8 +75,8 @@ def _rate(axis: Axis) -> float:
     return axis.speed_deg_s if axis.times is None else _KEYHOLE_TURN_DEG / axis.times.seconds(_KEYHOLE_TURN_DEG)
 
 
-def _tolerance(beam_deg: float | None) -> float:
-    return DEFAULT_TOLERANCE_DEG if beam_deg is None else beam_deg / 2.0
+def _tolerance(beam: Beam | None) -> float:
+    return DEFAULT_TOLERANCE_DEG if beam is None else beam.narrow_deg / 2.0
 
 
 def _horizon(settings: Settings) -> HorizonMask | None:

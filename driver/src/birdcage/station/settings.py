@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from birdcage.antenna.alignment import Alignment
-from birdcage.base.config import Settings
+from birdcage.base.config import FeedProfile, Settings
 from birdcage.base.config.sections import NoGoSector
 from birdcage.link.link import Link
 from birdcage.station.held_keeper import HeldKeeper
@@ -28,9 +28,8 @@ class Rules:
     sectors: tuple[NoGoSector, ...] = ()
     """No-go sectors, true."""
     feed_name: str = ""
-    beam_deg: float | None = None
-    beam_at_hz: float | None = None
-    """Where that width holds: the middle of the feed's band."""
+    feed: FeedProfile = field(default_factory=FeedProfile)
+    """It makes the beam, together with the dish's reflector."""
     stow_allowed: bool = False
     stop_releases_motors: bool = False
     refuse_motion: str | None = None
@@ -54,8 +53,7 @@ def rules_from(settings: Settings) -> Rules:
         cable_max_deg=motion.cable_max_deg,
         sectors=motion.no_go_sectors,
         feed_name=settings.feed.active,
-        beam_deg=feed.beam_deg,
-        beam_at_hz=feed.middle_hz,
+        feed=feed,
         stow_allowed=feed.stow_allowed,
         stop_releases_motors=motion.stop_releases_motors,
         refuse_motion=settings.motion_problem,

@@ -9,6 +9,7 @@ from enum import Enum
 from types import MappingProxyType
 
 from birdcage.antenna.alignment import Alignment
+from birdcage.base.beam import Beam
 from birdcage.base.config.sections import NoGoSector
 from birdcage.base.held import HeldNote
 from birdcage.protocol.model import DishModel, Turn
@@ -260,9 +261,8 @@ class StationState:
     alignment: Alignment = field(default_factory=Alignment)
     """The whole of what is in force: the offsets above, tilt and collimation. Shown whenever it is not zero."""
     feed_name: str = ""
-    beam_deg: float | None = None
-    beam_at_hz: float | None = None
-    """The frequency at which the beam is so wide: the middle of the feed's band."""
+    beam: Beam | None = None
+    """Of this dish with that feed; None where it is not known."""
     stow_allowed: bool = False
     el_min_deg: float | None = None
     """The lowest and highest true elevation that a motion may go to: the dish's own limits and the user's."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
@@ -43,12 +42,12 @@ def voyage_for(
     if options.at_end == "park" and options.park_az_deg is not None and options.park_el_deg is not None:
         park = antenna.alignment.to_dish(options.park_az_deg, options.park_el_deg)
     delay_s = antenna.protocol.console.delay_s
-    beam_deg, loss_db = board.state.beam_deg, options.dead_band_db
+    beam, loss_db = board.state.beam, options.dead_band_db
     voyage = Voyage(
         request.plan, controller, lambda: own_speeds(antenna.model, board.state.speeds_lent), lambda: _bounds(board),
         hear, request.asked, park,
         gate.cable_limits if gate.cable_deg is not None else None, options.dead_band_steps,
-        beam_deg * math.sqrt(loss_db / 12.0) if beam_deg is not None and loss_db is not None else 0.0,
+        beam.at(request.plan.aim.frequency_hz).error_deg(loss_db) if beam is not None and loss_db is not None else 0.0,
         lambda: antenna.protocol.console.answered, delay_s, lead_s(name, delay_s),
     )  # fmt: skip
     return voyage, name

@@ -5,10 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from birdcage.antenna.alignment import Alignment
+from birdcage.base.beam import Beam
 from birdcage.protocol.model import DishModel
 from birdcage.sky.reach_limits import ReachLimits
-
-OCTAVE = 2.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,23 +33,9 @@ class Mount:
     el_min_deg: float | None = None
     """Lowest and highest elevation that the gate lets through, in the dish's own degrees; None: as the model has it."""
     el_max_deg: float | None = None
-    beam_deg: float | None = None
-    """Width of the beam at half power; None where the feed does not say."""
-    beam_at_hz: float | None = None
-    """The frequency at which `beam_deg` holds; None where that is not known."""
+    beam: Beam | None = None
+    """Of this dish with the feed that is mounted; None where it is not known."""
 
-    def beam_deg_at(self, frequency_hz: float | None) -> float | None:
-        """Return the width of the beam at a frequency; see `beam_deg_at`."""
-        return beam_deg_at(self.beam_deg, self.beam_at_hz, frequency_hz)
-
-
-def beam_deg_at(beam_deg: float | None, beam_at_hz: float | None, frequency_hz: float | None) -> float | None:
-    """Return the width of a beam at a frequency: it grows with the wavelength (reference section 5).
-
-    As it is, where no frequency is asked for, or the one at which it holds is not known or an octave away: of a feed
-    that is not made for a frequency no law tells.
-    """
-    if beam_deg is None or beam_at_hz is None or frequency_hz is None:
-        return beam_deg
-    ratio = beam_at_hz / frequency_hz
-    return beam_deg * ratio if 1.0 / OCTAVE <= ratio <= OCTAVE else beam_deg
+    def beam_at(self, frequency_hz: float | None) -> Beam | None:
+        """Return the beam at a frequency, as `Beam.at`; None where it is not known."""
+        return None if self.beam is None else self.beam.at(frequency_hz)

@@ -88,6 +88,8 @@ class Keyhole:
     """The greatest error to be expected of this plan."""
     limit_deg: float
     """The least that is possible with both axes at once at their greatest speeds."""
+    max_loss_db: float | None = None
+    """What `max_error_deg` costs at most; None where the beam is not known."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -97,7 +99,7 @@ class Forecast:
     t_s: Floats
     error_deg: Floats
     loss_db: Floats | None
-    """For the beam of the feed: 12 (error / beam width)^2 dB (reference `tracking.md` section 5); None without one."""
+    """By the beam of dish and feed, as `Beam.loss_db`; None where that is not known."""
     rms_deg: float
     max_deg: float
 

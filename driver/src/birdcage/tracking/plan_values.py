@@ -39,7 +39,7 @@ def plan_values(plan: Plan, *, step_s: float = _STEP_S) -> dict[str, Any]:
         "keyholes": [
             {
                 "start": _at(hole.start_s), "end": _at(hole.end_s), "max_error_deg": _round(hole.max_error_deg),
-                "limit_deg": _round(hole.limit_deg),
+                "limit_deg": _round(hole.limit_deg), "max_loss_db": _round(hole.max_loss_db),
             }
             for hole in plan.keyholes
         ],

@@ -88,8 +88,9 @@ def _summary(plan: Plan) -> Iterator[str]:
             f"{rewind.end_s - rewind.start_s:.1f} s"
         )
     for hole in plan.keyholes:
+        lost = "" if hole.max_loss_db is None else f", {_db(hole.max_loss_db)}"
         yield (
-            f"Keyhole  {_clock(hole.start_s)} to {_clock(hole.end_s)}: up to {hole.max_error_deg:.2f}° off "
+            f"Keyhole  {_clock(hole.start_s)} to {_clock(hole.end_s)}: up to {hole.max_error_deg:.2f}° off{lost} "
             f"(at best {hole.limit_deg:.2f}°)"
         )
     if plan.pointing is not None:

@@ -12,11 +12,11 @@ percentile what one pass in ten exceeds. Where the error of the elements is not 
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
+from birdcage.base.beam import PEAK_LOSS_DB, Beam
 from birdcage.sky.age_words import age_words, plus_minus
 from birdcage.sky.element_error import ElementError
 from birdcage.tracking.curve import Floats
@@ -84,10 +84,11 @@ class PointingError:
         return float(np.hypot(dish_deg, np.interp(t_s, found.t_s, found.median_deg)))
 
 
-def pointing_error(
-    dish: Forecast, elements: ElementError | None, loss_db: Callable[[Floats], Floats | None]
-) -> PointingError:
-    """Return what a dish and the elements it believes come to. `loss_db` tells what errors cost at the beam."""
+def pointing_error(dish: Forecast, elements: ElementError | None, beam: Beam | None) -> PointingError:
+    """Return what a dish and the elements it believes come to; without a beam, no decibels.
+
+    The error of the elements costs what the narrower width of the beam makes of it.
+    """
 
     def level(added_deg: Floats | None) -> Level | None:
         if added_deg is None or elements is None:
@@ -96,7 +97,10 @@ def pointing_error(
         error = np.hypot(dish.error_deg, added)
         # The dish's own greatest error lies between the times of its forecast: the worst is that both come together.
         greatest = float(np.hypot(dish.max_deg, added.max()))
-        return Level(error, loss_db(error), float(np.hypot(dish.rms_deg, np.sqrt(np.mean(added**2)))), greatest)
+        loss = None
+        if beam is not None and dish.loss_db is not None:
+            loss = dish.loss_db + PEAK_LOSS_DB * (added / beam.narrow_deg) ** 2
+        return Level(error, loss, float(np.hypot(dish.rms_deg, np.sqrt(np.mean(added**2)))), greatest)
 
     if elements is None:
         alone = Level(dish.error_deg, dish.loss_db, dish.rms_deg, dish.max_deg)

@@ -11,6 +11,7 @@ from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
 
 if TYPE_CHECKING:
+    from birdcage.base.beam import Beam
     from birdcage.calibration.fit import Fit
 
 NICE_DEG = (0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 45.0, 90.0, 180.0)
@@ -51,14 +52,14 @@ class ScatterPane(Pane):
             for ink, words in BEGIN:
                 y = put_wrapped(cells, y, words, ink) + (1 if cells.height >= 15 else 0)
             return
-        self._plot(cells, fit, view.state.beam_deg)
+        self._plot(cells, fit, view.state.beam)
 
     def _told(self, title: str, words: str) -> None:
         if (title, words) != (self.border_title, self.border_subtitle or ""):  # setting it repaints, equal or not
             self.border_title, self.border_subtitle = title, words
 
     @staticmethod
-    def _plot(cells: Cells, fit: Fit, beam_deg: float | None) -> None:
+    def _plot(cells: Cells, fit: Fit, beam: Beam | None) -> None:
         reach = reach_of(fit)
         width, height = cells.width, cells.height
         canvas = Braille(width, height)
@@ -76,8 +77,9 @@ class ScatterPane(Pane):
         canvas.line(middle_x, middle_y - radius, middle_x, middle_y + radius, "line")
         canvas.circle(middle_x, middle_y, radius, "line")
         canvas.circle(middle_x, middle_y, radius / 2, "line", 4.0)
-        if beam_deg is not None and reach / 4 < beam_deg / 2 < reach:
-            canvas.circle(middle_x, middle_y, radius * beam_deg / 2 / reach, "dim", 2.0)
+        if beam is not None and reach / 4 < beam.narrow_deg / 2 < reach:
+            across, up = (radius * width / 2 / reach for width in (beam.az_deg, beam.el_deg))
+            canvas.ellipse(middle_x, middle_y, across, up, "dim", 2.0)
         for each in fit.residuals:
             if each.alone_right_deg is not None and each.alone_up_deg is not None:
                 canvas.line(*dot(each.right_deg, each.up_deg), *dot(each.alone_right_deg, each.alone_up_deg), "dim", 3)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from birdcage.station.state import Link
+from birdcage.station.state import Link, StationState
 
 from birdcage_tui.canvas import Cells
 from birdcage_tui.commands.everywhere import can_end_search
@@ -16,6 +16,15 @@ _OK, _NO, _UNKNOWN = ("●", "good"), ("▲", "warn"), ("·", "dim")
 def _search_hint(view: View) -> str:
     """Return which key ends a search, where one does at once."""
     return "" if can_end_search(view) is not None else ": K ends it"
+
+
+def _feed(state: StationState) -> tuple[str, ...]:
+    """Return feed, beam and whether it may be stowed, from all that there is to say to the least."""
+    name, stow = state.feed_name or "--", "stow allowed" if state.stow_allowed else "stow locked"
+    if state.beam is None:
+        return (f"{name}, beam unknown, {stow}",)
+    beams = f"beam {state.beam.words}", f"beam {state.beam.brief}", f"beam {state.beam.size}"
+    return (*(f"{name}, {beam}, {stow}" for beam in beams), f"{name} {state.beam.size}, {stow}")
 
 
 class HealthPane(Pane):
@@ -37,7 +46,10 @@ class HealthPane(Pane):
             x, y = index // rows * width, index % rows
             cells.put(x + 1, y, glyph, ink)
             cells.put(x + 3, y, name, "dim")
-            cells.put(x + 13, y, value[: max(width - 14, 0)], "text")
+            room = max(width - 14, 0)
+            values = _feed(view.state) if name == "feed" else (value,)
+            fitting = next((words for words in values if len(words) <= room), values[-1])
+            cells.put(x + 13, y, fitting[:room], "text")
 
     @staticmethod
     def facts(view: View) -> list[tuple[tuple[str, str], str, str]]:
@@ -54,7 +66,6 @@ class HealthPane(Pane):
         offset = f"az {state.az_offset_deg:+.2f}°  el {state.el_offset_deg:+.2f}°"
         if lean := state.alignment.lean_words():
             offset += f"  {lean}"
-        beam = "beam unknown" if state.beam_deg is None else f"beam {state.beam_deg:.1f}°"
         homed = {True: "yes", False: "NO", None: "--"}[state.homed]
         by_itself = state.dish is not None and state.dish.homing_s is None
         homed += ", at power-up, by itself" if by_itself else ""
@@ -74,10 +85,6 @@ class HealthPane(Pane):
             told,
             (_OK if state.el_min_deg is not None else _UNKNOWN, "limits", limits),
             (_UNKNOWN, "firmware", state.firmware_version or "--"),
-            (
-                _UNKNOWN,
-                "feed",
-                f"{state.feed_name or '--'}, {beam}, {'stow allowed' if state.stow_allowed else 'stow locked'}",
-            ),
+            (_UNKNOWN, "feed", _feed(state)[0]),
             (_UNKNOWN, "offsets", offset),
         ]

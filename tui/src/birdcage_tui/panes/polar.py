@@ -4,8 +4,16 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from birdcage.base.geometry import beside
 
 from birdcage_tui.canvas import Braille
+
+if TYPE_CHECKING:
+    from birdcage.base.beam import Beam
+
+_BEAM_POINTS = 48
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,6 +54,17 @@ class Polar:
     def ring(self, canvas: Braille, el_deg: float, ink: str, spacing: float = 0.0) -> None:
         """Draw the circle of one elevation."""
         canvas.circle(*self.middle, self.radius * (90 - el_deg) / 90, ink, spacing)
+
+    def beam(self, canvas: Braille, az_deg: float, el_deg: float, beam: Beam, ink: str, least: float) -> None:
+        """Draw where a beam that looks at a direction is at half power; nothing where it spans fewer dots than this."""
+        if self.radius * max(beam.az_deg, beam.el_deg) / 90 < least:
+            return
+        angles = [2 * math.pi * step / _BEAM_POINTS for step in range(_BEAM_POINTS + 1)]
+        edge = [
+            beside(az_deg, el_deg, beam.az_deg / 2 * math.sin(angle), beam.el_deg / 2 * math.cos(angle))
+            for angle in angles
+        ]
+        canvas.dotted([self.dot(az, el) for az, el in edge], ink, 1.0)
 
     def hatch(self, canvas: Braille, ink: str, el_low_deg: float, el_high_deg: float,
               az_from_deg: float = 0.0, az_span_deg: float = 360.0) -> None:  # fmt: skip

@@ -57,11 +57,10 @@ class SkyPane(Pane):
     @staticmethod
     def _path(canvas: Braille, polar: Polar, view: View) -> None:
         state, position = view.state, view.state.position
-        if position is not None and state.beam_deg is not None:
-            radius = polar.radius * state.beam_deg / 180
-            if radius >= 3.5:  # a smaller one hides under the dish's own mark
-                x, y = polar.dot(position.az_deg, position.el_deg)
-                canvas.circle(x - 0.5, y - 0.5, radius, "dim" if view.stale else "accent")
+        if position is not None and state.beam is not None:
+            ink = "dim" if view.stale else "accent"
+            # A smaller one hides under the dish's own mark.
+            polar.beam(canvas, position.az_deg, position.el_deg, state.beam, ink, least=7.0)
         motion = state.motion
         if motion is None or motion.az_way_deg is None:
             return  # which way round it goes is not known yet

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from birdcage.gps.verdict import cost_deg
 from birdcage.sky.doppler import doppler_hz
 
@@ -11,6 +13,9 @@ from birdcage_tui.passes.desk import Desk
 from birdcage_tui.passes.model import Frequency, Row
 from birdcage_tui.passes.words import clock_text
 from birdcage_tui.view import View
+
+if TYPE_CHECKING:
+    from birdcage.base.beam import Beam
 
 PER = Frequency(100e6, "no downlink known")
 """Without a downlink and a band Doppler is told per 100 MHz: it grows as the frequency does."""
@@ -37,7 +42,7 @@ class PassFigures(Pane):
         cells.put(1, 0, f"     {'time':<8}{'azimuth':>10}{'range':>11}{'Doppler':>13}", "dim")
         lines = [(words, at_s) for words, at_s in
                  (("AOS", row.aos_s), ("TCA", row.tca_s), ("LOS", row.los_s))]  # fmt: skip
-        below = [*clock_lines(row), *_joined(sun_lines(row, view.state.beam_deg))]
+        below = [*clock_lines(row), *_joined(sun_lines(row, view.state.beam))]
         moment = "now" if self._desk.machine.is_now else "then"
         if row.aos_s <= t_s <= row.los_s and cells.height >= len(lines) + len(below) + 2:
             lines.append((moment, t_s))
@@ -91,7 +96,7 @@ def clock_lines(row: Row) -> list[tuple[str, str]]:
     return [("text", f"1 s of clock error costs {cost_deg(1.0, rate):.2g}°")]
 
 
-def sun_lines(row: Row, beam_deg: float | None) -> list[tuple[str, str]]:
+def sun_lines(row: Row, beam: Beam | None) -> list[tuple[str, str]]:
     """Return (ink, words) of whether the Sun shines on it, and whether it passes before the Sun."""
     if row.sunlit_share is None:
         return []
@@ -100,7 +105,7 @@ def sun_lines(row: Row, beam_deg: float | None) -> list[tuple[str, str]]:
     if row.sun is None:
         return [("text", f"{lit}, Sun down")]
     at_s, apart_deg = row.sun
-    crosses = apart_deg <= SUN_RADIUS_DEG + (beam_deg or 0.0) / 2.0
+    crosses = apart_deg <= SUN_RADIUS_DEG + (0.0 if beam is None else max(beam.az_deg, beam.el_deg) / 2.0)
     told = ("warn", f"▲ Sun in the beam {clock_text(at_s)}") if crosses else (
         "text", f"Sun {apart_deg:.0f}° off at {clock_text(at_s, seconds=False)}")  # fmt: skip
     return [("text", lit), told]
@@ -111,7 +116,7 @@ def _joined(lines: list[tuple[str, str]]) -> list[tuple[str, str]]:
     return [(lines[-1][0], ", ".join(words for _, words in lines))] if lines else []
 
 
-def brief(row: Row, beam_deg: float | None) -> list[tuple[str, str]]:
+def brief(row: Row, beam: Beam | None) -> list[tuple[str, str]]:
     """Return the same in narrow lines, for beside the picture."""
     moments = [row.aos_s, row.tca_s, row.los_s]
     pairs = [away(row, at_s) for at_s in moments]
@@ -122,5 +127,5 @@ def brief(row: Row, beam_deg: float | None) -> list[tuple[str, str]]:
         ("dim", f"Doppler {' '.join(shifts)} kHz"),
         ("dim", f"  at {frequency_words(frequency_of(row))}"),
         *clock_lines(row),
-        *_joined(sun_lines(row, beam_deg)),
+        *_joined(sun_lines(row, beam)),
     ]

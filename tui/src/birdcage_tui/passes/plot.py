@@ -78,7 +78,7 @@ class PassSky(Pane):
             return []
         lines = [
             (ink, each)
-            for ink, words in brief(row, view.state.beam_deg)
+            for ink, words in brief(row, view.state.beam)
             for each in textwrap.wrap(words, width, subsequent_indent="  ")
         ]
         return lines if len(lines) <= room else []

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 
 from birdcage_tui.canvas import Braille, Cells
-from birdcage_tui.track.pursuing import sample_of, shown_is_followed
+from birdcage_tui.track.pursuing import beam_of, sample_of, shown_is_followed
 from birdcage_tui.track.scale import STEPS_DEG
-from birdcage_tui.track.words import degrees
+from birdcage_tui.track.words import degrees, half_beam
 from birdcage_tui.view import View
 
 LOOKS = 30
@@ -35,9 +35,10 @@ def draw_bullseye(cells: Cells, x: int, width: int, view: View) -> bool:
     radius = min(middle_x, middle_y) - 1.0
     canvas.circle(middle_x, middle_y, radius, "line")
     canvas.circle(middle_x, middle_y, radius / 2, "line", 3.0)
-    beam = view.state.beam_deg
-    if beam is not None and beam / 2 < top:
-        canvas.circle(middle_x, middle_y, radius * beam / 2 / top, "dim")
+    beam = beam_of(view)
+    if beam is not None and beam.narrow_deg / 2 < top:
+        across, up = (radius * width / 2 / top for width in (beam.az_deg, beam.el_deg))
+        canvas.ellipse(middle_x, middle_y, across, up, "dim")
     dots = [(middle_x + across / top * radius, middle_y - up / top * radius) for across, up in spots]
     for dot in dots:
         canvas.dot(*dot, "accent")
@@ -48,5 +49,5 @@ def draw_bullseye(cells: Cells, x: int, width: int, view: View) -> bool:
     cells.right(x, 0, f"last {LOOKS} s", "dim")
     cells.right(x, 1, f"ring {degrees(top)}", "dim")
     if beam is not None:
-        cells.right(x, 2, f"half beam {beam / 2:.1f}°", "dim")
+        cells.right(x, 2, f"half beam {half_beam(beam)}", "dim")
     return True

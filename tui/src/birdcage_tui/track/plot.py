@@ -88,13 +88,11 @@ class TrackSky(Pane):
 
     @staticmethod
     def _beam(canvas: Braille, polar: Polar, view: View) -> None:
-        position, beam_deg = view.state.position, view.state.beam_deg
-        if position is None or beam_deg is None:
-            return
-        radius = polar.radius * beam_deg / 180
-        if radius >= 2.0:  # a smaller one hides under the dish's own mark
-            x, y = polar.dot(position.az_deg, position.el_deg)
-            canvas.circle(x - 0.5, y - 0.5, radius, "dim" if view.stale else "accent")
+        position, beam = view.state.position, view.state.beam
+        if position is not None and beam is not None:
+            ink = "dim" if view.stale else "accent"
+            # A smaller one hides under the dish's own mark.
+            polar.beam(canvas, position.az_deg, position.el_deg, beam, ink, least=4.0)
 
     @staticmethod
     def _ends(cells: Cells, polar: Polar, view: View) -> None:

@@ -9,6 +9,7 @@ from birdcage.station.pursuit import Phase, Pursuit, Sample
 from birdcage_tui.view import View
 
 if TYPE_CHECKING:
+    from birdcage.base.beam import Beam
     from birdcage.tracking.plan import Incident, Plan
 
 STEERED = frozenset({Phase.FOLLOWING, Phase.REWINDING, Phase.READY, Phase.PREPOSITIONING, Phase.PARKING})
@@ -51,6 +52,12 @@ def sample_of(view: View) -> Sample | None:
     if pursuit is None or pursuit.phase is not Phase.FOLLOWING:
         return None
     return view.followed[-1] if view.followed else pursuit.sample
+
+
+def beam_of(view: View) -> Beam | None:
+    """Return the beam at the frequency of the plan that is drawn; None where it is not known."""
+    plan, beam = plan_of(view), view.state.beam
+    return beam if beam is None or plan is None else beam.at(plan.aim.frequency_hz)
 
 
 def target_place(view: View) -> tuple[float, float] | None:

@@ -41,8 +41,3 @@ def error_top(view: View, plan: Plan) -> float:
 def shown_deg(look: Sample) -> float:
     """Return the error that is drawn: elements and all; where these are of unknown error, that of the dish."""
     return look.error_deg if look.expected_error_deg is None else look.expected_error_deg
-
-
-def loss_db(error_deg: float, beam_deg: float | None) -> float | None:
-    """Return what an error costs: 12 (error / beam width at half power)^2 dB (reference `tracking.md` section 5)."""
-    return None if not beam_deg else 12.0 * (error_deg / beam_deg) ** 2

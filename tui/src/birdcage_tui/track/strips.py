@@ -11,8 +11,8 @@ from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.pane import Pane
 from birdcage_tui.passes.words import clock_text, count_text
 from birdcage_tui.track.path import Points, Spot
-from birdcage_tui.track.pursuing import plan_of, shown_is_followed
-from birdcage_tui.track.scale import error_top, loss_db, shown_deg, window
+from birdcage_tui.track.pursuing import beam_of, plan_of, shown_is_followed
+from birdcage_tui.track.scale import error_top, shown_deg, window
 from birdcage_tui.track.words import degrees
 from birdcage_tui.view import View
 
@@ -203,8 +203,8 @@ def _errors(cells: Cells, view: View, plan: Plan, box: tuple[int, int, int], x_o
     canvas.onto(cells, LEFT, y)
     if height > 1:
         cells.right(LEFT - 1, y, degrees(top) if top < 10 else f"{top:.0f}°", "dim")
-    unknown = pointing is not None and level is None
-    lost = None if unknown else loss_db(top, view.state.beam_deg)
+    unknown, beam = pointing is not None and level is None, beam_of(view)
+    lost = None if unknown or beam is None else beam.most_loss_db(top)
     cells.right(cells.width, y, "" if lost is None else _decibels(lost), "dim")
     if height > 1:
         cells.right(LEFT - 1, y + height - 1, "0", "dim")

@@ -12,6 +12,7 @@ from birdcage_tui.track.pursuing import next_incident, pursuit_of, sample_of
 from birdcage_tui.view import View
 
 if TYPE_CHECKING:
+    from birdcage.base.beam import Beam
     from birdcage.station.pursuit import Pursuit, Sample
     from birdcage.tracking.plan import Plan
 
@@ -43,6 +44,12 @@ def degrees(value_deg: float | None) -> str:
     if value_deg is None:
         return "-.--°"
     return f"{value_deg:.2f}°" if value_deg < 9.995 else f"{value_deg:.1f}°"
+
+
+def half_beam(beam: Beam) -> str:
+    """Return how far half power lies off the middle: `2.8°`; of an ellipse `1.0° x 1.4°`, az x el."""
+    across, up = beam.az_deg / 2, beam.el_deg / 2
+    return f"{up:.1f}°" if f"{across:.1f}" == f"{up:.1f}" else f"{across:.1f}° x {up:.1f}°"
 
 
 def decibels(value_db: float | None) -> str:

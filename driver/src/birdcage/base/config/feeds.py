@@ -31,7 +31,22 @@ class FeedProfile(Section):
 
     freq_min_hz: float | None = setting(None, "Lower end of the band.", minimum=1e6, maximum=1e12)
     freq_max_hz: float | None = setting(None, "Upper end of the band.", minimum=1e6, maximum=1e12)
-    beam_deg: float | None = setting(None, "Width of the beam at half power.", minimum=0.01, maximum=180.0)
+    beam_deg: float | None = setting(
+        None,
+        "Measured width of the beam at half power, the same both ways; not set: from reflector and band.",
+        minimum=0.01,
+        maximum=180.0,
+    )
+    beam_az_deg: float | None = setting(
+        None, "The same across the line of sight, where the beam is no circle.", minimum=0.01, maximum=180.0
+    )
+    beam_el_deg: float | None = setting(
+        None, "The same in elevation, where the beam is no circle.", minimum=0.01, maximum=180.0
+    )
+    beam_origin: Literal["entered", "scan", "counts"] = setting(
+        "entered",
+        "Where that width comes from; counts: a scan in counts, which makes it an upper bound.",
+    )
     lo_hz: float | None = setting(None, "Local oscillator of the converter.", minimum=0.0, maximum=1e12)
     polarization: Literal["linear", "circular"] | None = setting(None, "Kind of polarisation.")
     system_k: float = setting(
@@ -50,12 +65,17 @@ class FeedProfile(Section):
         return None if low is None or high is None else (low + high) / 2.0
 
     def complaints(self) -> Iterator[Complaint]:
-        """Yield a band turned upside down."""
+        """Yield half a beam, and a band turned upside down."""
+        if self.beam_deg is None and (self.beam_az_deg is None) != (self.beam_el_deg is None):
+            missing = "beam_az_deg" if self.beam_az_deg is None else "beam_el_deg"
+            yield missing, "is missing: a beam that is no circle needs both beam_az_deg and beam_el_deg"
         if self.freq_min_hz is not None and self.freq_max_hz is not None and self.freq_min_hz >= self.freq_max_hz:
             yield "freq_min_hz", f"is {self.freq_min_hz:g}, which is not below freq_max_hz ({self.freq_max_hz:g})"
 
 
-STOCK_FEED = FeedProfile(freq_min_hz=10.7e9, freq_max_hz=12.75e9, beam_deg=6.3, stow_allowed=True)
-"""The Ku-band LNB that the dish was sold with. The beam was measured on a G2 (reference section 7.6)."""
+STOCK_FEED = FeedProfile(
+    freq_min_hz=12.2e9, freq_max_hz=12.7e9, lo_hz=11.25e9, polarization="circular", stow_allowed=True
+)
+"""The LNB that the dish was sold with: for the circular direct broadcasts of North America. Its beam is the dish's."""
 
 BUILT_IN: Mapping[str, FeedProfile] = MappingProxyType({STOCK: STOCK_FEED})

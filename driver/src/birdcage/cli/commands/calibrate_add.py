@@ -50,7 +50,7 @@ def add(
         position = _typed(dish_az_deg, dish_el_deg, at)
     else:
         position = _asked(dish)
-    peak = add_peak(peaks_file(dish.paths), peak_at(dish.settings, meant, position, sigma_deg))
+    peak = add_peak(peaks_file(dish.paths), peak_at(dish.settings, meant, position, sigma_deg, dish.beam))
     if flags().json:
         tell_json(peak_values(peak))
     else:

@@ -41,7 +41,7 @@ def next_(at: datetime | None, every: bool) -> None:
     for problem in peaks.problems:
         say(problem)
     fitted = fit_for(dish.settings, peaks.entries)
-    found = proposals_for(dish.settings, peaks.entries, at or datetime.now(UTC), limits_of(dish), fitted)
+    found = proposals_for(dish.settings, peaks.entries, at or datetime.now(UTC), limits_of(dish), fitted, dish.beam)
     shown = found if every else found[:SHOWN]
     refraction = dish.settings.tracking.refraction
     if flags().json:

@@ -26,11 +26,18 @@ def path() -> None:
 @command.command("show", epilog=exits.EPILOG)
 @global_options()
 def show() -> None:
-    """Print every setting as it counts now, and where its value comes from."""
+    """Print every setting as it counts now, and where its value comes from.
+
+    feed.NAME.beam is no setting: it is the beam (az x el) that the feed and the dish's reflector make together.
+    """
+    from birdcage.base.beam import beam_of
     from birdcage.base.config import rows
+    from birdcage.cli.options import model_of
     from birdcage.cli.say import say, tell, tell_json
 
     settings = load_settings(find_paths())
+    model = model_of(settings.dish.firmware)
+    reflector = None if model is None else model.reflector
     values: dict[str, object] = {}
     for row in rows():
         if row.section == "feed.NAME":
@@ -44,11 +51,18 @@ def show() -> None:
     def source(key: str) -> str:
         return settings.sources.get(key, "default")
 
+    beams = {f"feed.{name}.beam": beam_of(feed, reflector) for name, feed in settings.feeds.items()}
     if flags().json:
-        tell_json({key: {"value": value, "source": source(key)} for key, value in values.items()})
+        told: dict[str, object] = {key: {"value": value, "source": source(key)} for key, value in values.items()}
+        for key, beam in beams.items():
+            told[key] = {"value": None if beam is None else beam.values(), "source": "computed"}
+        tell_json(told)
     else:
         for key, value in values.items():
             tell(f"{key:36} {_shown(value):28} {source(key)}")
+        for key, beam in beams.items():
+            known = "- (needs dish.firmware and the feed's band, or a width)" if beam is None else beam.words
+            tell(f"{key:36} {known}")
     for problem in settings.problems:
         say(problem.text)
 

@@ -4,8 +4,13 @@ from __future__ import annotations
 
 import re
 
+from birdcage.base.beam import CountedBeam, Reflector
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.protocol.model import Axis, CableRange, DishModel, SearchSwitch, SecondMove, StopMeans, Turn
+
+REFLECTOR = Reflector(0.3048, 0.3048, CountedBeam(6.4, 6.3, 12.45e9))
+"""12 inches round (`12-IN G2` in its boot log). The width was scanned in counts, on satellites that stand alone
+(section 7.6)."""
 
 CARRYOUT_G2 = DishModel(
     name="Carryout G2",
@@ -43,6 +48,7 @@ CARRYOUT_G2 = DishModel(
     has_stow=True,
     position_reported=True,
     power_switch="12 V switch",
+    reflector=REFLECTOR,
 )
 
 DIALECT = ConsoleDialect(

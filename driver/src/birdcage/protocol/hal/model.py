@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from birdcage.base.beam import Reflector
 from birdcage.protocol.model import (
     END_OF_MOVE,
     Axis,
@@ -25,6 +26,10 @@ _STEP_DEG = 0.01
 
 SKEW = Axis(2, "skew", 0.0, 180.0, _SPEED_DEG_S, _ACCELERATION_DEG_S2, _STEP_DEG, times=MOVE_TIMES)
 """The axis that turns the feed. Its range is documented nowhere: 0 to 180 degrees is an assumption."""
+
+REFLECTOR = Reflector(0.8382, 0.5842)
+"""33 x 23 inches, the long side level, as for feeds side by side along the arc: an assumption, as is that the skew axis
+turns the feed alone (`docs/decisions`)."""
 
 TRAVLER = DishModel(
     name="Trav'ler",
@@ -52,6 +57,7 @@ TRAVLER = DishModel(
     has_stow=True,
     position_reported=True,
     power_switch="power switch",
+    reflector=REFLECTOR,
     skew=SKEW,
 )
 """The Trav'ler LG-2112.

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 
+from birdcage.base.beam import Beam, beam_of
 from birdcage.base.config import STOCK_FEED, FeedProfile
 from birdcage.base.config.edit import Value
 from birdcage.setup.step import Choice, Field, NoSuchChoice
 from birdcage.setup.steps.base import Plan, Step
-from birdcage.setup.typed import frequency_hz, optional_number, yes
+from birdcage.setup.typed import band_hz, frequency_hz, optional_number, yes
 
 STOCK = "stock-ku"
 MOST_FEEDS = 8
@@ -23,7 +25,8 @@ class FeedStep(Step):
     def words(self) -> tuple[str, ...]:
         """Say what depends on it."""
         return (
-            "What hangs in the focus? Beam, frequencies and offsets come from it, and whether the dish may fold flat.",
+            "Which feed is fitted? Frequencies and offsets come from it, and whether the dish may fold flat.",
+            "Its band and the dish's reflector make the beam; a width that you measured goes before that.",
             "Stow folds the dish onto the feed: allow it only for a feed that fits under it.",
         )
 
@@ -31,13 +34,13 @@ class FeedStep(Step):
         """Name the feeds that there are, and a new one."""
         feeds = self.bench.settings.feeds
         own = [name for name in feeds if name != STOCK][:MOST_FEEDS]
-        stock = feeds[STOCK]
         return (
-            Choice("stock", "enter", f"Stock Ku LNB, beam {stock.beam_deg:g}°"),
-            *(Choice(f"feed-{key}", str(key), name) for key, name in enumerate(own, 1)),
+            Choice("stock", "enter", f"Stock LNB{self._told(feeds[STOCK])}"),
+            *(Choice(f"feed-{key}", str(key), f"{name}{self._told(feeds[name])}") for key, name in enumerate(own, 1)),
             Choice("other", "n", "Another feed", fields=(
                 Field("name", "name", hint="L-band helix"),
-                Field("beam_deg", "beam", "deg", "width at half power"),
+                Field("band", "band", "", "1670 to 1710 MHz"),
+                Field("beam_deg", "beam", "deg", "az x el as measured; empty: by theory"),
                 Field("lo_hz", "LO", "Hz", "9750 MHz; empty for none"),
                 Field("az_offset_deg", "az offset", "deg", "beam clockwise of the dish's axis", "0"),
                 Field("el_offset_deg", "el offset", "deg", "beam above the dish's axis", "0"),
@@ -53,9 +56,14 @@ class FeedStep(Step):
             name = values.get("name", "").strip()
             if not name or "." in name or name in (STOCK, "active"):
                 raise NoSuchChoice("Give the feed a name of its own, without a full stop.")
-            beam_deg = optional_number(values, "beam_deg", "beam", 0.01, 180.0)
+            low_hz, high_hz = band_hz(values, "band", "band")
+            beam_deg, beam_az_deg, beam_el_deg = _widths(values)
             keys: dict[str, Value] = {
+                f"feed.{name}.freq_min_hz": low_hz,
+                f"feed.{name}.freq_max_hz": high_hz,
                 f"feed.{name}.beam_deg": beam_deg,
+                f"feed.{name}.beam_az_deg": beam_az_deg,
+                f"feed.{name}.beam_el_deg": beam_el_deg,
                 f"feed.{name}.lo_hz": frequency_hz(values, "lo_hz", "LO"),
                 f"feed.{name}.az_offset_deg": optional_number(values, "az_offset_deg", "az offset", -45, 45) or 0.0,
                 f"feed.{name}.el_offset_deg": optional_number(values, "el_offset_deg", "el offset", -45, 45) or 0.0,
@@ -66,20 +74,46 @@ class FeedStep(Step):
             own = [name for name in self.bench.settings.feeds if name != STOCK]
             self._mount(own[int(choice.removeprefix("feed-")) - 1], {})
 
+    def _beam(self, feed: FeedProfile) -> Beam | None:
+        """Return the beam of this dish with a feed; None where it is not known, as before the dish is."""
+        dish = self.bench.state.dish
+        return beam_of(feed, None if dish is None else dish.reflector)
+
+    def _told(self, feed: FeedProfile) -> str:
+        """Return a feed's band and beam, after its name."""
+        beam, band = self._beam(feed), ""
+        if feed.freq_min_hz is not None and feed.freq_max_hz is not None:
+            band = f", {feed.freq_min_hz / 1e9:g} to {feed.freq_max_hz / 1e9:g} GHz"
+        return band + ("" if beam is None else f", beam {beam.words}")
+
     def _mount(self, name: str, keys: dict[str, Value]) -> None:
         self.bench.write({**keys, "feed.active": name})
         self.begin(self._apply(name), "telling the station")
 
     def _apply(self, name: str) -> Plan:
         yield self.bench.apply()
-        self.bench.done(self.name, _described(name, self.bench.settings.feeds.get(name, STOCK_FEED))
+        feed = self.bench.settings.feeds.get(name, STOCK_FEED)
+        self.bench.done(self.name, _described(name, feed, self._beam(feed))
                         + self.bench.overridden("feed.active"))  # fmt: skip
 
 
-def _described(name: str, feed: FeedProfile) -> str:
+def _widths(values: Mapping[str, str]) -> tuple[float | None, float | None, float | None]:
+    """Return the width that was typed: of a round beam, or in azimuth and elevation: `2.0 x 2.9`."""
+    parts = re.split(r"\s*[x×]\s*", values.get("beam_deg", "").strip())
+    if len(parts) > 2:
+        raise NoSuchChoice("beam: type one width, or two: 2.0 x 2.9.")
+    widths = [optional_number({"beam_deg": part}, "beam_deg", "beam", 0.01, 180.0) for part in parts]
+    if len(parts) == 1:
+        return widths[0], None, None
+    if None in widths:
+        raise NoSuchChoice("beam: type one width, or two: 2.0 x 2.9.")
+    return None, widths[0], widths[1]
+
+
+def _described(name: str, feed: FeedProfile, beam: Beam | None) -> str:
     parts = ["stock Ku LNB" if name == STOCK else name]
-    if feed.beam_deg is not None:
-        parts.append(f"beam {feed.beam_deg:g} deg")
+    if beam is not None:
+        parts.append(f"beam {beam.words}")
     if feed.lo_hz:
         parts.append(f"LO {feed.lo_hz / 1e6:g} MHz")
     if feed.az_offset_deg or feed.el_offset_deg:

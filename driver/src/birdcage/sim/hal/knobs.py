@@ -18,6 +18,7 @@ class HalSettings(Settings):
     """The knobs of one simulated Trav'ler. Angles in degrees, times in seconds of dish time."""
 
     firmware: ClassVar[str] = "hal205"
+    reflector_in: ClassVar[tuple[float, float]] = (33.0, 23.0)
     choices: ClassVar[Mapping[str, tuple[str, ...]]] = {
         **Settings.choices,
         "prompts": ("named", "alike"),

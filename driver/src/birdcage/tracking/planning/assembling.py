@@ -15,7 +15,7 @@ from birdcage.tracking.curve import Curve
 from birdcage.tracking.mount import Mount
 from birdcage.tracking.plan import Aim, Forecast, Keyhole, Leg, Part, Plan
 from birdcage.tracking.planning.course import course as course_of
-from birdcage.tracking.planning.forecast import forecast, loss_db
+from birdcage.tracking.planning.forecast import forecast
 from birdcage.tracking.planning.incidents import incidents, loss_notes
 from birdcage.tracking.planning.itinerary import Stretch
 from birdcage.tracking.planning.keyholes import keyholes, simulated
@@ -51,12 +51,12 @@ def complete(basis: Basis, share: float | None, seen: Forecast | None = None, *,
     sight, stretches, mount = basis.sight, basis.stretches, basis.sight.mount
     course = course_of(sight, stretches, share, hold)
     legs = _legs(stretches, course, turns=sight.bounds.cable is not None and sight.bounds.turn_known)
-    holes = keyholes(sight, stretches, course)
+    beam = mount.beam_at(basis.aim.frequency_hz)
+    holes = keyholes(sight, stretches, course, beam)
     if seen is not None:
-        holes = simulated(holes, seen)
+        holes = simulated(holes, seen, beam)
     place = preposition(sight, course, basis.preposition_s, basis.made_at.timestamp())
-    beam_deg = mount.beam_deg_at(basis.aim.frequency_hz)
-    own = seen or forecast(sight, stretches, course, beam_deg)
+    own = seen or forecast(sight, stretches, course, beam)
     notes = [
         *_element_notes(basis.elements),
         *_rewind_notes(legs),
@@ -71,7 +71,7 @@ def complete(basis: Basis, share: float | None, seen: Forecast | None = None, *,
         basis.aim, basis.made_at, basis.passing, basis.reach, sight.sky, course, legs, place, holes,
         own, incidents(basis.passing, sight.sky, legs, holes, basis.reach, mount.limits),
         tuple(notes), share, share is None or not holes or seen is not None, basis.elements,
-        pointing_error(own, basis.elements, lambda error_deg: loss_db(error_deg, beam_deg)),
+        pointing_error(own, basis.elements, beam),
     )  # fmt: skip
 
 
@@ -124,9 +124,10 @@ def _rewind_notes(legs: Sequence[Leg]) -> Iterator[str]:
 
 
 def _hole_note(hole: Keyhole) -> str:
+    lost = "" if hole.max_loss_db is None else f", {hole.max_loss_db:.1f} dB,"
     return (
-        f"It goes through the keyhole: up to {hole.max_error_deg:.1f}° off there, where {hole.limit_deg:.1f}° is the "
-        "least possible."
+        f"It goes through the keyhole: up to {hole.max_error_deg:.1f}° off{lost} there, where "
+        f"{hole.limit_deg:.1f}° is the least possible."
     )
 
 
@@ -162,5 +163,5 @@ def _notes(reach: Reach, mount: Mount) -> Iterator[str]:
         yield "Where the dish stands is not known: the way to the first point may be longer."
     if mount.limits.cable is not None and not mount.limits.turn_known:
         yield "The turn of the cable is not known: only what is safe for every turn is followed."
-    if mount.beam_deg is None:
-        yield "The feed does not say how wide its beam is: no decibels."
+    if mount.beam is None:
+        yield "No decibels: the beam's width is not known. Set the feed's band, or the width that you measured."

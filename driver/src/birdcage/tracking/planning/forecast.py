@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
+from birdcage.base.beam import PEAK_LOSS_DB, Beam
 from birdcage.protocol.model import DishModel
 from birdcage.tracking.curve import Curve, Floats
 from birdcage.tracking.move_times import durations
@@ -37,26 +40,52 @@ def separations_deg(az1: Floats, el1: Floats, az2: Floats, el2: Floats) -> Float
     return angles
 
 
-def forecast(sight: Sight, stretches: tuple[Stretch, ...], course: Curve, beam_deg: float | None) -> Forecast:
+def offsets_deg(az1: Floats, el1: Floats, az2: Floats, el2: Floats) -> Offsets:
+    """Return how far the second directions lie to the right of the first and above, as `base.geometry.offset`."""
+    first, second, turn = np.radians(el1), np.radians(el2), np.radians(az2 - az1)
+    right = np.cos(second) * np.sin(turn)
+    up = np.cos(first) * np.sin(second) - np.sin(first) * np.cos(second) * np.cos(turn)
+    aside = np.hypot(right, up)
+    scale = np.divide(separations_deg(az1, el1, az2, el2), aside, out=np.zeros_like(aside), where=aside > 0.0)
+    return Offsets(right * scale, up * scale)
+
+
+class Offsets(NamedTuple):
+    """Errors by their directions on the sky: one way or the other, or the root mean square of both."""
+
+    across_deg: Floats
+    """Across the line of sight, not in azimuth."""
+    up_deg: Floats
+
+    @property
+    def size_deg(self) -> Floats:
+        """How far off that is."""
+        size: Floats = np.hypot(self.across_deg, self.up_deg)
+        return size
+
+    def and_at_random(self, other: Offsets) -> Offsets:
+        """Return the root mean squares of both together, which have nothing to do with each other."""
+        return Offsets(np.hypot(self.across_deg, other.across_deg), np.hypot(self.up_deg, other.up_deg))
+
+    def loss_db(self, beam: Beam) -> Floats:
+        """Return what is lost by them; of root mean squares, on the mean."""
+        lost: Floats = PEAK_LOSS_DB * ((self.across_deg / beam.az_deg) ** 2 + (self.up_deg / beam.el_deg) ** 2)
+        return lost
+
+
+def forecast(sight: Sight, stretches: tuple[Stretch, ...], course: Curve, beam: Beam | None) -> Forecast:
     """Return the error to expect while following, from the course alone."""
     t = following_times(stretches)
-    az, el = course.sample(t)
-    sky_az, sky_el = sight.dish.sample(t)
-    off = separations_deg(az, el, sky_az, sky_el)
+    off = offsets_deg(*sight.dish.sample(t), *course.sample(t))
     saw, peaks = saw_tooth_deg(sight.mount.model, course, t, stretches)
-    return made(t, np.hypot(off, saw), beam_deg, peak_deg=float(np.hypot(off, peaks).max()))
+    return made(t, off.and_at_random(saw), beam, peak_deg=float(np.hypot(off.size_deg, peaks).max()))
 
 
-def made(t: Floats, error_deg: Floats, beam_deg: float | None, peak_deg: float | None = None) -> Forecast:
+def made(t: Floats, off: Offsets, beam: Beam | None, peak_deg: float | None = None) -> Forecast:
     """Return a forecast of errors at times; where they are averages, `peak_deg` is the greatest single one."""
-    loss = loss_db(error_deg, beam_deg)
+    error_deg, loss = off.size_deg, None if beam is None else off.loss_db(beam)
     greatest = float(error_deg.max()) if peak_deg is None else peak_deg
     return Forecast(t, error_deg, loss, float(np.sqrt(np.mean(error_deg**2))), greatest)
-
-
-def loss_db(error_deg: Floats, beam_deg: float | None) -> Floats | None:
-    """Return what errors cost at a beam so wide at half power; None without one (reference section 5)."""
-    return None if beam_deg is None else 12.0 * (error_deg / beam_deg) ** 2
 
 
 def following_times(stretches: tuple[Stretch, ...], step_s: float = _STEP_S) -> Floats:
@@ -72,7 +101,7 @@ def following_times(stretches: tuple[Stretch, ...], step_s: float = _STEP_S) -> 
     )
 
 
-def saw_tooth_deg(model: DishModel, course: Curve, t: Floats, stretches: tuple[Stretch, ...]) -> tuple[Floats, Floats]:
+def saw_tooth_deg(model: DishModel, course: Curve, t: Floats, stretches: tuple[Stretch, ...]) -> tuple[Offsets, Floats]:
     """Return what is left between two commands, on the sky: its root mean square, and the greatest to expect.
 
     Commands that name where the target will be half an interval later leave a saw-tooth of rate x interval, and the
@@ -88,20 +117,23 @@ def saw_tooth_deg(model: DishModel, course: Curve, t: Floats, stretches: tuple[S
     (az, el), (before_az, before_el) = course.sample(after), course.sample(before)
     across, up = np.abs(az - before_az) / (after - before), np.abs(el - before_el) / (after - before)
     narrow = np.cos(np.radians(np.clip(el, 0.0, 90.0)))
-    rate = np.hypot(across * narrow, up)
     interval = _interval_s(model, across, up)
-    steps = (model.azimuth.step_deg * narrow) ** 2 + model.elevation.step_deg**2
+    rates = Offsets(across * narrow, up)
+    steps = Offsets(model.azimuth.step_deg * narrow, np.full(len(t), model.elevation.step_deg))
     if model.azimuth.times is None:
         mean_s: Floats = np.hypot(interval / 12.0**0.5, _UNSURE_S[model.moves_in_turn])
         most_s: Floats = interval / 2.0 + _LATE_S
     else:
         mean_s, most_s = _UNDER_WAY * interval, interval / 2.0
     # An axis comes to rest anywhere up to its overshoot off the command.
-    loose = (model.azimuth.overshoot_deg * narrow) ** 2 + model.elevation.overshoot_deg**2
-    return (
-        np.hypot(rate * mean_s, np.sqrt(steps / 12.0 + loose / 3.0)),
-        rate * most_s + np.sqrt(steps) / 2.0 + np.sqrt(loose),
+    loose = Offsets(model.azimuth.overshoot_deg * narrow, np.full(len(t), model.elevation.overshoot_deg))
+    mean = Offsets(
+        *(
+            np.hypot(rate * mean_s, np.sqrt(step**2 / 12.0 + rest**2 / 3.0))
+            for rate, step, rest in zip(rates, steps, loose, strict=True)
+        )
     )
+    return mean, rates.size_deg * most_s + steps.size_deg / 2.0 + loose.size_deg
 
 
 def _interval_s(model: DishModel, across: Floats, up: Floats) -> Floats:

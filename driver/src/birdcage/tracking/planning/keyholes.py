@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from birdcage.base.beam import Beam
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.plan import Forecast, Keyhole
 from birdcage.tracking.planning.course import limit_deg
@@ -16,7 +17,7 @@ _SEEN_DEG = 0.03
 _NEAR_S = 5.0
 
 
-def keyholes(sight: Sight, stretches: tuple[Stretch, ...], course: Curve) -> tuple[Keyhole, ...]:
+def keyholes(sight: Sight, stretches: tuple[Stretch, ...], course: Curve, beam: Beam | None) -> tuple[Keyhole, ...]:
     """Return where the course leads or lags in azimuth."""
     t = course.t_s
     az, el = sight.dish.sample(t)
@@ -32,15 +33,18 @@ def keyholes(sight: Sight, stretches: tuple[Stretch, ...], course: Curve) -> tup
     peaks = np.hypot(off, saw_tooth_deg(sight.mount.model, course, t, stretches)[1])
     for part in np.split(where, np.flatnonzero(np.diff(t[where]) > _NEAR_S) + 1):
         start, end = float(t[part[0]]), float(t[part[-1]])
-        found.append(Keyhole(start, end, float(peaks[part].max()), limit_deg(sight, stretches, start, end)))
+        worst = float(peaks[part].max())
+        limit = limit_deg(sight, stretches, start, end)
+        found.append(Keyhole(start, end, worst, limit, None if beam is None else beam.most_loss_db(worst)))
     return tuple(found)
 
 
-def simulated(holes: tuple[Keyhole, ...], forecast: Forecast) -> tuple[Keyhole, ...]:
+def simulated(holes: tuple[Keyhole, ...], forecast: Forecast, beam: Beam | None) -> tuple[Keyhole, ...]:
     """Return the keyholes with the errors that a simulation of the pass has shown."""
     found = []
     for hole in holes:
         inside = (forecast.t_s >= hole.start_s) & (forecast.t_s <= hole.end_s)
         error = float(forecast.error_deg[inside].max()) if inside.any() else hole.max_error_deg
-        found.append(Keyhole(hole.start_s, hole.end_s, error, hole.limit_deg))
+        loss = None if beam is None else beam.most_loss_db(error)
+        found.append(Keyhole(hole.start_s, hole.end_s, error, hole.limit_deg, loss))
     return tuple(found)

@@ -9,10 +9,10 @@ from itertools import product
 import numpy as np
 
 from birdcage.tracking.controller import Controller
+from birdcage.tracking.curve import Floats
 from birdcage.tracking.mount import Mount
 from birdcage.tracking.plan import Forecast, Keyhole, Leg, Part, Plan
 from birdcage.tracking.planning.assembling import Basis, complete
-from birdcage.tracking.planning.forecast import made
 from birdcage.tracking.planning.itinerary import Stretch
 from birdcage.tracking.planning.rates import HOLDS, SHARES
 from birdcage.tracking.planning.rehearsal import rehearse
@@ -56,7 +56,7 @@ def refine(
     for share, hold in product(shares, HOLDS if hard else HOLDS[:1]):
         drawn = complete(basis, share, hold=hold)
         runs = [rehearse(drawn, mount, steers, within=about, seed=seed) for seed in (SEEDS if hard else SEEDS[:1])]
-        seen = _spliced(drawn, max(runs, key=lambda run: run.max_deg), about, mount)
+        seen = _spliced(drawn, max(runs, key=lambda run: run.max_deg), about)
         tried.append((complete(basis, share, seen, hold=hold), seen))
     # Not the keyholes of each: of a course that asks for more than the dish can do there may be none.
     return min(tried, key=lambda one: _badness(plan.keyholes, one[1]))[0]
@@ -84,7 +84,7 @@ def _about(plan: Plan) -> list[tuple[float, float]]:
     return found
 
 
-def _spliced(plan: Plan, seen: Forecast, about: Sequence[tuple[float, float]], mount: Mount) -> Forecast:
+def _spliced(plan: Plan, seen: Forecast, about: Sequence[tuple[float, float]]) -> Forecast:
     """Return the forecast of a plan with what the rehearsal has shown in its place."""
     drawn = plan.forecast
     assert drawn is not None, "a plan with a keyhole has a forecast"
@@ -98,10 +98,18 @@ def _spliced(plan: Plan, seen: Forecast, about: Sequence[tuple[float, float]], m
         inside |= (grid >= start) & (grid <= end)
     grid = grid[inside]
     t = np.concatenate([drawn.t_s[apart], grid])
-    errors = np.concatenate([drawn.error_deg[apart], np.interp(grid, seen.t_s, seen.error_deg)])
     order = np.argsort(t)
-    spliced = made(t[order], errors[order], mount.beam_deg_at(plan.aim.frequency_hz), None)
-    return replace(spliced, max_deg=max(seen.max_deg, spliced.max_deg))
+
+    def joined(drawn_values: Floats, seen_values: Floats) -> Floats:
+        both: Floats = np.concatenate([drawn_values[apart], np.interp(grid, seen.t_s, seen_values)])[order]
+        return both
+
+    errors = joined(drawn.error_deg, seen.error_deg)
+    losses = None
+    if drawn.loss_db is not None and seen.loss_db is not None:
+        losses = joined(drawn.loss_db, seen.loss_db)
+    greatest = max(seen.max_deg, float(errors.max()))
+    return Forecast(t[order], errors, losses, float(np.sqrt(np.mean(errors**2))), greatest)
 
 
 def _stretches(plan: Plan, sight: Sight) -> tuple[Stretch, ...]:

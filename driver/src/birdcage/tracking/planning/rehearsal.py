@@ -16,7 +16,7 @@ from birdcage.tracking.controller import Controller, Helm
 from birdcage.tracking.curve import Curve, Floats
 from birdcage.tracking.mount import Mount
 from birdcage.tracking.plan import Forecast, Part, Plan
-from birdcage.tracking.planning.forecast import made, separations_deg
+from birdcage.tracking.planning.forecast import Offsets, made, offsets_deg
 from birdcage.tracking.planning.sight import Sight
 from birdcage.tracking.steps import Answer, Limit, Look, Send, Step, Wait
 from birdcage.tracking.steps import Slew as SlewStep
@@ -52,8 +52,9 @@ def rehearse(
         t = np.linspace(*span, max(2, round((span[1] - span[0]) / step_s) + 1))
         az, el = _follow(span, course, mount.model, controller, chance)(t)
         times.append(t)
-        errors.append(separations_deg(az, el, *dish.sample(t)))
-    return made(np.concatenate(times), np.concatenate(errors), mount.beam_deg_at(plan.aim.frequency_hz))
+        errors.append(offsets_deg(*dish.sample(t), az, el))
+    across, up = (np.concatenate(one) for one in zip(*errors, strict=True))
+    return made(np.concatenate(times), Offsets(across, up), mount.beam_at(plan.aim.frequency_hz))
 
 
 def _spans(legs: Sequence[Span], within: Sequence[Span] | None) -> list[Span]:
