@@ -77,6 +77,17 @@ def test_the_oscillator_is_the_feeds_unless_one_is_named(ask, at_home, as_json):
     assert "Feed helix: LO 1000 MHz." in result.stderr
 
 
+@pytest.mark.usefixtures("in_its_time")
+def test_a_sender_is_told_with_what_it_sends(ask, as_json):
+    told = lines(ask("if", "--rf", "1701.3M", "--lo", "1M"))
+    assert "METOP-B AHRPT, RHCP, 2.333 Mbaud SatDump metop_ahrpt on 2026-10-16" in told
+    (found,) = as_json(ask("if", "--rf", "1701.3M", "--lo", "1M", "--json"))
+    assert {each["pipeline"] for each in found["downlinks"]} == {"metop_ahrpt"}
+    many = ask("if", "--rf", "12.5G", "--lo", "11.25G").stdout
+    assert "AsiaSat 5" in many
+    assert max(len(line) for line in many.splitlines()) <= 80
+
+
 def test_who_is_dead_is_not_named_as_a_sender(ask, as_json):
     (found,) = as_json(ask("if", "--rf", "1701.3M", "--lo", "1M", "--json"))
     assert found["satellites"] == ["METOP-B", "METOP-C"]

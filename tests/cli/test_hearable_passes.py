@@ -58,6 +58,27 @@ def test_the_filter_can_be_asked_for_with_the_stock_feed_which_hears_no_low_sate
     assert "0 of 2 satellites" in said
 
 
+def test_what_is_heard_of_it_stands_beside_each_pass(run, as_json, at_home):
+    (at_home / "birdcage.toml").write_text(HELIX)
+    (at_home / "downlinks.toml").write_text(
+        '[[downlink]]\nsatellite = "METOP-B"\nfreq_mhz = 1701.3\nmode = "AHRPT"\npolarization = "RHCP"\nalive = true\n'
+        'symbol_rate_baud = 2333333\npipeline = "metop_ahrpt"\ndate = "2012"\n'
+    )
+    words = ("passes", "--lat", 52.0, "--lon", 5.0)
+    told = run(*words, port=None, firmware="").stdout.splitlines()
+    assert told[0].split()[-2:] == ["DOWNLINK", "SATDUMP"]
+    assert told[1].split()[-4:] == ["1701.3", "AHRPT", "?", "metop_ahrpt"], "of 2012: doubtful"
+    each = as_json(run(*words, "--json", port=None, firmware=""))[0]
+    assert {name: value for name, value in each.items() if name.startswith("downlink_")} == {
+        "downlink_hz": 1701.3e6, "downlink_mode": "AHRPT", "downlink_polarization": "RHCP",
+        "downlink_symbol_rate_baud": 2333333, "downlink_pipeline": "metop_ahrpt", "downlink_date": "2012",
+        "downlink_doubtful": True,
+    }  # fmt: skip
+    csv = run(*words, "--csv", "-", port=None, firmware="").stdout.splitlines()
+    assert ",downlink_pipeline," in csv[0]
+    assert ",metop_ahrpt," in csv[1]
+
+
 def test_ones_own_table_counts(listed, at_home):
     (at_home / "birdcage.toml").write_text(HELIX)
     (at_home / "downlinks.toml").write_text('[[downlink]]\nsatellite = "ISS"\nnorad_id = 25544\nfreq_mhz = 1690\n')

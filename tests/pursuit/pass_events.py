@@ -7,6 +7,7 @@ from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 
 import numpy as np
+from birdcage.base.clock import RealClock
 from birdcage.sky.passes.model import Pass
 from birdcage.sky.reach_model import Reach, Stretch
 from birdcage.station.events import Followed, PursuitChanged, ReadingRead
@@ -15,6 +16,15 @@ from birdcage.tracking.curve import Curve
 from birdcage.tracking.plan import Aim, Forecast, Plan
 
 START = datetime(2026, 11, 21, 12, 0, tzinfo=UTC)
+
+
+def wait_for(path, seconds=60.0):
+    """Wait until a command of a hook has written something there: it runs in real time."""
+    clock = RealClock()
+    end = clock.monotonic() + seconds
+    while not (path.exists() and path.read_text()):
+        assert clock.monotonic() < end, f"{path} was never written"
+        clock.wait(None, clock.monotonic() + 0.02)
 
 
 def at(seconds):

@@ -18,6 +18,8 @@ from birdcage.pursuit.desk_setup import DeskSetup
 from birdcage.pursuit.pass_log import PassLog
 from birdcage.station.pursuit import Phase
 
+from .pass_events import wait_for
+
 STATION = "DEMO LEO 2 station"
 SHORT = MotionSettings(min_elevation_deg=50.0)
 
@@ -60,14 +62,6 @@ def test_hooks_run_at_the_beginning_and_at_the_end_of_reach(make, tmp_path):
     bench.desk.leave()  # what was begun is ended
     bench.do(3.0)
     wait_for(over)
-
-
-def wait_for(path, seconds=60.0):
-    clock = RealClock()
-    end = clock.monotonic() + seconds
-    while not (path.exists() and path.read_text()):
-        assert clock.monotonic() < end, f"{path} was never written"
-        clock.wait(None, clock.monotonic() + 0.02)
 
 
 @pytest.fixture

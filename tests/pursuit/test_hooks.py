@@ -18,6 +18,7 @@ from birdcage.base.clock import VirtualClock
 from birdcage.base.config.tracking_sections import HookSettings
 from birdcage.pursuit.hooks import Hooks
 from birdcage.pursuit.pass_facts import PassFacts
+from birdcage.sky.downlinks import load_downlinks
 
 NOON = datetime(2026, 3, 20, 12, 0, 0, tzinfo=UTC)
 
@@ -109,7 +110,8 @@ def test_the_facts_in_the_environment_and_on_stdin(stage, tmp_path):
         f"open({str(out)!r}, 'w').write(json.dumps([told, json.loads(sys.stdin.read())]))"
     )
     stage = stage(at_tca=python(code))
-    stage.hooks.plan(replace(FACTS, site=None))
+    (sent,) = load_downlinks().of(43013, "")
+    stage.hooks.plan(replace(FACTS, site=None, downlink=sent))
     stage.run(500.0)
     stage.ended()
     environment, line = json.loads(out.read_text())
@@ -118,9 +120,22 @@ def test_the_facts_in_the_environment_and_on_stdin(stage, tmp_path):
         "BIRDCAGE_AOS": "2026-03-20T12:01:00Z", "BIRDCAGE_LOS": "2026-03-20T12:12:20Z",
         "BIRDCAGE_REACH_START": "2026-03-20T12:01:40Z", "BIRDCAGE_REACH_END": "2026-03-20T12:11:40Z",
         "BIRDCAGE_DURATION_S": "600.0", "BIRDCAGE_MAX_EL": "61.23", "BIRDCAGE_FREQ_HZ": "7812000000",
-        "BIRDCAGE_SITE": "",
+        "BIRDCAGE_SITE": "", "BIRDCAGE_MODE": "HRD", "BIRDCAGE_POLARIZATION": "RHCP",
+        "BIRDCAGE_SYMBOL_RATE": "15000000", "BIRDCAGE_PIPELINE": "npp_hrd", "BIRDCAGE_PIPELINE_LIVE": "0",
     }  # fmt: skip
     assert (line["event"], line["norad"], line["max_el"], line["site"]) == ("tca", 43013, 61.23, None)
+    assert (line["symbol_rate"], line["pipeline"], line["pipeline_live"]) == (15000000, "npp_hrd", 0)
+
+
+def test_what_is_not_known_of_the_signal_is_empty():
+    told = FACTS.environment("tca")
+    names = ("MODE", "POLARIZATION", "SYMBOL_RATE", "PIPELINE", "PIPELINE_LIVE")
+    assert [told[f"BIRDCAGE_{name}"] for name in names] == [""] * 5
+
+
+def test_each_variable_is_explained_in_the_docs():
+    page = (Path(__file__).parents[2] / "docs" / "satdump.md").read_text(encoding="utf-8")
+    assert [name for name in FACTS.environment("tca") if f"`{name}`" not in page] == []
 
 
 def test_what_it_says_and_how_it_ended_are_told(stage):

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from datetime import datetime, timedelta
 
 import pytest
+from birdcage.sky.downlinks import Downlink
 from birdcage.sky.targets.model import Fixed
 from birdcage.tracking.plan_values import plan_values
 from birdcage.tracking.plan_words import plan_lines
@@ -37,6 +39,19 @@ def test_the_text_fits_a_terminal_and_tells_what_matters(rewinding, through_the_
     assert "1700 MHz" in text
     assert "at best 2.69°" in text
     assert " TCA " in text
+
+
+def test_a_plan_says_what_is_sent_and_what_satdump_calls_it(rewinding):
+    sent = Downlink(
+        "X", 1.7013e9, 1.7013e9, "AHRPT", "RHCP", True, "a test", "2019", symbol_rate_baud=2333333.0,
+        pipeline="metop_ahrpt",
+    )  # fmt: skip
+    plan = replace(rewinding, aim=replace(rewinding.aim, frequency_hz=1.7013e9, downlink=sent))
+    assert "AHRPT, RHCP, 2.333 Mbaud   SatDump metop_ahrpt   doubtful: 2019, " in "\n".join(plan_lines(plan))
+    assert max(map(len, plan_lines(plan))) <= 80
+    told = plan_values(plan)["target"]["downlink"]
+    assert (told["pipeline"], told["symbol_rate_baud"], told["doubtful"]) == ("metop_ahrpt", 2333333.0, True)
+    assert plan_values(rewinding)["target"]["downlink"] is None
 
 
 def test_a_row_shows_target_and_dish_only_where_the_dish_is_on_it(rewinding):

@@ -14,6 +14,7 @@ from birdcage.sky.world import Ground, WorldView
 from birdcage_tui.passes.model import Age, Frequency, InReach, Lost, Path, Row, SkyPicture, Up, Way
 
 NOON = datetime(2026, 3, 20, 12, tzinfo=UTC).timestamp()
+LRPT = Frequency(137.9e6, "its LRPT", ("LRPT, RHCP, 72 kbaud", "SatDump meteor_m2-x_lrpt", "on 2026-10-16"))
 MASK = HorizonMask([(0, 4), (40, 9), (70, 22), (95, 24), (110, 8), (180, 2), (250, 5), (300, 14), (330, 6)])
 FLOOR, CEILING = 18.0, 65.0
 
@@ -92,7 +93,7 @@ def rows(now_s=NOON):
             name, number, aos, path.t_s[highest], path.t_s[-1], from_az, path.az_deg[highest], to_az, float(top),
             reach_of(path), Way(lambda path=path: path), favourite, groups, AGE,
             hears="137.9 MHz LRPT" if name.startswith("METEOR") else "", sunlit_share=1.0, sun=(aos + 120.0, 31.0),
-            tuned=lambda name=name: Frequency(137.9e6, "its LRPT") if name.startswith("METEOR") else None,
+            tuned=lambda name=name: LRPT if name.startswith("METEOR") else None,
         ))  # fmt: skip
     return tuple(sorted(found, key=lambda row: row.aos_s))
 

@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from datetime import UTC, datetime
 from pathlib import Path as File
 
 import pytest
@@ -9,10 +10,12 @@ import sky_stand_in
 from birdcage.base.beam import Beam
 from birdcage.base.config import FeedProfile
 from birdcage.base.geometry import separation
-from birdcage_tui.passes.figures import sun_lines
-from birdcage_tui.sky_hearing import tuning_of
+from birdcage_tui.passes.figures import signal_lines, sun_lines
+from birdcage_tui.sky_hearing import hearing_of, tuning_of
 from stage import read, run
 from stand_in import text_of
+
+THEN = datetime(2026, 11, 22, tzinfo=UTC)
 
 
 def on_page(test, size):
@@ -40,6 +43,8 @@ def test_range_doppler_sun_and_clock_stand_behind_a_key(size, keys):
     assert re.search(r"now +12:00:00 +\S+° +1444 km", text)
     assert re.search(r"1 s of clock error costs 0\.\d+°", text)
     assert "Sun-lit, Sun 31° off at 11:58" in text
+    assert "LRPT, RHCP, 72 kbaud  SatDump meteor_m2-x_lrpt " in text
+    assert "on 2026-10-16" in text
 
 
 def test_a_large_screen_has_the_figures_beside_the_path():
@@ -84,11 +89,21 @@ def test_the_fastest_part_of_a_pass_is_found():
 def test_doppler_is_told_where_the_satellite_sends_else_for_the_feed():
     none = File("does not exist")
     ku = FeedProfile(freq_min_hz=10.7e9, freq_max_hz=12.7e9)
-    meteor = tuning_of(ku, none)(59051, "METEOR-M2 4")
+    meteor = tuning_of(ku, none, THEN)(59051, "METEOR-M2 4")
     assert meteor.hz != 11.7e9
     assert meteor.what.startswith("its ")
-    unknown = tuning_of(ku, none)(1, "NOBODY KNOWS IT")
+    unknown = tuning_of(ku, none, THEN)(1, "NOBODY KNOWS IT")
     assert (unknown.hz, unknown.what) == (11.7e9, "middle of feed")
-    assert tuning_of(FeedProfile(), none)(1, "NOBODY KNOWS IT") is None
-    vhf = tuning_of(FeedProfile(freq_min_hz=136e6, freq_max_hz=138e6), none)(59051, "METEOR-M2 4")
+    assert tuning_of(FeedProfile(), none, THEN)(1, "NOBODY KNOWS IT") is None
+    vhf = tuning_of(FeedProfile(freq_min_hz=136e6, freq_max_hz=138e6), none, THEN)(59051, "METEOR-M2 4")
     assert 136e6 < vhf.hz < 138e6, "of several the one that this feed hears"
+    assert vhf.signal == ("LRPT, RHCP, 72 kbaud", "SatDump meteor_m2-x_lrpt", "on 2026-10-16")
+
+
+def test_a_doubtful_downlink_is_marked_and_says_how_old_what_is_known_of_it_is():
+    dish = FeedProfile(freq_min_hz=12.2e9, freq_max_hz=12.7e9, polarization="circular")
+    assert hearing_of(dish, File("does not exist"), THEN)(0, "EchoStar 10") == "12442.5 MHz DISH ?"
+    bell = tuning_of(dish, File("does not exist"), THEN)(0, "EchoStar 10")
+    assert bell.signal == ("DISH, circular", "doubtful: 2019-09-25, 7 y")
+    row = replace(sky_stand_in.rows()[0], tuned=lambda: bell)
+    assert signal_lines(row)[-1] == ("warn", "doubtful: 2019-09-25, 7 y")

@@ -165,6 +165,20 @@ def test_without_a_catalogue_the_elements_that_ship_are_marked(tmp_path):
     assert re.search(r"the newest of \d{4}-\d\d-\d\d: no dish finds", sky.note)
 
 
+def test_an_exported_pass_tells_what_the_feed_listens_to(tmp_path):
+    feed = FeedProfile(freq_min_hz=137e6, freq_max_hz=138e6)
+    stage = Stage(tmp_path, demo=False, settings=replace(HERE, feeds={**HERE.feeds, "stock-ku": feed}))
+    stage.paths.downlinks_file.write_text(
+        '[[downlink]]\nsatellite = "ISS"\nfreq_mhz = 137.5\nnames = ["ISS (ZARYA)"]\nmode = "LRPT"\n'
+        'pipeline = "meteor_m2-x_lrpt"\n'
+    )
+    sky = stage.step()
+    stage.source.export([row for row in sky.rows if row.name == "ISS (ZARYA)"][:1])
+    stage.source.step()
+    (path,) = (stage.paths.catalogue.parent / "passes").glob("*.json")
+    assert json.loads(path.read_text())[0]["downlink_pipeline"] == "meteor_m2-x_lrpt"
+
+
 def test_real_elements_tell_their_age_and_what_the_feed_hears_of_them(tmp_path):
     feed = FeedProfile(freq_min_hz=137e6, freq_max_hz=1710e6)
     settings = replace(HERE, feeds={**HERE.feeds, "stock-ku": feed})

@@ -115,6 +115,13 @@ def test_a_pass_is_chosen_with_arrow_and_enter():
         assert run(press, size=size) == [("choose_pass", of)]
 
 
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_what_is_sent_and_satdumps_name_for_it_stand_with_the_radio(size):
+    text = run(read, size=size, keys=("f2", "c", "v", "v", "v"))
+    for words in ("LRPT, RHCP, 72 kbaud", "meteor_m2-x_lrpt", "137.900000 MHz", "-38.2 dB"):
+        assert words in text, words
+
+
 def test_before_a_target_is_chosen_the_favourites_and_what_is_up_stand_there():
     text = run(read, "craft-idle")
     for words in ("METEOR-M2 4", "ISS (ZARYA)", "Moon", "up now, 72°", "No target is chosen"):

@@ -10,6 +10,7 @@ import numpy as np
 import sky_stand_in
 from birdcage.base.beam import Beam
 from birdcage.sky.age import expected_error
+from birdcage.sky.downlinks import Downlink
 from birdcage.sky.element_error import ElementError
 from birdcage.sky.elements import ElementSet
 from birdcage.sky.passes.model import Pass
@@ -19,6 +20,10 @@ from birdcage.tracking.plan import Aim, Forecast, Incident, Keyhole, Leg, Part, 
 from birdcage.tracking.pointing_error import pointing_error
 
 NOON = sky_stand_in.NOON
+LRPT = Downlink(
+    "METEOR-M2 4", 137.9e6, 137.9e6, "LRPT", "RHCP", True, "a test", "2026-03", symbol_rate_baud=72e3,
+    pipeline="meteor_m2-x_lrpt",
+)  # fmt: skip
 
 
 def utc(t_s):
@@ -72,7 +77,8 @@ def plan(name="METEOR-M2 4", number=59051, minutes=-4.0, length=14.0, from_az=34
     dish = Forecast(times, errors, 12.0 * (errors / 2.6) ** 2, float(np.sqrt(np.mean(errors**2))), float(errors.max()))
     aged = elements_of(number, passing, age_days)
     return Plan(
-        Aim(name, "satellite", number, frequency_hz, offset_s), utc(NOON - 600.0), passing, reach, sky,
+        Aim(name, "satellite", number, frequency_hz, offset_s, downlink=LRPT if frequency_hz == 137.9e6 else None),
+        utc(NOON - 600.0), passing, reach, sky,
         Curve(times, az, el), legs,
         Preposition(first[0], first[1], first[0] % 360.0, first[1], (first,), spans[0][0] - 68.0, 8.0), holes,
         dish, tuple(sorted(incidents, key=lambda each: each.at_s)),

@@ -27,10 +27,11 @@ from birdcage_tui.demo_sky import lay_demo_sky
 from birdcage_tui.passes.model import Frequency, Row
 from birdcage_tui.settings import Place
 from birdcage_tui.sky_convert import Converter
-from birdcage_tui.sky_hearing import hearing_of, naming_of, tuning_of
+from birdcage_tui.sky_hearing import heard_by, hearing_of, naming_of, tuning_of
 
 if TYPE_CHECKING:
     from birdcage.base.config import Settings
+    from birdcage.sky.export.fields import Heard
     from birdcage.station.state import StationState
 
     from birdcage_tui.passes.world_map_ask import Ask
@@ -63,6 +64,8 @@ class SkySetup:
     """Reads at which frequency Doppler is told; takes some milliseconds."""
     naming: Callable[[], Callable[[int, str], tuple[str, ...]]] | None = None
     """Reads what else satellites are called; takes some milliseconds."""
+    heard: Callable[[], Heard] | None = None
+    """Reads which downlink of a satellite the feed listens to; takes some milliseconds."""
 
 
 class WatchedSky:
@@ -242,7 +245,8 @@ class WatchedSky:
             return
         note = "DEMO: these orbits are made up." if self._setup.demo else sky.note
         try:
-            words = write_passes(found, sky.observer, self._setup.clock.utc(), self._setup.exports, note)
+            heard = None if self._setup.heard is None else self._setup.heard()
+            words = write_passes(found, sky.observer, self._setup.clock.utc(), self._setup.exports, note, heard)
         except OSError as problem:
             words = f"No file was written in {self._setup.exports}: {problem.strerror or problem}."
         self._say(words)
@@ -260,8 +264,9 @@ def open_sky(
         paths.catalogue, paths.catalogue.parent / "passes", clock, observer,
         lambda state: reach_limits_of(state, settings), demo,
         settings.feed.active, "feed.active" in settings.sources,
-        lambda: hearing_of(settings.active_feed, paths.downlinks_file),
-        lambda: tuning_of(settings.active_feed, paths.downlinks_file),
+        lambda: hearing_of(settings.active_feed, paths.downlinks_file, clock.utc()),
+        lambda: tuning_of(settings.active_feed, paths.downlinks_file, clock.utc()),
         lambda: naming_of(paths.downlinks_file),
+        lambda: heard_by(settings.active_feed, paths.downlinks_file),
     )  # fmt: skip
     return WatchedSky(setup, show, say, threads=threads)

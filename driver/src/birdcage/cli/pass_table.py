@@ -10,29 +10,38 @@ from birdcage.cli.table import cut, fitting, tell_table, widths_of
 from birdcage.sky.age import expected_error
 from birdcage.sky.age_words import REENTERED, degrees
 from birdcage.sky.doppler import doppler_hz
+from birdcage.sky.downlinks_age import is_doubtful
+from birdcage.sky.downlinks_words import satdump_words
 
 if TYPE_CHECKING:
+    from birdcage.sky.export.fields import Heard
     from birdcage.sky.pass_row import PassRow
 
 HEAD = ("AOS (UTC)", "LOS", "NAME", "MAX", "AZIMUTHS", "REACH", "FROM", "BEST", "NOT WHERE", "SUN", "AGE", "ERROR")
 RIGHT = frozenset({"MAX", "REACH", "BEST", "AGE", "DOPPLER"})
-SPARED = ("AGE", "SUN", "BEST", "NOT WHERE", "FROM", "ERROR")
+SIGNAL = ("DOWNLINK", "SATDUMP")
+SPARED = ("AGE", "SATDUMP", "SUN", "BEST", "NOT WHERE", "FROM", "DOWNLINK", "ERROR")
 """What a narrow terminal goes without, the first one first."""
 SHORTEST_NAME = 16
 
 
 def tell_passes(
-    rows: Sequence[PassRow], start: datetime, freq_hz: float | None = None, width: int | None = None
+    rows: Sequence[PassRow], start: datetime, freq_hz: float | None = None, width: int | None = None, *,
+    heard: Heard | None = None, now: datetime | None = None,
 ) -> tuple[str, ...]:  # fmt: skip
     """Print passes, one a line, at most `width` wide. The date stands where it changes; `-` is nothing, or not known.
 
-    Return the columns that there was no room for.
+    What is `heard` of a satellite has columns where any is. Return the columns that there was no room for.
     """
     if not rows:
         return ()
     head = HEAD if freq_hz is None else (*HEAD, "DOPPLER")
     lines = [_cells(row, start, freq_hz) for row in rows]
-    shown, name_width = fitting(head, widths_of(head, lines), width, SPARED, "NAME", SHORTEST_NAME)
+    signals = [_signal(row, heard, start if now is None else now) for row in rows]
+    if any(each != ("-", "-") for each in signals):
+        head, lines = (*head, *SIGNAL), [(*line, *each) for line, each in zip(lines, signals, strict=True)]
+    spared = [each for each in SPARED if each in head]
+    shown, name_width = fitting(head, widths_of(head, lines), width, spared, "NAME", SHORTEST_NAME)
     name = head.index("NAME")
     lines = [(*line[:name], cut(line[name], name_width), *line[name + 1 :]) for line in lines]
     tell_table(
@@ -64,6 +73,16 @@ def _cells(row: PassRow, start: datetime, freq_hz: float | None) -> tuple[str, .
     if freq_hz is None:
         return cells
     return (*cells, f"{doppler_hz(freq_hz, row.at_aos.range_rate_km_s) / 1e3:+.2f} kHz")
+
+
+def _signal(row: PassRow, heard: Heard | None, now: datetime) -> tuple[str, str]:
+    """Return `1701.3 AHRPT`, and what SatDump calls it; `?` behind what is doubtful."""
+    found = None if heard is None else heard(row.passing.norad_id, row.passing.name)
+    if found is None:
+        return "-", "-"
+    doubt = " ?" if is_doubtful(found.downlink, now) else ""
+    told = f"{found.center_hz / 1e6:.10g} {found.downlink.mode}".rstrip() + doubt
+    return told, satdump_words(found.downlink) or "-"
 
 
 def minutes(seconds: float) -> str:

@@ -153,7 +153,8 @@ def facts_of(plan: Plan, observer: Observer | None) -> PassFacts | None:
         aos=None if passing is None else passing.aos,
         tca=None if passing is None else datetime.fromtimestamp(float(times[top]), UTC),
         los=None if passing is None else passing.los, max_el_deg=float(elevations[top]),
-        freq_hz=plan.aim.frequency_hz, site=(observer.name or None) if observer is not None else None,
+        freq_hz=plan.aim.frequency_hz, downlink=plan.aim.downlink,
+        site=(observer.name or None) if observer is not None else None,
     )  # fmt: skip
 
 

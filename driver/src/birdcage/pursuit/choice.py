@@ -9,10 +9,13 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.errors import BirdcageError
 from birdcage.pursuit.circumstances import Circumstances, MountKey, key_of
+from birdcage.pursuit.frequency import downlink_at
 from birdcage.pursuit.passes_of import meant, next_passes, still_followed
 from birdcage.sky.pass_row import PassRow
 
 if TYPE_CHECKING:
+    from birdcage.sky.downlinks import Downlink
+    from birdcage.sky.downlinks_hearing import Hearing
     from birdcage.sky.elements import ElementSet
     from birdcage.sky.look import LookAngle
     from birdcage.sky.passes.model import Pass
@@ -42,7 +45,10 @@ class Choice:
     time_offset_s: float = 0.0
     wanted_hz: float | None = None
     """The frequency that a person has set."""
-    usual_hz: float | None = None
+    sent: tuple[Downlink, ...] = ()
+    """What it is not known to have ceased to send."""
+    usual: Hearing | None = None
+    """What of it is listened to where nobody has set a frequency."""
     of_catalogue: bool = False
     """Whether what the catalogue says of it counts, now and later."""
     favourite: bool = False
@@ -65,7 +71,16 @@ class Choice:
     @property
     def frequency_hz(self) -> float | None:
         """The frequency that counts."""
-        return self.usual_hz if self.wanted_hz is None else self.wanted_hz
+        if self.wanted_hz is not None:
+            return self.wanted_hz
+        return None if self.usual is None else self.usual.center_hz
+
+    @property
+    def downlink(self) -> Downlink | None:
+        """What is sent at that frequency, as far as it is known."""
+        if self.wanted_hz is not None:
+            return downlink_at(self.sent, self.wanted_hz)
+        return None if self.usual is None else self.usual.downlink
 
     def forget_plan(self) -> None:
         """Let the plan be made anew, by the dish as it then stands."""
@@ -112,7 +127,7 @@ class Choice:
         if keep_turn and self._mount_key is not None:
             mount_key = MountKey(mount_key.mount, self._mount_key.turn)
         tracking = at.settings.tracking
-        key = (at.observer, mount_key, passing, self.frequency_hz, self.time_offset_s, self.elements,
+        key = (at.observer, mount_key, passing, self.frequency_hz, self.downlink, self.time_offset_s, self.elements,
                tracking.refraction, tracking.preposition_s)  # fmt: skip
         over = passing is None and self.plan is not None and at.now - self.plan.made_at >= timedelta(seconds=RENEW_S)
         if key == self._plan_key and not over:
@@ -156,7 +171,7 @@ class Choice:
         try:
             self.plan = plan_pass(
                 self._shifted(), at.observer, at.mount, at.now, passing=passing, frequency_hz=self.frequency_hz,
-                refraction=tracking.refraction, next_tracks=self._later(at, passing),
+                downlink=self.downlink, refraction=tracking.refraction, next_tracks=self._later(at, passing),
                 preposition_s=tracking.preposition_s, hours=HOURS,
             )  # fmt: skip
         except BirdcageError as error:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from birdcage.pursuit.choice import Choice
-from birdcage.pursuit.frequency import usual_frequency_hz
+from birdcage.pursuit.frequency import sent_by
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -29,9 +29,9 @@ def choice_of(text: str, target: Target, finder: Finder | None) -> Choice:
 
 
 def listen_at(choice: Choice, settings: Settings, downlinks: Path) -> None:
-    """Find out at what frequency it is heard with the feed that is mounted."""
+    """Find out what it sends, and what of it is heard with the feed that is mounted."""
     if choice.elements is not None:
-        choice.usual_hz = usual_frequency_hz(choice.elements, settings.active_feed, downlinks)
+        choice.sent, choice.usual = sent_by(choice.elements, settings.active_feed, downlinks)
 
 
 def bring_up_to_date(choice: Choice, finder: Finder) -> bool:

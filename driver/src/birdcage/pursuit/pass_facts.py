@@ -5,7 +5,10 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass
 from datetime import UTC, datetime
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
+
+if TYPE_CHECKING:
+    from birdcage.sky.downlinks import Downlink
 
 Event = Literal["reach_start", "tca", "reach_end"]
 
@@ -28,6 +31,8 @@ class PassFacts:
     """Of its downlink."""
     site: str | None = None
     """The name of the place."""
+    downlink: Downlink | None = None
+    """What is sent at that frequency."""
 
     def is_same_pass(self, other: PassFacts) -> bool:
         """Whether `other` is the same pass, planned anew: what has run does not run again."""
@@ -38,7 +43,11 @@ class PassFacts:
         )
 
     def values(self, event: Event) -> dict[str, str | float | int | None]:
-        """Return what goes out: times in ISO 8601 with `Z`, frequency in Hz, angles in degrees."""
+        """Return what goes out: times in ISO 8601 with `Z`, frequency in Hz, angles in degrees, symbols a second.
+
+        `pipeline` is SatDump's name for what is sent; `pipeline_live`, 1 or 0: whether it decodes it as it is received.
+        """
+        sent = self.downlink
         return {
             "event": event,
             "name": self.name,
@@ -51,6 +60,11 @@ class PassFacts:
             "max_el": None if self.max_el_deg is None else round(self.max_el_deg, 2),
             "freq_hz": None if self.freq_hz is None else round(self.freq_hz),
             "site": self.site,
+            "mode": None if sent is None else sent.mode or None,
+            "polarization": None if sent is None else sent.polarization,
+            "symbol_rate": None if sent is None or sent.symbol_rate_baud is None else round(sent.symbol_rate_baud),
+            "pipeline": None if sent is None else sent.pipeline or None,
+            "pipeline_live": None if sent is None or not sent.pipeline else int(sent.pipeline_live),
         }
 
     def environment(self, event: Event) -> dict[str, str]:

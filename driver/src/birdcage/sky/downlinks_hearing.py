@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from fnmatch import translate
+from functools import cache
 from typing import TYPE_CHECKING
 
 from birdcage.sky.downlinks import Downlink, Downlinks, called
@@ -97,6 +98,20 @@ def listener(downlinks: Iterable[Downlink], feed: FeedProfile) -> Callable[[int,
         return any(pattern.fullmatch(each) for each in called(name))
 
     return hears
+
+
+def first_heard(table: Downlinks, feed: FeedProfile) -> Callable[[int, str], Hearing | None]:
+    """Return what tells which downlink of a satellite is listened to with a feed, by number and name; None for none.
+
+    It is the first of the table that the feed hears, of those known to be on the air where there is one.
+    """
+
+    @cache
+    def first(norad_id: int, name: str) -> Hearing | None:
+        heard = hearable(table.of(norad_id, name), feed)
+        return min(heard, key=lambda each: each.downlink.alive is not True, default=None)
+
+    return first
 
 
 def _any_of(downlinks: Iterable[Downlink]) -> re.Pattern[str]:

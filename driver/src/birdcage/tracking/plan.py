@@ -12,6 +12,7 @@ from birdcage.sky.reach_model import Reach
 from birdcage.tracking.curve import Curve, Floats
 
 if TYPE_CHECKING:
+    from birdcage.sky.downlinks import Downlink
     from birdcage.sky.element_error import ElementError
     from birdcage.sky.skew import Skew
     from birdcage.tracking.planning.refraction import Refraction
@@ -34,6 +35,8 @@ class Aim:
     """By what the path of the plan is lifted near the horizon."""
     skew: Skew | None = None
     """Of a slot that is not circular."""
+    downlink: Downlink | None = None
+    """What it sends at that frequency, where that is known."""
 
 
 class Part(Enum):

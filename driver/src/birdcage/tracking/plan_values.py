@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from birdcage.sky.age import error_values
+from birdcage.sky.downlinks_words import downlink_values
 from birdcage.sky.element_error import ElementError
 from birdcage.sky.export.fields import iso
 from birdcage.sky.passes.model import Pass
@@ -27,6 +28,7 @@ def plan_values(plan: Plan, *, step_s: float = _STEP_S) -> dict[str, Any]:
         "target": {
             "name": aim.name, "kind": aim.kind, "norad_id": aim.norad_id, "frequency_hz": aim.frequency_hz,
             "time_offset_s": aim.time_offset_s,
+            "downlink": None if aim.downlink is None else downlink_values(aim.downlink, plan.made_at),
         },
         "refraction": aim.refraction,
         **({} if aim.skew is None else aim.skew.values()),

@@ -5,14 +5,19 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterator
 from datetime import UTC, datetime
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from birdcage.sky.age_words import plus_minus
+from birdcage.sky.downlinks_words import air_words, satdump_words, signal_words
 from birdcage.tracking.curve import Floats
 from birdcage.tracking.plan import Part, Plan
 from birdcage.tracking.plan_values import follows, is_hidden
 from birdcage.tracking.pointing_error import PointingError, element_words, error_words
+
+if TYPE_CHECKING:
+    from birdcage.sky.downlinks import Downlink
 
 WIDTH = 80
 _ROWS = 14
@@ -61,6 +66,15 @@ def _head(plan: Plan) -> Iterator[str]:
         geometry, tilt = aim.skew.words()
         yield f"Skew {geometry}"
         yield f"Tilt {tilt}"
+    if aim.downlink is not None:
+        yield from textwrap.wrap(_signal(aim.downlink, plan.made_at), WIDTH)
+
+
+def _signal(downlink: Downlink, now: datetime) -> str:
+    """Return what is sent there: `AHRPT, RHCP, 2.333 Mbaud   SatDump metop_ahrpt   on 2026-10-16`."""
+    pipeline = satdump_words(downlink)
+    parts = (signal_words(downlink), f"SatDump {pipeline}" if pipeline else "", air_words(downlink, now))
+    return "   ".join(part for part in parts if part)
 
 
 def _summary(plan: Plan) -> Iterator[str]:

@@ -42,7 +42,8 @@ class PassFigures(Pane):
         cells.put(1, 0, f"     {'time':<8}{'azimuth':>10}{'range':>11}{'Doppler':>13}", "dim")
         lines = [(words, at_s) for words, at_s in
                  (("AOS", row.aos_s), ("TCA", row.tca_s), ("LOS", row.los_s))]  # fmt: skip
-        below = [*clock_lines(row), *_joined(sun_lines(row, view.state.beam))]
+        below = [*packed(signal_lines(row), cells.width - 2), *clock_lines(row)]
+        below += _joined(sun_lines(row, view.state.beam))
         moment = "now" if self._desk.machine.is_now else "then"
         if row.aos_s <= t_s <= row.los_s and cells.height >= len(lines) + len(below) + 2:
             lines.append((moment, t_s))
@@ -111,13 +112,31 @@ def sun_lines(row: Row, beam: Beam | None) -> list[tuple[str, str]]:
     return [("text", lit), told]
 
 
+def signal_lines(row: Row) -> list[tuple[str, str]]:
+    """Return (ink, words) of what is sent, SatDump's name for it, and how sure that is."""
+    signal = frequency_of(row).signal
+    return [("warn" if words.startswith("doubtful") else "text", words) for words in signal]
+
+
+def packed(lines: list[tuple[str, str]], width: int) -> list[tuple[str, str]]:
+    """Return (ink, words) side by side as far as there is room, none cut in two; each line in the ink of its last."""
+    found: list[tuple[str, str]] = []
+    for ink, words in lines:
+        longer = f"{found[-1][1]}  {words}" if found else words
+        if found and len(longer) <= width:
+            found[-1] = (ink, longer)
+        else:
+            found.append((ink, words))
+    return found
+
+
 def _joined(lines: list[tuple[str, str]]) -> list[tuple[str, str]]:
     """Return lines as one, in the ink of the last."""
     return [(lines[-1][0], ", ".join(words for _, words in lines))] if lines else []
 
 
-def brief(row: Row, beam: Beam | None) -> list[tuple[str, str]]:
-    """Return the same in narrow lines, for beside the picture."""
+def brief(row: Row, beam: Beam | None, *, signal: bool = True) -> list[tuple[str, str]]:
+    """Return the same in narrow lines, for beside the picture; without `signal` not what is sent."""
     moments = [row.aos_s, row.tca_s, row.los_s]
     pairs = [away(row, at_s) for at_s in moments]
     ranges = [range_text.removesuffix(" km") for range_text, _ in pairs]
@@ -126,6 +145,7 @@ def brief(row: Row, beam: Beam | None) -> list[tuple[str, str]]:
         ("dim", f"range {' '.join(ranges)} km"),
         ("dim", f"Doppler {' '.join(shifts)} kHz"),
         ("dim", f"  at {frequency_words(frequency_of(row))}"),
+        *(signal_lines(row) if signal else ()),
         *clock_lines(row),
         *_joined(sun_lines(row, beam)),
     ]

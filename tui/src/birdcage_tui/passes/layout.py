@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 VIEWS = ("path", "elevation", "figures", "timeline")
 """What a small page shows beside or under its list; a large one shows figures in place of elevation, or not."""
-FIGURES = 9
-"""Rows that the figures need, with their frame."""
+FIGURES = 10
+"""Rows that the figures need, with their frame, on a small page; one more on a large one, where they are narrower."""
 ROOMY = (100, 28)
 
 
@@ -39,5 +39,5 @@ def layout(width: int, height: int, shown: str) -> Layout:
     strip = min(max(upper // 3, 8), 12)
     listing = min(max(width * 52 // 100, 58), 92)
     if shown == "figures":
-        return Layout(True, listing, upper, upper - FIGURES, 0, timeline, FIGURES)
+        return Layout(True, listing, upper, upper - FIGURES - 1, 0, timeline, FIGURES + 1)
     return Layout(True, listing, upper, upper - strip, strip, timeline)

@@ -136,6 +136,8 @@ class Frequency:
     hz: float
     what: str
     """`its LRPT`, `middle of feed`."""
+    signal: tuple[str, ...] = ()
+    """What is sent there, SatDump's name for it, and how sure that is; empty where nothing is known to be sent."""
 
 
 @dataclass(frozen=True, slots=True)

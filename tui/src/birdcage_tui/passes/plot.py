@@ -73,15 +73,19 @@ class PassSky(Pane):
             y += 1
 
     def _more(self, row: Row, view: View, width: int, room: int) -> list[tuple[str, str]]:
-        """Return (ink, words) of range, Doppler, clock and Sun; all of it, or nothing where that has no room."""
-        if not self.alone:
-            return []
-        lines = [
-            (ink, each)
-            for ink, words in brief(row, view.state.beam)
-            for each in textwrap.wrap(words, width, subsequent_indent="  ")
-        ]
-        return lines if len(lines) <= room else []
+        """Return (ink, words) of range, Doppler, signal, clock and Sun; without the signal where that has no room.
+
+        Nothing where that has none either.
+        """
+        for signal in (True, False) if self.alone else ():
+            lines = [
+                (ink, each)
+                for ink, words in brief(row, view.state.beam, signal=signal)
+                for each in textwrap.wrap(words, width, subsequent_indent="  ")
+            ]
+            if len(lines) <= room:
+                return lines
+        return []
 
     @staticmethod
     def _path(canvas: Braille, polar: Polar, row: Row, t_s: float) -> None:

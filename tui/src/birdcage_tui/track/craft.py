@@ -137,7 +137,7 @@ class CraftTab(Vertical):
         for kind, name in ((TrackPasses, "passes"), (SchedulePane, "autotrack"), (RadioPane, "radio")):
             pane = self.query_one(kind)
             pane.display = name in ("passes", beside) or found.radio > 0 if found.roomy else shown == name
-            pane.styles.width = found.radio if found.roomy and name == "radio" else "1fr"
+            pane.styles.width = found.radio if found.radio and name == "radio" else "1fr"
         lower.display = found.roomy or shown != VIEWS[0]
         lower.styles.height = found.lower if found.roomy else "1fr"
         upper.display = found.roomy or shown == VIEWS[0]

@@ -5,21 +5,38 @@ from __future__ import annotations
 import textwrap
 
 from birdcage.radio.now import RadioNow, RadioState
+from birdcage.sky.downlinks_age import is_doubtful
+from birdcage.sky.downlinks_words import air_words, satdump_words, signal_words
 
 from birdcage_tui.canvas import Cells
 from birdcage_tui.pane import Pane
+from birdcage_tui.passes.words import fit
+from birdcage_tui.track.pursuing import plan_of
 from birdcage_tui.view import View
 
 SIGNS = {
     RadioState.OFF: ("○", "dim"), RadioState.CONNECTING: ("◌", "text"), RadioState.TUNED: ("●", "good"),
     RadioState.LOST: ("▲", "warn"), RadioState.REFUSED: ("▲", "warn"),
 }  # fmt: skip
+TWO_COLUMNS = 56
+"""From this width on what is sent stands beside the rest, where it has no room below."""
 UNSET = 'No receiver is set. [radio] rigctld = "localhost:4532" in birdcage.toml tunes SDR++, gqrx or a radio.'
 
 
 def megahertz(hz: float | None) -> str:
     """Return a frequency; dashes when it is not known."""
     return "---.------ MHz" if hz is None else f"{hz / 1e6:.6f} MHz"
+
+
+def sent_facts(view: View) -> list[tuple[str, str]]:
+    """Return what the target sends at that frequency, SatDump's name for it, and its status: first where doubtful."""
+    plan = plan_of(view)
+    sent = None if plan is None else plan.aim.downlink
+    if plan is None or sent is None:
+        return []
+    told = [("sends", signal_words(sent)), ("SatDump", satdump_words(sent))]
+    told.insert(0 if is_doubtful(sent, plan.made_at) else 2, ("status", air_words(sent, plan.made_at)))
+    return [(name, words) for name, words in told if words]
 
 
 class RadioPane(Pane):
@@ -50,14 +67,28 @@ class RadioPane(Pane):
                 facts.append(("strength", f"none: it answers RPRT {radio.strength_refused}"))
             if radio.recording is not None:
                 facts.append(("recording", "told to begin" if radio.recording else "no"))
-        for name, value in facts:
-            if y < cells.height:
-                cells.put(1, y, name, "dim")
-                cells.put(13, y, value[: max(cells.width - 14, 0)], "text")
-                y += 1
         told = "dim" if not radio.address else "warn" if radio.state is RadioState.TUNED else ink
-        sentence = radio.sentence or ("" if radio.address else UNSET)
-        for line in textwrap.wrap(sentence, max(cells.width - 2, 10)):
+        sentence = textwrap.wrap(radio.sentence or ("" if radio.address else UNSET), max(cells.width - 2, 10))
+        sent = sent_facts(view)
+        aside = y + len(facts) + len(sentence) + len(sent) > cells.height and cells.width >= TWO_COLUMNS
+        width = cells.width // 2 if aside else cells.width
+        y = _write(cells, y, width, facts)
+        for line in sentence:
             if y < cells.height:
                 cells.put(1, y, line, told)
                 y += 1
+        if not aside:
+            _write(cells, y, width, sent)
+            return
+        for row, (name, value) in enumerate(sent, 1):
+            words = f"SatDump {value}" if name == "SatDump" else value
+            cells.put(width, row, fit(words, cells.width - width - 1), "text")
+
+
+def _write(cells: Cells, y: int, width: int, facts: list[tuple[str, str]]) -> int:
+    """Write names and values below each other, as far as there is room; return the row behind them."""
+    for name, value in facts[: max(cells.height - y, 0)]:
+        cells.put(1, y, name, "dim")
+        cells.put(13, y, value[: max(width - 14, 0)], "text")
+        y += 1
+    return y

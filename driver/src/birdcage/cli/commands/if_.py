@@ -10,9 +10,17 @@ from birdcage.cli.exits import DATA_EPILOG
 from birdcage.cli.options import flags, global_options
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from datetime import datetime
+
     from birdcage.base.paths import Paths
     from birdcage.sky.band import Conversion, Span
-    from birdcage.sky.downlinks import Downlinks
+    from birdcage.sky.downlinks import Downlink, Downlinks
+
+
+MOST_SENDERS = 4
+"""So many are told with what they send; of more only the names are."""
+MOST_NAMES = 6
 
 
 class Frequency(click.ParamType["float"]):
@@ -49,6 +57,8 @@ def command(
     TARGET, named as for `birdcage where` (QO-100, METEOR-M N2-3, dish 119), stands for all that it sends.
     Units are Hz, k, M and G; a number below a million must say its unit. With --if: what may have been received.
     """
+    from datetime import UTC, datetime
+
     from birdcage.cli.options import find_paths, load_settings
     from birdcage.cli.say import say, tell, tell_json
     from birdcage.sky.band import Conversion, rf_of
@@ -64,7 +74,7 @@ def command(
         lo_hz = settings.active_feed.lo_hz or 0.0
         told = f"LO {lo_hz / 1e6:.10g} MHz" if lo_hz else "no LO is set, so none is taken"
         say(f"Feed {settings.feed.active}: {told}.")
-    downlinks = load_downlinks(paths.downlinks_file)
+    downlinks, now = load_downlinks(paths.downlinks_file), datetime.now(UTC)
     for problem in downlinks.problems:
         say(problem)
     if target:
@@ -72,10 +82,10 @@ def command(
     else:
         found = (Conversion(rf_hz, lo_hz),) if rf_hz is not None else rf_of(lo_hz, if_hz or 0.0)
     if flags().json:
-        tell_json([values(each, downlinks) for each in found])
+        tell_json([values(each, downlinks, now) for each in found])
         return
     for index, each in enumerate(found):
-        for line in ([""] if index else []) + lines(each, downlinks):
+        for line in ([""] if index else []) + lines(each, downlinks, now):
             tell(line)
 
 
@@ -97,11 +107,12 @@ def _sent_by(words: tuple[str, ...], paths: Paths, downlinks: Downlinks) -> tupl
     return tuple(dict.fromkeys(each.center_hz for each in rows))
 
 
-def values(conversion: Conversion, downlinks: Downlinks) -> dict[str, object]:
+def values(conversion: Conversion, downlinks: Downlinks, now: datetime) -> dict[str, object]:
     """Return a conversion for JSON."""
     from birdcage.sky.band import lnbs, plans, receivers
+    from birdcage.sky.downlinks_words import downlink_values
 
-    rf_hz = conversion.rf_hz
+    rf_hz, sent = conversion.rf_hz, senders(conversion, downlinks)
     return {
         "rf_hz": rf_hz,
         "lo_hz": conversion.lo_hz,
@@ -110,7 +121,8 @@ def values(conversion: Conversion, downlinks: Downlinks) -> dict[str, object]:
         "image_hz": conversion.image_hz,
         "bands": [each.name for each in plans() if each.holds(rf_hz)],
         "lnbs": [each.name for each in lnbs() if each.holds(rf_hz) and each.lo_hz == conversion.lo_hz],
-        "satellites": senders(conversion, downlinks),
+        "satellites": sorted({each.satellite for each in sent}),
+        "downlinks": [downlink_values(each, now) for each in sent],
         "receivers": [
             {"name": each.name, "reaches": each.holds(conversion.if_hz), "beside_hz": each.beside_hz(conversion.if_hz)}
             for each in receivers()
@@ -118,16 +130,14 @@ def values(conversion: Conversion, downlinks: Downlinks) -> dict[str, object]:
     }
 
 
-def lines(conversion: Conversion, downlinks: Downlinks) -> list[str]:
+def lines(conversion: Conversion, downlinks: Downlinks, now: datetime) -> list[str]:
     """Return it for people."""
     from birdcage.sky.band import lnbs, megahertz, plans, receivers
 
     rf_hz, if_hz = conversion.rf_hz, conversion.if_hz
     told = [f"RF         {megahertz(rf_hz)}"]
     told += [f"           {each.name}" for each in plans() if each.holds(rf_hz)]
-    names = senders(conversion, downlinks)
-    if names:
-        told.append(f"           {', '.join(names[:6])}{' and more' if len(names) > 6 else ''}")
+    told += _sender_lines(senders(conversion, downlinks), now)
     if conversion.lo_hz:
         side = "above the signal: the spectrum is inverted" if conversion.inverted else "below the signal: not inverted"
         told.append(f"LO         {megahertz(conversion.lo_hz)}, {side}")
@@ -147,11 +157,32 @@ def lines(conversion: Conversion, downlinks: Downlinks) -> list[str]:
     return told
 
 
-def senders(conversion: Conversion, downlinks: Downlinks) -> list[str]:
-    """Return who is known to send there, and not known to be off the air."""
+def senders(conversion: Conversion, downlinks: Downlinks) -> list[Downlink]:
+    """Return who is known to send there, and not known to be off the air, in order of their names."""
     rf_hz = conversion.rf_hz
     there = (each for each in downlinks if each.alive is not False and each.freq_min_hz <= rf_hz <= each.freq_max_hz)
-    return sorted({each.satellite for each in there})
+    return sorted(there, key=lambda each: each.satellite)
+
+
+def _sender_lines(sent: Sequence[Downlink], now: datetime) -> list[str]:
+    """Return a line for each sender, or only their names where there are many, `?` behind a doubtful one."""
+    import textwrap
+
+    from birdcage.sky.downlinks_age import is_doubtful
+    from birdcage.sky.downlinks_words import air_words, satdump_words, signal_words
+
+    indent = " " * 11
+    if len(sent) > MOST_SENDERS:
+        names = list(dict.fromkeys(f"{each.satellite}{' ?' if is_doubtful(each, now) else ''}" for each in sent))
+        more = " and more" if len(names) > MOST_NAMES else ""
+        return textwrap.wrap(", ".join(names[:MOST_NAMES]) + more, 80, initial_indent=indent, subsequent_indent=indent)
+    told: list[str] = []
+    for each in sent:
+        pipeline = satdump_words(each)
+        parts = (each.satellite, signal_words(each), f"SatDump {pipeline}" if pipeline else "", air_words(each, now))
+        line = "  ".join(part for part in parts if part)
+        told += textwrap.wrap(line, 80, initial_indent=indent, subsequent_indent=f"{indent}  ")
+    return told
 
 
 def _verdict(receiver: Span, conversion: Conversion) -> list[str]:

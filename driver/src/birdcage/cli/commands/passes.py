@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from birdcage.sky.export.fields import Heard
     from birdcage.sky.observer import Observer
     from birdcage.sky.pass_row import PassRow
     from birdcage.sky.passes.table import PassTable
@@ -69,8 +70,10 @@ def command(
     SATELLITE is named as for `birdcage where`: iss, AO-91, METEOR-M N2-3, 25544.
     AOS and LOS are of the satellite; *reach* is what of the pass the dish can point at: its floor and ceiling, the
     horizon and no-go sectors of birdcage.toml, the cable, and its speed near the zenith. `<` was up
-    before, `>` stays up. Where none is named, the table leaves out what is up all the time. Times and elevations are
-    without refraction, which `birdcage track` adds: near the horizon the dish points up to half a degree higher.
+    before, `>` stays up. Where none is named, the table leaves out what is up all the time. DOWNLINK is what of it the
+    active feed listens to, in MHz, with `?` where it is doubtful; SATDUMP is SatDump's name for it.
+    Times and elevations are without refraction, which `birdcage track` adds: near the horizon the dish points up to
+    half a degree higher.
     """
     from datetime import UTC
 
@@ -100,23 +103,24 @@ def command(
         which = _that_move(found)
     shown = SHOWN if limit is None and table_wanted else limit
     rows = _rows(found, which, watched, observer, limits, sort, shown)
-    freq_hz = None if freq is None else freq * 1e6
+    freq_hz, now = None if freq is None else freq * 1e6, datetime.now(UTC)
+    heard = _first_heard(wants)
     if csv_file is not None:
         from birdcage.sky.export.as_csv import passes_csv
 
-        _write(csv_file, passes_csv(rows, freq_hz).encode(), len(rows))
+        _write(csv_file, passes_csv(rows, freq_hz, heard, now).encode(), len(rows))
     if ics_file is not None:
         from birdcage.sky.export.as_ics import passes_ics
 
-        _write(ics_file, passes_ics(rows, observer, datetime.now(UTC), watched.note), len(rows))
+        _write(ics_file, passes_ics(rows, observer, now, watched.note), len(rows))
     if flags().json:
-        tell_json([values_of(row, freq_hz) for row in rows])
+        tell_json([values_of(row, freq_hz, heard, now) for row in rows])
     elif table_wanted:
         from birdcage.cli.pass_table import tell_passes
         from birdcage.cli.table import room
         from birdcage.sky.decay import reentry_warning
 
-        missing = tell_passes(rows, begin, freq_hz, room())
+        missing = tell_passes(rows, begin, freq_hz, room(), heard=heard, now=now)
         if rows:
             say("Times and elevations are without refraction.")
         if missing:
@@ -150,6 +154,14 @@ def _heard(watched: Watched, wants: Wanted, hearable: bool | None, named: bool) 
     count = f"{len(found.elements)} of {len(watched.elements)} satellites"
     say(f"{count} are known to send what feed {settings.feed.active} hears. --any lists all.")
     return found
+
+
+def _first_heard(wants: Wanted) -> Heard:
+    """Return which downlink of a satellite is listened to with the active feed."""
+    from birdcage.sky.downlinks import load_downlinks
+    from birdcage.sky.downlinks_hearing import first_heard
+
+    return first_heard(load_downlinks(wants.paths.downlinks_file), wants.settings.active_feed)
 
 
 def _limits(wants: Wanted) -> ReachLimits:

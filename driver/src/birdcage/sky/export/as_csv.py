@@ -5,17 +5,20 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Iterable
+from datetime import datetime
 
-from birdcage.sky.export.fields import values_of
+from birdcage.sky.export.fields import Heard, values_of
 from birdcage.sky.pass_row import PassRow
 
 
-def passes_csv(rows: Iterable[PassRow], freq_hz: float | None = None) -> str:
+def passes_csv(
+    rows: Iterable[PassRow], freq_hz: float | None = None, heard: Heard | None = None, now: datetime | None = None
+) -> str:  # fmt: skip
     """Return a table with a line of names. Reach is written `start/end`, more than one with spaces between."""
     out = io.StringIO()
     writer: csv.DictWriter[str] | None = None
     for row in rows:
-        values = values_of(row, freq_hz)
+        values = values_of(row, freq_hz, heard, now)
         values["reach"] = " ".join(f"{one.start:%Y-%m-%dT%H:%M:%SZ}/{one.end:%H:%M:%SZ}" for one in row.reach.intervals)
         values["not_reached_because"] = ", ".join(row.reach.reasons)
         values = {name: str(value).lower() if isinstance(value, bool) else value for name, value in values.items()}

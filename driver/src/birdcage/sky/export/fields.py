@@ -2,11 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from datetime import UTC, datetime, timedelta
+from typing import TYPE_CHECKING
 
 from birdcage.sky.age import error_values, expected_error
 from birdcage.sky.doppler import doppler_hz
+from birdcage.sky.downlinks_words import downlink_values
 from birdcage.sky.pass_row import PassRow
+
+if TYPE_CHECKING:
+    from birdcage.sky.downlinks_hearing import Hearing
+
+Heard = Callable[[int, str], "Hearing | None"]
+"""Which downlink of a satellite is listened to, by number and name."""
+SIGNAL = ("mode", "polarization", "symbol_rate_baud", "pipeline", "date", "doubtful")
+"""What a pass tells of the downlink that is heard, each with `downlink_` before it."""
 
 
 def iso(when: datetime) -> str:
@@ -15,10 +26,13 @@ def iso(when: datetime) -> str:
     return f"{when.isoformat(timespec='milliseconds').removesuffix('+00:00')}Z"
 
 
-def values_of(row: PassRow, freq_hz: float | None = None) -> dict[str, object]:
+def values_of(
+    row: PassRow, freq_hz: float | None = None, heard: Heard | None = None, now: datetime | None = None
+) -> dict[str, object]:  # fmt: skip
     """Return a row's values by name: degrees, seconds, kilometres, Hz; None for what there is not.
 
-    With a frequency, the Doppler shift of a downlink at AOS, TCA and LOS comes with it.
+    With a frequency, the Doppler shift of a downlink at AOS, TCA and LOS comes with it. `heard` says which
+    downlink of a satellite is listened to; how old that is, is told as of `now`, else as of the pass.
     """
     passing, found = row.passing, row.reach
     values: dict[str, object] = {
@@ -51,7 +65,15 @@ def values_of(row: PassRow, freq_hz: float | None = None) -> dict[str, object]:
         "elements": row.elements.source,
         **error_values(expected_error(row.elements, passing.tca, row.at_tca.range_km)),
     }
+    sent = None if heard is None else heard(passing.norad_id, passing.name)
+    values |= _signal(sent, passing.aos if now is None else now)
     if freq_hz is not None:
         for name, distance in (("aos", row.at_aos), ("tca", row.at_tca), ("los", row.at_los)):
             values[f"{name}_doppler_hz"] = round(doppler_hz(freq_hz, distance.range_rate_km_s), 1)
     return values
+
+
+def _signal(heard: Hearing | None, now: datetime) -> dict[str, object]:
+    known = {} if heard is None else downlink_values(heard.downlink, now)
+    freq_hz = None if heard is None else heard.center_hz
+    return {"downlink_hz": freq_hz, **{f"downlink_{name}": known.get(name) for name in SIGNAL}}

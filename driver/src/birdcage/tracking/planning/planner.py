@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from datetime import datetime
+from typing import TYPE_CHECKING
 
 from birdcage.sky.element_error import ElementError, element_error
 from birdcage.sky.frames import posix_s
@@ -22,6 +23,9 @@ from birdcage.tracking.planning.refraction import Refraction
 from birdcage.tracking.planning.sight import Sight
 from birdcage.tracking.planning.sky_path import sky_path
 
+if TYPE_CHECKING:
+    from birdcage.sky.downlinks import Downlink
+
 __all__ = ["plan_pass", "refine"]
 
 _LEAST_S = 2.0
@@ -36,6 +40,7 @@ def plan_pass(
     *,
     passing: Pass | None = None,
     frequency_hz: float | None = None,
+    downlink: Downlink | None = None,
     refraction: Refraction = "radio",
     time_offset_s: float = 0.0,
     next_tracks: Sequence[Curve] = (),
@@ -64,7 +69,7 @@ def plan_pass(
     aim = Aim(
         target.name, target.kind, target.elements.norad_id if isinstance(target, Satellite) else None,
         frequency_hz, own_offset_s + time_offset_s, refraction,
-        target.skew(observer) if isinstance(target, SlotTarget) else None,
+        target.skew(observer) if isinstance(target, SlotTarget) else None, downlink,
     )  # fmt: skip
     believed = None
     if isinstance(target, Satellite):
