@@ -93,7 +93,7 @@ def test_other_names_are_found_and_what_is_silent_or_absent_says_so(path):
     assert names(finder.search("ao-91", NOW)[0])[0] == "RADFXSAT (FOX-1B)"
     found, _ = finder.search("noaa", NOW)
     assert names(found)[:2] == ["NOAA 20 (JPSS-1)", "NOAA 19"], "what is silent comes last"
-    assert found[1].detail == "silent since 2025-08-13 · 33591"
+    assert found[1].detail == "silent since 2025-08 · 33591"
     found, said = finder.search("ao-7", NOW)
     assert "AO-7 (7530) is not among your" in said, "and AO-73 is not taken for it"
     assert "`birdcage elements update`" in said

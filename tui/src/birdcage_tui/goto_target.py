@@ -41,8 +41,9 @@ def aim_of(text: str, view: View) -> Aim:
     located = located_of(text, view)
     if located is None:
         raise StillLooking(f"Looking for {text.strip()} …")
-    if preset is not None and located.name and not located.exact:
-        raise ValueError(f"{text.strip()} may be the preset {preset.name} or {located.name}: type the whole name.")
+    if preset is not None and (located.several or (located.name and not located.exact)):
+        other = located.name or "one of several targets"
+        raise ValueError(f"{text.strip()} may be the preset {preset.name} or {other}: type the whole name.")
     if preset is not None and not located.name:
         return preset
     if located.az_deg is None or located.el_deg is None:

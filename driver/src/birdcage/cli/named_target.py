@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from birdcage.sky.catalogue import Entry, SearchIndex
     from birdcage.sky.downlinks import Downlink, Downlinks
     from birdcage.sky.observer import Observer
-    from birdcage.sky.targets import Resolution, Resolver
+    from birdcage.sky.targets import Resolution, Resolver, Target
 
 TEXT_WIDTH = 72
 HELP = (
@@ -113,10 +113,10 @@ def sender_of(
     return target.name, rows, found.note
 
 
-def tell_below(found: Resolution, observer: Observer, when: datetime, tell: Callable[[str], None]) -> None:
+def tell_below(target: Target, observer: Observer, when: datetime, tell: Callable[[str], None]) -> None:
     """Say that a target is below the horizon, and when it rises; nothing for one that is up."""
     from birdcage.sky.targets.sight import below_words
 
-    words = below_words(found.target, observer, when)
+    words = below_words(target, observer, when)
     if words:
         tell(words)

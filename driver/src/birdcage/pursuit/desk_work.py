@@ -18,7 +18,7 @@ from birdcage.pursuit.desk_setup import DeskSetup
 from birdcage.pursuit.follower import Follower, Post, options_of, reach_end
 from birdcage.pursuit.memory import Memory
 from birdcage.pursuit.now import DeskNow, Found, Mode
-from birdcage.pursuit.pointer import NO_PLACE, Pointer
+from birdcage.pursuit.pointer import NO_PLACE, BelowWords, Pointer
 from birdcage.pursuit.sheet import Sheet
 from birdcage.pursuit.timetable import Timetable
 from birdcage.pursuit.unfinished import Keeper
@@ -57,7 +57,7 @@ class DeskWork:
         self._query = ""
         self._found: tuple[Found, ...] = ()
         self._found_note = ""
-        self._pointer = Pointer(self._sheet.finder)
+        self._pointer, self._below = Pointer(self._sheet.finder), BelowWords()
         self._mode, self._problem = Mode.WATCH, ""
         self._file_at = self._tell_at = -math.inf
         self._changed = True
@@ -219,6 +219,7 @@ class DeskWork:
                 shown, choice=choice.text, aim=None if choice.plan is None else choice.plan.aim, plan=choice.plan,
                 passes=choice.shown(now), look=None if at is None else choice.look(at),
             )  # fmt: skip
+            shown = replace(shown, note=" ".join(filter(None, (choice.note, self._below_words(choice)))))
         return replace(shown, problem=self._why())
 
     @property
@@ -250,11 +251,21 @@ class DeskWork:
             self._problem
             or self._follower.problem
             or (NO_PLACE if choice is not None and self._sheet.observer is None else "")
-            or ("" if choice is None else choice.problem or choice.note)
+            or ("" if choice is None else choice.problem)
             or self._sheet.finder.problem
             or self._keeper.problem
             or ("" if self._beside is None else self._beside.problem)
         )
+
+    def _below_words(self, choice: Choice) -> str:
+        """Return that the choice is below the horizon, of what has no passes to say when it rises."""
+        observer = self._sheet.observer
+        if observer is None or choice.elements is not None:
+            return ""
+        try:
+            return self._below.of(choice.target, observer, self._clock.utc())
+        except BirdcageError as error:
+            return str(error)
 
     def _say(self, problem: str) -> None:
         self._problem, self._changed = problem, True

@@ -105,7 +105,9 @@ def _of_candidate(candidate: Candidate, now: datetime, observer: Observer | None
         found = _of_entry(candidate.hit, now)
         if candidate.silence is None:
             return found
-        return replace(found, detail=f"{candidate.silence.brief} · {candidate.hit.norad_id}")
+        # To the month: a narrow list has no room for more.
+        brief = replace(candidate.silence, since=candidate.silence.since[:7]).brief
+        return replace(found, detail=f"{brief} · {candidate.hit.norad_id}")
     target, detail = candidate.target, ""
     if isinstance(target, SlotTarget):
         never = observer is not None and target.look(observer, now).el_deg <= 0.0

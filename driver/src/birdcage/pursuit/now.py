@@ -57,6 +57,8 @@ class Located:
     """How far to turn a feed for a slot (`birdcage.sky.skew`); empty where that does not matter."""
     problem: str = ""
     """Why there is no direction: nothing or several are meant, it is below the horizon, no place is set."""
+    several: bool = False
+    """Whether several may be meant."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,5 +112,7 @@ class DeskNow:
     """What autotrack would do, or does: its dry run."""
     radio: RadioNow = field(default_factory=RadioNow)
     unfinished: Unfinished | None = None
+    note: str = ""
+    """What a person should know of the choice: silent, below the horizon. It can be followed all the same."""
     problem: str = ""
     """A sentence on what is missing, and what to do: `No place is set: birdcage place set ...`."""

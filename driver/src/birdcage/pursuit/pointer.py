@@ -11,7 +11,7 @@ from birdcage.pursuit.now import Located
 if TYPE_CHECKING:
     from birdcage.pursuit.finder import Finder
     from birdcage.sky.observer import Observer
-    from birdcage.sky.targets import Resolution
+    from birdcage.sky.targets import Resolution, Target
     from birdcage.tracking.planning.refraction import Refraction
 
 NO_PLACE = (
@@ -26,6 +26,23 @@ def brief(meant: Resolution) -> str:
     return meant.problem.replace(UNDERSTOOD, "Type a satellite, moon, polaris, 28.2E, dish 119 or 180 45.")
 
 
+class BelowWords:
+    """Says of a target that it is below the horizon, and when it rises: worked out once a minute."""
+
+    def __init__(self) -> None:
+        self._of: tuple[Target, int] | None = None
+        self._words = ""
+
+    def of(self, target: Target, observer: Observer, now: datetime) -> str:
+        """Return the sentence; empty for what is up. BirdcageError where it has no position."""
+        from birdcage.sky.targets.sight import below_words
+
+        of = target, int(now.timestamp() // 60.0)
+        if of != self._of:
+            self._of, self._words = of, below_words(target, observer, now)
+        return self._words
+
+
 class Pointer:
     """Looks one text up, and where that stands as often as it is asked. For one thread alone."""
 
@@ -34,8 +51,7 @@ class Pointer:
         self._meant: Resolution | None = None
         self.text = ""
         """What was typed; empty while nobody asks."""
-        self._below = ""
-        self._below_for = -1
+        self._below = BelowWords()
 
     def ask(self, text: str) -> None:
         """Take another text."""
@@ -45,7 +61,7 @@ class Pointer:
 
     def forget(self) -> None:
         """Look it up again: the catalogue has changed."""
-        self._meant, self._below_for = None, -1
+        self._meant = None
 
     def look(self, observer: Observer | None, now: datetime, refraction: Refraction) -> Located | None:
         """Return where it stands; None while nobody asks."""
@@ -56,13 +72,13 @@ class Pointer:
             self._meant = self._finder.resolve(self.text)
         meant = self._meant
         if meant.found is None:
-            return Located(self.text, problem=brief(meant))
+            return Located(self.text, several=meant.reason == "ambiguous", problem=brief(meant))
         name = meant.target.name
         if observer is None:
             return Located(self.text, name, meant.exact, problem=NO_PLACE)
         try:
             seen = meant.target.look(observer, now)
-            below = self._below_words(meant, observer, now) if seen.el_deg <= 0.0 else ""
+            below = self._below.of(meant.target, observer, now) if seen.el_deg <= 0.0 else ""
         except BirdcageError as error:
             below = str(error)
         if below:
@@ -75,13 +91,4 @@ class Pointer:
         silence = "" if meant.found.silence is None else meant.found.silence.brief
         skew = meant.target.skew(observer) if isinstance(meant.target, SlotTarget) else None
         turned = "" if skew is None else skew.brief()
-        return Located(self.text, name, meant.exact, seen.az_deg, el_deg, silence, turned)
-
-    def _below_words(self, meant: Resolution, observer: Observer, now: datetime) -> str:
-        """Return why it cannot be seen; its next rise is looked for once a minute."""
-        from birdcage.sky.targets.sight import below_words
-
-        minute = int(now.timestamp() // 60.0)
-        if minute != self._below_for:
-            self._below, self._below_for = below_words(meant.target, observer, now), minute
-        return self._below
+        return Located(self.text, name, meant.exact, az_deg=seen.az_deg, el_deg=el_deg, silence=silence, skew=turned)

@@ -214,8 +214,12 @@ class CraftTab(Vertical):
             self.host.action_command("release")
         elif self.listing(view):
             chosen = self.query_one(FoundList).chosen(view)
+            if self._searching and view.track is not None and view.track.query != self.query_one(Input).value:
+                self.host.say("Still looking. Enter again.")
+                return
             if chosen is None:
-                self.host.say("Nothing is found to choose.")
+                note = "" if view.track is None else view.track.found_note
+                self.host.say(note or "Nothing is found to choose.")
                 return
             self._close_search()
             source.choose(chosen.text)
@@ -254,7 +258,7 @@ class CraftTab(Vertical):
         self._searching, self._shown = True, VIEWS[0]
         field.disabled, field.display = False, True
         field.value = ""
-        self.query_one(FoundList).cursor = 0
+        self.query_one(FoundList).restart()
         self._search("")
         field.focus()
 
@@ -275,7 +279,7 @@ class CraftTab(Vertical):
         """Look for what was typed so far."""
         event.stop()
         if self._searching:
-            self.query_one(FoundList).cursor = 0
+            self.query_one(FoundList).restart()
             self._search(event.value)
 
     def on_input_submitted(self, event: Input.Submitted) -> None:

@@ -54,17 +54,31 @@ class FoundList(Pane):
         self.border_title = "Targets"
         self.cursor = 0
         self._top = self._above = 0
+        self._moved = False
 
     def move(self, by: int) -> None:
         """Move the cursor."""
         if self.view is not None:
-            self.cursor = min(max(self.cursor + by, 0), max(len(candidates(self.view)) - 1, 0))
+            here = self._here(self.view)
+            self.cursor = 0 if here is None else min(max(here + by, 0), max(len(candidates(self.view)) - 1, 0))
+            self._moved = True
             self.show(self.view)
 
     def chosen(self, view: View) -> Candidate | None:
         """Return the one under the cursor; None when there is none."""
+        here = self._here(view)
+        return None if here is None else candidates(view)[here]
+
+    def restart(self) -> None:
+        """Go back to the first row: another text was typed."""
+        self.cursor, self._moved = 0, False
+
+    def _here(self, view: View) -> int | None:
+        """Return the row under the cursor; None while none of them is what was typed, until a person moves there."""
         rows = candidates(view)
-        return rows[min(self.cursor, len(rows) - 1)] if rows else None
+        if not rows or (not self._moved and view.track is not None and view.track.found_note):
+            return None
+        return min(self.cursor, len(rows) - 1)
 
     def draw(self, cells: Cells, view: View) -> None:
         """Write the rows around the cursor."""
@@ -77,12 +91,12 @@ class FoundList(Pane):
                 cells.put(1, y, line, "dim")
             return
         self.cursor = min(self.cursor, len(rows) - 1)
-        above = self._note(cells, view)
+        above, chosen = self._note(cells, view), self._here(view)
         room = max(cells.height - above, 1)
         self._top = max(min(self._top, self.cursor, len(rows) - room), self.cursor - room + 1, 0)
         width = min(max(cells.width - 26, 12), 28)
         for y, row in enumerate(rows[self._top : self._top + room], above):
-            here = self._top + y - above == self.cursor
+            here = self._top + y - above == chosen
             ink = "accent-row" if here else "text"
             if here:
                 cells.put(0, y, " " * cells.width, ink)
@@ -110,10 +124,11 @@ class FoundList(Pane):
             return
         event.stop()
         index = self._top + offset.y - self._above
-        if index == self.cursor:
+        if index == self._here(self.view):
             cast(Host, self.app).action_command("track-take")
         else:
-            self.move(index - self.cursor)
+            self.cursor, self._moved = index, True
+            self.show(self.view)
 
     def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
         """Go down."""

@@ -14,6 +14,7 @@ from birdcage_tui.passes.words import count_text, fit
 from birdcage_tui.track.bullseye import draw_bullseye
 from birdcage_tui.track.pursuing import plan_of, pursuit_of, same_target, sample_of, shown_is_followed, target_place
 from birdcage_tui.track.words import (
+    ahead_words,
     countdown_s,
     decibels,
     degrees,
@@ -92,6 +93,8 @@ class TrackNow(Pane):
             found.append(("warn-strong", f"{words}: u takes it up again, D forgets it."))
         if desk is not None and desk.problem:
             found.append(("warn", f"▲ {desk.problem}"))
+        if desk is not None and desk.note:
+            found.append(("warn", f"▲ {desk.note}"))
         if pursuit is None:
             return [*found, *_watched(view, width)]
         head, error = headline(view) or "", live_words(view)
@@ -195,4 +198,6 @@ def _chance(view: View, plan: Plan, t_s: float) -> str:
         does = "Enter releases the dish, then f waits for it." if held else "f waits for it and follows."
         what = "In reach" if heard is not None else "Behind the horizon mask"
         return f"{what} in {count_text(begins_s - t_s)}: {does}"
+    if plan.passing is None:
+        return f"Out of reach for {ahead_words(plan)}."
     return "This pass is not in reach any more." if spans or plan.legs else "Never in reach."

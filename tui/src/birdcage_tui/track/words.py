@@ -167,6 +167,11 @@ def pass_words(plan: Plan) -> str:
     return f"{aos}  TCA {passing.max_elevation_deg:.0f}° {passing.tca:%H:%M:%S}  {los}"
 
 
+def ahead_words(plan: Plan) -> str:
+    """Return how far ahead the plan of what does not pass looks: `60 min`."""
+    return f"{(plan.sky.end_s - plan.sky.start_s) / 60.0:.0f} min"
+
+
 def reach_words(plan: Plan, room: int) -> str:
     """Return when it is in reach: as many intervals as there is room for, then how long in all."""
     intervals = plan.reach.intervals
@@ -174,7 +179,8 @@ def reach_words(plan: Plan, room: int) -> str:
         return "behind the horizon mask all the way"
     if not intervals:
         reasons = ", ".join(plan.reach.reasons)
-        return f"never in reach: {reasons}" if reasons else "never in reach"
+        never = "never in reach" if plan.passing is not None else f"out of reach for {ahead_words(plan)}"
+        return f"{never}: {reasons}" if reasons else never
     total = length_text(plan.reach.total_s)
     spans = [f"{clock_text(one.start.timestamp())}-{clock_text(one.end.timestamp())}" for one in intervals]
     for count in range(len(spans), 0, -1):

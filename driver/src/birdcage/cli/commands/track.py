@@ -104,13 +104,17 @@ def _show(
     """Print the plan, and before it where the target stands now."""
     from datetime import UTC
 
+    from birdcage.cli.named_target import tell_below
     from birdcage.cli.say import say, tell, tell_json
     from birdcage.cli.track_plan import choice_for, plan_for
     from birdcage.cli.where_report import Report
+    from birdcage.sky.targets.model import Satellite
     from birdcage.tracking.plan_values import plan_values
     from birdcage.tracking.plan_words import plan_lines
 
     now = datetime.now(UTC)
+    if not isinstance(target, Satellite):
+        tell_below(target, observer, now, say)  # of a satellite the plan tells its next pass
     choice = choice_for(text, target, wants, time_offset_s=time_offset_s, freq_hz=freq_hz)
     plan_for(choice, wants, observer, now)
     assert choice.plan is not None, "one was made"

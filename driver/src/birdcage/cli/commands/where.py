@@ -51,7 +51,7 @@ def command(
     observer = find_observer(dish.settings, lat, lon, alt)
     found, when = find_target(target, dish.paths, elements, say), at or datetime.now(UTC)
     report = Report.of(found.target, observer, when, dish)
-    tell_below(found, observer, when, say)
+    tell_below(found.target, observer, when, say)
     if flags().json:
         tell_json({**report.values(), "silent_since": found.silent_since})
     else:

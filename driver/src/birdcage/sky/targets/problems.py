@@ -16,9 +16,7 @@ TOLD = 8
 """How many candidates a sentence names."""
 ALIKE = 0.72
 """How alike a name must be to be offered, as `difflib` counts it."""
-UPDATE = (
-    "`birdcage elements update` fetches the usual groups, `birdcage elements update active` every active satellite."
-)
+UPDATE = "`birdcage elements update` fetches the usual groups, with `active` after it every active one."
 HIGHEST_LONGITUDE = 180
 
 
@@ -59,7 +57,7 @@ def absent(typed: str, sender: Sender, shelf: Searchable | None) -> Resolution:
     name = sender.name if sender.norad_id else typed  # one of a fleet is not called as the fleet is
     problem = f"{name}{number} is {_not_among(shelf)}: {UPDATE}"
     if sender.silence is not None:
-        problem = f"{sender.silence.words(sender.name)} It is {_not_among(shelf)}."
+        problem = f"{sender.silence.words(sender.name)} It is {_not_among(shelf)}: `birdcage elements update`."
     return Resolution(typed, reason="absent", problem=problem)
 
 

@@ -81,13 +81,20 @@ def unfollowed(
     """Return the plan of what cannot be followed, which says why."""
     limits = sight.mount.limits
     notes = (
-        *_element_notes(elements), "Nothing of it can be followed from now on.", *_border_notes(sight),
+        *_element_notes(elements), _nothing_note(sight, passing), *_border_notes(sight),
         *_notes(reach, sight.mount),
     )  # fmt: skip
     return Plan(
         aim, made_at, passing, reach, sight.sky, None, (), None, (), None,
         incidents(passing, sight.sky, (), (), reach, limits), notes, elements=elements,
     )  # fmt: skip
+
+
+def _nothing_note(sight: Sight, passing: Pass | None) -> str:
+    """Return that nothing can be followed: of a pass, or, of what does not pass, for as long as was looked ahead."""
+    if passing is not None:
+        return "Nothing of it can be followed from now on."
+    return f"Nothing of it can be followed for {(sight.sky.end_s - sight.sky.start_s) / 60.0:.0f} min from now."
 
 
 def _legs(stretches: Sequence[Stretch], course: Curve, *, turns: bool) -> tuple[Leg, ...]:
