@@ -17,10 +17,12 @@ from birdcage.base.geometry import wrap_360
 from birdcage.link.link import Link
 from birdcage.protocol.model import DishModel
 from birdcage.protocol.registry import get_protocol
+from birdcage.sim.axis import Axis
 from birdcage.sim.device import Device
 from birdcage.sim.port import SimPort, open_device
 from birdcage.tracking.controller import Controller, Helm
 from birdcage.tracking.curve import Curve
+from birdcage.tracking.steering.motor_course import course_of_motors
 from birdcage.tracking.steps import Answer, Limit, Look, Send, Step, Wait
 
 SAMPLES_HZ = 20.0
@@ -69,6 +71,14 @@ class AdapterPort(SimPort):
         return data
 
 
+@dataclass(frozen=True)
+class Order:
+    """A command that an axis has acted on: when its line began to go out, and when it acted; POSIX seconds."""
+
+    sent_s: float
+    acted_s: float
+
+
 @dataclass
 class Followed:
     """What came of it."""
@@ -97,6 +107,8 @@ class Bench:
     commands: int = 0
     backlog: int = 0
     latency_s: float = 0.06
+    orders: tuple[list[Order], list[Order]] = field(default_factory=lambda: ([], []))
+    """What azimuth and elevation have acted on, in turn."""
     at: tuple[float, float] = (0.0, 0.0)
     """Where the dish stands or was sent last; the azimuth is the cable's."""
 
@@ -111,6 +123,22 @@ class Bench:
         self.antenna.model = self.model
         self.antenna.get_position()
         self._moves = 0
+        self._asked_s = self.start_s
+        with self.device.lock:
+            self.device.machine.run()
+            dish_zero_s = self.device.machine.dish_s - self.clock.utc().timestamp()
+        for axis, orders in zip(self.device.dish.axes, self.orders, strict=False):
+            self._note(axis, orders, dish_zero_s)
+
+    def _note(self, axis: Axis, orders: list[Order], dish_zero_s: float) -> None:
+        """Write down when an axis acts on a command."""
+        retarget = axis.retarget
+
+        def noted(now_s: float, target_deg: float, *, rate_deg_s: float | None = None) -> None:
+            orders.append(Order(self._asked_s, now_s - dish_zero_s))
+            retarget(now_s, target_deg, rate_deg_s=rate_deg_s)
+
+        axis.retarget = noted  # type: ignore[method-assign]
 
     @property
     def now_s(self) -> float:
@@ -155,8 +183,9 @@ class Bench:
         """Let a controller steer from one time to another, as the computer's clock has them; it begins earlier."""
         stands, self.port.share = self.at, self.lost
         self.wait_in_place(start_s - lead_s)
+        motors = course_of_motors(course, self.model, *self._spans())
         helm = Helm(
-            lambda: course, self.model, *stands, self.now_s, end_s, self.latency_s, from_s=start_s,
+            lambda: motors, self.model, *stands, self.now_s, end_s, self.latency_s, from_s=start_s,
             answered=self.protocol.console.answered, delay_s=DELAY_S,
         )  # fmt: skip
         activity = controller(helm)
@@ -166,6 +195,11 @@ class Bench:
                 answer = self.do(next(activity) if answer is None else activity.send(answer))
         except StopIteration:
             self.latency_s, self.port.share = helm.latency_s, 0.0
+
+    def _spans(self) -> tuple[tuple[float, float] | None, tuple[float, float]]:
+        cable, elevation = self.model.cable, self.model.elevation
+        az_span = None if cable is None else (cable.min_deg, cable.max_deg)
+        return az_span, (elevation.min_deg, elevation.max_deg)
 
     def followed(self) -> Followed:
         """Return where it was since `sample`."""
@@ -196,6 +230,7 @@ class Bench:
             self.protocol.enter_motor_menu()
             return Answer(self.now_s, sent_s=before_s)
         assert isinstance(step, Send)
+        self._asked_s = before_s + self.late_s
         self.antenna.steer(step.axis, step.deg)
         self._sent(step)
         self._count_waiting()

@@ -19,10 +19,10 @@ from birdcage.tracking.steering.choice import lead_s
 from birdcage.tracking.steering.fast import fast
 from birdcage.tracking.steering.queued import queued
 from birdcage.tracking.steering.velocity import velocity
-from tracking_dishes import G2, IDEAL, SHAKEN, TRAVLER_5, WORN, Dish
+from tracking_dishes import G2, IDEAL, PLAY, ROBUST, SHAKEN, TRAVLER_5, WORN, Dish, knowing
 from tracking_passes import Case
 from tracking_peers import PEERS
-from tracking_runner import DELAY_S, EARLY_S, Bench
+from tracking_runner import DELAY_S, EARLY_S, Bench, Order
 
 OURS: dict[str, Callable[[], Controller]] = {
     "fast": lambda: fast,
@@ -32,8 +32,8 @@ OURS: dict[str, Callable[[], Controller]] = {
 LEADS_S = {name: lead_s("velocity" if name == "velocity matched" else name, DELAY_S) for name in OURS}
 """How long before the target comes into reach each takes over."""
 DISHES = {dish.name: dish for dish in (G2, TRAVLER_5)}
-CONDITIONS = {"base": IDEAL, "worn": WORN, "shaken": SHAKEN, "lost": IDEAL}
-LOST = {"shaken": 0.02, "lost": 0.02}
+CONDITIONS = {"base": IDEAL, "worn": WORN, "shaken": SHAKEN, "robust": ROBUST, "lost": IDEAL, "play": PLAY}
+LOST = {"shaken": 0.02, "robust": 0.02, "lost": 0.02}
 """Part of the answers."""
 CLOSE_DEG = 0.58
 """1 dB at Ku band for a dish of 33 inches."""
@@ -42,6 +42,8 @@ KEYHOLE_DEG = 0.5
 AROUND_S = 10.0
 """What belongs to a keyhole before and after it."""
 ASTRAY_DEG = 90.0
+LONGEST_S = 2.0
+"""An axis that stood for longer had nothing to follow: at its limit, or where the target does not turn."""
 
 
 @dataclass(frozen=True)
@@ -57,6 +59,8 @@ class Work:
     offset_s: float = 0.0
     """What the time-offset knob is set to."""
     seed: int = 1
+    gear_known: bool = False
+    """Whether the dish's play and overshoot are known."""
 
 
 @dataclass(frozen=True)
@@ -83,10 +87,18 @@ class Score:
     planned_rewinds: int
     bias_s: float
     """Mean of what it is ahead of the target, along the track."""
+    saw_tooth: float
+    """RMS of rate x interval / 2 sqrt(3), over the intervals at which each axis really acted on commands."""
+    unforeseen: float
+    """The same of a program that has to choose each goal as its line goes out, before anybody knows when it will act:
+    rate x the standard deviation of how long ago the command in force was sent. One latency for all makes both equal.
+    """
 
 
 def run(work: Work) -> Score:
     dish = DISHES[work.dish]
+    if work.gear_known:
+        dish = replace(dish, model=knowing(dish.model, CONDITIONS[work.condition]))
     now = datetime.fromtimestamp(work.case.passing.aos.timestamp() - EARLY_S + 10.0, UTC)
     plan = planned(work, dish, now, work.offset_s)
     true = plan if work.offset_s == 0.0 else planned(work, dish, now, 0.0)
@@ -167,7 +179,30 @@ def _score(work: Work, dish: Dish, plan: Plan, true: Plan, bench: Bench) -> Scor
         float(seen.t_s[-1] - seen.t_s[0]), seen.commands, seen.backlog,
         int(np.count_nonzero(np.diff(lost.astype(int)) > 0)), len(plan.rewinds),
         _bias_s(true.sky, seen.t_s[off], seen.az_deg[off], seen.el_deg[off]),
+        *_floors(true.sky, seen.t_s[inside], bench.orders),
     )  # fmt: skip
+
+
+def _floors(sky: Curve, t: np.ndarray, orders: tuple[list[Order], list[Order]]) -> tuple[float, float]:
+    """Return what is left where every goal is the best one: `saw_tooth` and `unforeseen` of `Score`."""
+    saw_tooth, unforeseen = 0.0, 0.0
+    for given, rate in zip(orders, _rates(sky, t), strict=True):
+        acted, sent = np.array([(order.acted_s, order.sent_s) for order in given]).T
+        after = np.clip(np.searchsorted(acted, t), 1, len(acted) - 1)
+        interval = acted[after] - acted[after - 1]
+        weight = np.where(interval < LONGEST_S, rate**2, 0.0)
+        saw_tooth += np.mean(weight * interval**2) / 12.0
+        age = t - sent[after - 1]
+        unforeseen += np.mean(weight * (age - np.average(age, weights=weight)) ** 2)
+    return float(np.sqrt(saw_tooth)), float(np.sqrt(unforeseen))
+
+
+def _rates(sky: Curve, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return how fast the target goes in azimuth and in elevation, degrees a second on the sky."""
+    az, el = sky.sample(t)
+    later_az, later_el = sky.sample(t + 0.1)
+    turn = np.mod(later_az - az + 180.0, 360.0) - 180.0
+    return turn * np.cos(np.radians(el)) / 0.1, (later_el - el) / 0.1
 
 
 @cache
@@ -196,8 +231,7 @@ def _rms(values: np.ndarray) -> float:
 
 def _bias_s(sky: Curve, t: np.ndarray, az: np.ndarray, el: np.ndarray) -> float:
     sky_az, sky_el = sky.sample(t)
-    later_az, later_el = sky.sample(t + 0.1)
     lift = np.cos(np.radians(sky_el))
-    rate = np.array([(np.mod(later_az - sky_az + 180.0, 360.0) - 180.0) * lift, later_el - sky_el]) / 0.1
+    rate = np.array(_rates(sky, t))
     off = np.array([(np.mod(az - sky_az + 180.0, 360.0) - 180.0) * lift, el - sky_el])
     return float((rate * off).sum() / (rate * rate).sum())

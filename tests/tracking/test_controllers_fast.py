@@ -131,4 +131,5 @@ def test_no_command_goes_beyond_what_the_course_asks_for():
     course = straight(0.2, 0.5, seconds=30, el_deg=50.0)
     course.el_deg[:] = np.minimum(course.el_deg, 58.0013)
     rig = Rig(course).run(fast)
-    assert max(step.deg for _, step in rig.sends(1)) == 58.0013
+    highest = max(step.deg for _, step in rig.sends(1))
+    assert 58.0013 - rig.model.elevation.step_deg / 2.0 <= highest <= 58.0013

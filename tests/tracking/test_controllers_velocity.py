@@ -102,7 +102,7 @@ def test_the_dish_goes_on_while_the_line_is_silent_after_a_lost_answer(kind, at_
     rig = waiting(straight(1.0, 0.2, seconds=60)).run(velocity, each=losing(at_s, kind))
     gaps = [(b - a, a) for (a, _), (b, _) in pairwise(rig.sends()) if a > 1002.0]
     assert kind is Send or max(gaps)[0] > 2 * DELAY_S, "the line was not silent"
-    assert rig.errors(settle_s=8.0).max() < 0.15
+    assert rig.errors(settle_s=8.0).max() < 0.16
 
 
 @pytest.mark.parametrize("kind", [Limit, Send])

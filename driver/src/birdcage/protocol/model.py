@@ -74,6 +74,10 @@ class MeasuredTimes:
         return last_s + (law - last_s) * share
 
 
+OVERSHOOT_SPREAD_DEG = 0.02
+"""How far from its mean the overshoot of a single move lies at most (reference section 7.4)."""
+
+
 @dataclass(frozen=True, slots=True)
 class Axis:
     """One axis in the dish's own frame."""
@@ -89,6 +93,37 @@ class Axis:
     """How far the rest position may lie from the command."""
     times: MeasuredTimes | None = None
     """Goes before speed and acceleration, where it is known."""
+    play_deg: float | None = None
+    """Of this dish's gear, which no reading shows; None where nobody has measured it."""
+    mean_overshoot_up_deg: float | None = None
+    mean_overshoot_down_deg: float | None = None
+    """How far past its target this dish's axis comes to rest on the mean, of moves to greater angles and to lesser;
+    None where that was not seen yet."""
+
+    def mean_overshoot_deg(self, way_deg: float) -> float | None:
+        """Return it in the direction of a way."""
+        return self.mean_overshoot_up_deg if way_deg > 0.0 else self.mean_overshoot_down_deg
+
+    def lead_deg(self, way_deg: float) -> float:
+        """Return how far beyond where its shaft is wanted the motor is best sent while it turns that way, signed.
+
+        Half the play less the mean overshoot: the one holds the shaft back, the other carries it on. 0 where one of
+        both is not known, as they point against each other (decision 0035).
+        """
+        overshoot_deg = self.mean_overshoot_deg(way_deg)
+        if self.play_deg is None or overshoot_deg is None:
+            return 0.0
+        return math.copysign(1.0, way_deg) * (self.play_deg / 2.0 - overshoot_deg)
+
+    def least_way_deg(self, way_deg: float) -> float:
+        """Return the least way that turns the shaft on: on a shorter one the motor may have to come back.
+
+        It stands beyond its last target, and a play as large as that way back hides it.
+        """
+        overshoot_deg = self.mean_overshoot_deg(way_deg)
+        if self.play_deg is None or overshoot_deg is None or overshoot_deg <= 0.0:
+            return 0.0
+        return max(0.0, overshoot_deg + OVERSHOOT_SPREAD_DEG - self.play_deg)
 
 
 @dataclass(frozen=True, slots=True)

@@ -113,7 +113,7 @@ class Pursuer:
             what, at_s,
         )  # fmt: skip
         helm = voyage.helm = Helm(
-            voyage.course, voyage.model(), *self._place, self._now_s, leg.end_s, voyage.latency_s,
+            voyage.motor_course, voyage.model(), *self._place, self._now_s, leg.end_s, voyage.latency_s,
             voyage.dead_band_steps, voyage.dead_band_deg, from_s=leg.start_s,
             answered=voyage.answered(), delay_s=voyage.delay_s,
         )  # fmt: skip

@@ -13,6 +13,7 @@ from birdcage.tracking.controller import LEAD_S, Controller, Helm
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.plan import Leg, Plan
 from birdcage.tracking.planning.bounds import Bounds
+from birdcage.tracking.steering.motor_course import course_of_motors
 
 
 class Stage(Enum):
@@ -72,6 +73,12 @@ class Voyage:
         course = self.plan.course
         assert course is not None, "a plan without a course is not taken on"
         return course
+
+    def motor_course(self) -> Curve:
+        """Return the course of the motors that keeps the dish on it, as far as its gear is known."""
+        bounds = self.bounds()
+        az_span = bounds.cable if bounds.turn_known else None
+        return course_of_motors(self.course(), self.model(), az_span, (bounds.low_el_deg, bounds.high_el_deg))
 
     def leg_after(self, now_s: float) -> Leg | None:
         """Return the leg under way at a time, or else the next one; None when there is no more."""

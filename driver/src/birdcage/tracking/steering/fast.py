@@ -12,15 +12,16 @@ from dataclasses import dataclass
 from birdcage.tracking.controller import Helm
 from birdcage.tracking.steering.axis_belief import AxisBelief, spans
 from birdcage.tracking.steering.dead_band import dead_band_deg
-from birdcage.tracking.steering.latency import Interval, Latency
+from birdcage.tracking.steering.latency import Latency
+from birdcage.tracking.steering.turns import Interval, Looks, Turn, interval_of, need_of
 from birdcage.tracking.steps import Activity, Look, Send, Wait
 
 REST_S = 0.02
 """How long it waits where nothing has to move."""
 AGAIN_S = 0.2
 """How soon it looks again where no reading came."""
-LONGEST_INTERVAL_S = 1.0
-"""An axis that stood still for longer was not waiting for its turn: that is no interval."""
+ABOUT_S = 0.5
+"""A rate is that of so long before and after."""
 ROUNDS = 3
 """Of the fixed point: how long the move takes depends on its goal, and the goal on how long it takes."""
 
@@ -42,41 +43,42 @@ class Rudder:
     def __init__(self, helm: Helm, column: int, belief: AxisBelief | None = None) -> None:
         self._helm = helm
         self._column = column
-        axis = (helm.model.azimuth, helm.model.elevation)[column]
-        self.index = axis.index
-        self.belief = belief or AxisBelief(axis, (helm.start_az_deg, helm.start_el_deg)[column], helm.now_s)
-        self.interval = Interval(2.0 * helm.latency_s)
+        self.axis = (helm.model.azimuth, helm.model.elevation)[column]
+        self.index = self.axis.index
+        self.belief = belief or AxisBelief(self.axis, (helm.start_az_deg, helm.start_el_deg)[column], helm.now_s)
         self.sent_s = helm.now_s
-        self.looked_s = 0.0
-        """How long readings have held the wire since it was sent."""
 
-    def aim(self, acts_s: float, look_s: float, looking_s: float) -> Aim:
-        """Choose a goal for a command that acts at a time; a reading is due at `look_s` and takes `looking_s`."""
-        course, interval_s, column = self._helm.course(), self.interval.seconds, self._column
-        if look_s < acts_s + interval_s:
-            interval_s += looking_s  # it stands so much longer before its next turn
-        goal, ahead_s = self.belief.goal_deg, interval_s / 2.0
+    def aim(self, acts_s: float, interval: Interval) -> Aim:
+        """Choose a goal for a command that acts at a time, and is the last one of this axis for an interval."""
+        course, column = self._helm.course(), self._column
+        goal, ahead_s = self.belief.goal_deg, interval.mean_s / 2.0
         for _ in range(ROUNDS):
             goal = course.at(min(acts_s + ahead_s, self._helm.until_s))[column]
             move_s = self.belief.planned(goal, acts_s).duration_s
-            ahead_s = (interval_s + move_s) / 2.0 if move_s < interval_s else move_s
+            ahead_s = interval.middle_s(move_s) if move_s < interval.mean_s else move_s
         goal = self.belief.quantised(goal, spans(course)[column])
         off = abs(goal - self.belief.goal_deg)
-        lift = math.cos(math.radians(course.at(acts_s)[1])) if column == 0 else 1.0
-        return Aim(goal, off * lift, off >= dead_band_deg(self._helm, self.belief.axis))
+        return Aim(goal, off * self._lift(acts_s), off >= self._least_deg(goal - self.belief.goal_deg))
+
+    def turn(self, acts_s: float, latency: Latency) -> Turn:
+        """Return what decides when it is its turn again."""
+        course, column = self._helm.course(), self._column
+        before, after = course.at(acts_s - ABOUT_S)[column], course.at(acts_s + ABOUT_S)[column]
+        rate = abs(after - before) / (2.0 * ABOUT_S) * self._lift(acts_s)
+        least = self._least_deg(after - before) * self._lift(acts_s)
+        return Turn(rate, self.sent_s, latency.of(self.index), least)
+
+    def _least_deg(self, way_deg: float) -> float:
+        """Return the least way that is worth a command."""
+        return max(dead_band_deg(self._helm, self.axis), self.axis.least_way_deg(way_deg))
+
+    def _lift(self, at_s: float) -> float:
+        return math.cos(math.radians(self._helm.course().at(at_s)[1])) if self._column == 0 else 1.0
 
     def sent(self, goal_deg: float, acted_s: float) -> None:
         """Take in that the dish has acted on a command."""
-        gap_s = acted_s - self.sent_s - self.looked_s
-        self.looked_s = 0.0
-        if gap_s < LONGEST_INTERVAL_S:
-            self.interval.take(gap_s)
         self.sent_s = acted_s
         self.belief.send(goal_deg, acted_s)
-
-    def need(self, aim: Aim, acts_s: float) -> float:
-        """Return how much this axis wants the next command: intervals as rate^-2/3 make the sum of squares least."""
-        return aim.off_deg**2 * max(acts_s - self.sent_s, 1e-3)
 
 
 def fast(helm: Helm) -> Activity:
@@ -92,19 +94,21 @@ def steer(helm: Helm, *, looks: bool, beliefs: tuple[AxisBelief | None, AxisBeli
     while now_s < helm.until_s:
         if looks and now_s >= look_s:
             seen = yield Look()
-            for rudder in rudders:
-                rudder.looked_s += seen.now_s - now_s
             now_s = seen.now_s
             look_s = now_s + AGAIN_S if seen.az_deg is None else max(look_s + helm.look_every_s, now_s)
             for rudder, read_deg in zip(rudders, (seen.az_deg, seen.el_deg), strict=True):
                 rudder.belief.check(read_deg, latency.seen_s(seen))
             continue
+        turns = tuple(rudder.turn(now_s, latency) for rudder in rudders)
+        looking = Looks(look_s if looks else math.inf, helm.look_every_s, latency.mean_s)
         best: tuple[float, Rudder, Aim] | None = None
-        for rudder in rudders:
+        for column, rudder in enumerate(rudders):
             acts_s = now_s + latency.of(rudder.index)
-            aim = rudder.aim(acts_s, look_s if looks else math.inf, latency.mean_s)
-            if aim.due and (best is None or rudder.need(aim, acts_s) > best[0]):
-                best = rudder.need(aim, acts_s), rudder, aim
+            interval = interval_of(column, turns, now_s, looking, latency.variance_s2)
+            aim = rudder.aim(acts_s, interval)
+            need = need_of(aim.off_deg, acts_s - rudder.sent_s)
+            if aim.due and (best is None or need > best[0]):
+                best = need, rudder, aim
         if best is None:
             now_s = (yield Wait(min(now_s + REST_S, helm.until_s))).now_s
             continue

@@ -7,6 +7,8 @@ from birdcage.tracking.steps import Answer
 
 SHARE = 0.15
 """What a new measurement counts: six commands, a second or so, until a change shows."""
+LASTING = 0.05
+"""The same of a latency: what varies from command to command is not mistaken for a change."""
 WILDEST = 4.0
 """A measurement counts as at most so many times what is known: one lost answer does not move the aim."""
 REPLY_BYTES = 30
@@ -19,35 +21,16 @@ BITS_A_BYTE = 10
 class Smoothed:
     """A mean that follows its measurements slowly: seconds, unless it is made of something else."""
 
-    def __init__(self, first_s: float) -> None:
+    def __init__(self, first_s: float, share: float = SHARE) -> None:
         self.seconds = first_s
+        self._share = share
         self._taken = 0
 
     def take(self, measured_s: float) -> None:
         """Take in a measurement. The first ones count for more: a guess is soon forgotten."""
         self._taken += 1
-        share = max(SHARE, 1.0 / (self._taken + 1))
+        share = max(self._share, 1.0 / (self._taken + 1))
         self.seconds += share * (min(max(measured_s, 0.0), WILDEST * self.seconds) - self.seconds)
-
-
-class Interval:
-    """How long an axis waits between two commands, as a moment taken at random meets it: long ones hold more moments.
-
-    That is E[T²] / E[T], and half of it is how far ahead the mean of an interval lies.
-    """
-
-    def __init__(self, first_s: float) -> None:
-        self._mean, self._square = Smoothed(first_s), Smoothed(first_s * first_s)
-
-    @property
-    def seconds(self) -> float:
-        """The length of that interval."""
-        return self._square.seconds / self._mean.seconds
-
-    def take(self, measured_s: float) -> None:
-        """Take in a measurement."""
-        self._mean.take(measured_s)
-        self._square.take(measured_s * measured_s)
 
 
 class Latency:
@@ -62,7 +45,9 @@ class Latency:
         self._baud = model.baud
         self._reply_s = REPLY_BYTES * BITS_A_BYTE / model.baud
         self._both = model.azimuth.index, model.elevation.index
-        self._axes = {axis.index: Smoothed(first_s) for axis in model.axes}
+        self._axes = {axis.index: Smoothed(first_s, LASTING) for axis in model.axes}
+        self._trip = Smoothed(first_s, LASTING)
+        self._square = Smoothed(first_s * first_s, LASTING)
         self._waits = {True: Smoothed(first_s), False: Smoothed(first_s)}
         self._misfit = {True: Smoothed(first_s), False: Smoothed(first_s)}
 
@@ -74,6 +59,11 @@ class Latency:
     def of(self, axis: int) -> float:
         """Return how long the next command of an axis will take to act."""
         return self._axes[axis].seconds
+
+    @property
+    def variance_s2(self) -> float:
+        """How much one exchange differs from the next: the mean square, in square seconds."""
+        return max(self._square.seconds - self._trip.seconds**2, 0.0)
 
     @property
     def mean_s(self) -> float:
@@ -96,4 +86,6 @@ class Latency:
         if self.blocks:
             trip_s = max(trip_s - move_s, 0.0)
         self._axes[axis].take(trip_s)
+        self._trip.take(trip_s)
+        self._square.take(trip_s * trip_s)
         return answer.sent_s + trip_s
