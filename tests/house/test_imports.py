@@ -20,6 +20,7 @@ ARRAYS = ("numpy", "sgp4")
 WITH_ARRAYS = (
     "birdcage.calibration.fit",
     "birdcage.calibration.next_best",
+    "birdcage.sky.element_error",
     "birdcage.sky.frames",
     "birdcage.sky.ground_track",
     "birdcage.sky.illumination",

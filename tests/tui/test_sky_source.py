@@ -6,7 +6,7 @@ import json
 import re
 import threading
 from dataclasses import replace
-from datetime import datetime
+from datetime import datetime, timedelta
 
 import pytest
 import stand_in
@@ -14,6 +14,7 @@ from birdcage.base.clock import RealClock, VirtualClock
 from birdcage.base.config import FeedProfile, PlaceSettings, Settings
 from birdcage.base.paths import Paths
 from birdcage.sky.catalogue import Catalogue
+from birdcage.sky.frozen import frozen
 from birdcage_tui.run import DEMO_PLACE
 from birdcage_tui.settings import Place
 from birdcage_tui.sky_feed import make_sky
@@ -77,6 +78,17 @@ def test_passes_come_with_reach_path_and_age(stage):
     assert soon.path.at(start)[1] == pytest.approx(18.0, abs=0.3), "the dish's floor"
     assert soon.age.words == "made up for the demo"
     assert not any(row.name.startswith("DEMO") for row in sky.rows), "the status line says so already"
+
+
+def test_what_has_re_entered_by_its_own_elements_is_told_in_the_list(tmp_path):
+    station = next(each for each in frozen() if each.norad_id == 25544)
+    with Catalogue(Paths.in_folder(tmp_path).catalogue) as catalogue:
+        catalogue.add([replace(station, epoch=VirtualClock().utc() - timedelta(days=2000), source="")])
+    rows = Stage(tmp_path, demo=False).step().rows
+    assert rows
+    assert {row.age.short for row in rows} == {"re-entered?"}
+    assert {row.age.ink for row in rows} == {"fault"}
+    assert "by its elements it re-entered about" in rows[0].age.words
 
 
 def test_passes_that_are_the_same_stay_the_same_objects(stage):

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.geometry import separation
 from birdcage.sky.age import expected_error
+from birdcage.sky.age_words import REENTERED
 from birdcage.sky.catalogue.entry import key_of
 from birdcage.sky.catalogue.words import span
 from birdcage.sky.horizon import HorizonMask
@@ -193,7 +194,8 @@ def _age(found: PassRow) -> Age:
     if elements.source == "demo":
         return Age("made up for the demo", "demo", "·", "dim")
     error = expected_error(elements, found.passing.tca, found.at_tca.range_km)
-    return Age(error.words, span(abs(error.age_s)), error.glyph, GRADE_INKS[error.grade])
+    short = span(abs(error.age_s)) if error.reentry is None else REENTERED
+    return Age(error.words, short, error.glyph, GRADE_INKS[error.grade])
 
 
 def _path(elements: ElementSet, observer: Observer, aos_s: float, tca_s: float, los_s: float, later_s: float) -> Path:

@@ -124,7 +124,7 @@ class Age:
     words: str
     """`6 h old, about ±0.05° (90 %: 0.20°) at closest`."""
     short: str
-    """`6 h`."""
+    """`6 h`, `re-entered?`."""
     glyph: str
     ink: str
 

@@ -52,6 +52,7 @@ def command(
     from birdcage.cli.table import room
     from birdcage.pursuit.schedule import schedule
     from birdcage.pursuit.schedule_candidates import find_candidates, slewing
+    from birdcage.sky.decay import reentry_warning
 
     if engage and (dry_run or elements or start or hours):
         raise click.UsageError(
@@ -78,6 +79,9 @@ def command(
         tell_json({**values_of_schedule(rows, begin, rules.hours), "never_in_reach": never})
         return
     tell_schedule(rows, begin, rules.hours, room())
+    warning = reentry_warning((each, begin) for each in watched.part(sorted(watched.favourites)).elements)
+    if warning is not None:
+        say(warning)
     if never:
         say(f"{never} more {'pass' if never == 1 else 'passes'} of favourites never come within reach of this dish.")
 

@@ -35,8 +35,9 @@ def command(
     """List the passes that were followed, and how well the dish pointed; `show NUMBER` tells all of one.
 
     RMS and MAX are of the angle on the sky between the target and the reported direction; 0.5 dB is how much of the
-    time no more than that was lost by it, at the beam of the feed. The target's direction includes the refraction that
-    was set when it was followed; rise, highest point and set do not. A pass is also a CSV file: `birdcage paths`.
+    time no more than that was lost at the beam of the feed, with what the age of the elements adds as a rule. The
+    target's direction includes the refraction that was set when it was followed; rise, highest point and set do not. A
+    pass is also a CSV file: `birdcage paths`.
     """
     from birdcage.cli.log_report import tell_pass, tell_passes, values_of_pass, values_of_record, values_of_total
     from birdcage.cli.say import say, tell_json
