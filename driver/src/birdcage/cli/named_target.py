@@ -20,11 +20,6 @@ if TYPE_CHECKING:
     from birdcage.sky.targets import Resolution, Resolver, Target
 
 TEXT_WIDTH = 72
-HELP = (
-    "TARGET is a satellite by name, other name or number (iss, AO-91, 25544); sun, moon or a planet; polaris, cas a; "
-    "28.2E, dish 119 or a slot such as QO-100; ra=5h34m,dec=+22d; gal 120,-5; 180 45 or az 180 el -3."
-)
-"""What may be typed, the same for every command."""
 
 
 class _Shelf:

@@ -61,7 +61,7 @@ MOTION = (
         ("g",),
         "g",
         "Go to …",
-        "Type where to, such as 180 45; Enter sends the dish there.",
+        "Type where to: 180 45, moon, 28.2E, a satellite; Enter sends the dish there.",
         "Motion",
         footer="go to",
     ),

@@ -31,6 +31,7 @@ class Resolver:
     def __init__(self, shelf: Searchable | None = None, downlinks: Iterable[Downlink] | None = None) -> None:
         self._shelf = shelf
         self._senders = _shipped_senders() if downlinks is None else senders(downlinks)
+        self._search = lru_cache(maxsize=32)(self._search_shelf)  # a text is looked up several times on its way
 
     def resolve(self, text: str) -> Resolution:
         """Return what a text means.
@@ -194,7 +195,7 @@ class Resolver:
         )
         yield from (_star(star) for star in stars() if _has(wanted, star.name, *star.aliases))
 
-    def _search(self, typed: str) -> Sequence[Hit]:
+    def _search_shelf(self, typed: str) -> Sequence[Hit]:
         return () if self._shelf is None else self._shelf.search(typed, LOOKED_AT)
 
     def _candidate(self, hit: Hit) -> Candidate:
