@@ -183,6 +183,38 @@ class TestFeed:
             "L-band helix, beam 12.5° x 12.5° entered by hand, LO 9750 MHz, offset +0.50/+0.00 deg, stow locked"
         )
 
+    def test_the_stock_feed_says_both_widths_and_where_they_come_from(self, house):
+        view = house.view("feed")
+        assert view.choices[0].label == "Stock LNB, 12.2 to 12.7 GHz, beam 5.5° x 5.5° theory"
+        assert (
+            "Stock beam: 5.5° x 5.5° from reflector and frequency; 6.4° x 6.3° measured in counts: upper bound."
+            in view.words
+        )
+        house.choose("feed", "stock")
+        assert house.state.beam.size == "5.5° x 5.5°"
+
+    def test_a_band_makes_the_beam_and_two_widths_go_before_it(self, house):
+        house.choose("feed", "other", name="helix", band="1670 to 1710 MHz")
+        assert house.state.beam.words == "40.7° x 40.7° from reflector and frequency"
+        assert "helix, 1.67 to 1.71 GHz, beam 40.7° x 40.7° theory" in [
+            each.label for each in house.view("feed").choices
+        ]
+        house.choose("feed", "other", name="mine", band="12.2-12.7 GHz", beam_deg="2,1 x 3")
+        feed = house.file().active_feed
+        assert (feed.freq_min_hz, feed.beam_deg, feed.beam_az_deg, feed.beam_el_deg) == (12.2e9, None, 2.1, 3.0)
+        assert house.state.beam.words == "2.1° x 3.0° entered by hand"
+
+    @pytest.mark.parametrize(("typed", "said"), [
+        ({"beam_deg": "2 x"}, "type one width, or two: 2.0 x 2.9"),
+        ({"beam_deg": "1 x 2 x 3"}, "type one width, or two: 2.0 x 2.9"),
+        ({"band": "1690"}, "is no band such as 1670 to 1710 MHz"),
+        ({"band": "1710 to 1670 MHz"}, "does not go from a lower to a higher frequency"),
+    ])  # fmt: skip
+    def test_what_cannot_be_used_is_refused_and_nothing_is_written(self, house, typed, said):
+        with pytest.raises(NoSuchChoice, match=said):
+            house.setup.choose("feed", "other", {"name": "odd", **typed})
+        assert "odd" not in house.file().feeds
+
     def test_one_of_the_file(self, house):
         edit(house.paths.config_file, {"feed.patch.beam_deg": 30.0})
         house.start().up()

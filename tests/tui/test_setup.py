@@ -217,7 +217,7 @@ def test_the_page_follows_the_engine_to_its_next_step():
         text = stand_in.text_of(app)
         assert "✓ 4  Home" in text
         assert "▶ 5  Feed" in text
-        assert "What hangs in the focus?" in text
+        assert "Which feed is fitted?" in text
 
     run(follow)
 

@@ -5,7 +5,8 @@ import re
 import pytest
 import sky_stand_in
 import stand_in
-from birdcage_tui.canvas import Cells
+from birdcage.base.beam import Beam
+from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.panes.polar import Polar
 from birdcage_tui.panes.sky import SkyPane
 from birdcage_tui.panes.sky_up import draw_up
@@ -131,3 +132,33 @@ def test_a_pass_on_the_dashboard_leads_to_the_page():
         return stand_in.text_of(app)
 
     assert "Passes" in run(click, size=(120, 36), sky=sky_stand_in.make())
+
+
+class Dots(Braille):
+    """A canvas that remembers where its dots are."""
+
+    def __init__(self):
+        super().__init__(60, 40)
+        self.at = []
+
+    def dot(self, x, y, ink):
+        self.at.append((x, y))
+
+
+def test_the_beam_is_drawn_as_wide_each_way_as_it_is():
+    def spans(az_deg, el_deg, beam):
+        canvas = Dots()
+        polar = Polar(60, 40)
+        polar.beam(canvas, az_deg, el_deg, beam, "accent", least=4.0)
+        if not canvas.at:
+            return None
+        across, along = zip(*canvas.at, strict=True)
+        return [(max(side) - min(side)) / polar.radius * 90.0 for side in (across, along)]
+
+    near_zenith = 88.0
+    wide, high = spans(180.0, near_zenith, Beam(14.8, 21.3))
+    assert (wide, high) == (pytest.approx(14.8, abs=1.0), pytest.approx(21.3, abs=1.0))
+    # To the east the same beam lies on its side: its elevation is left to right there.
+    wide, high = spans(90.0, near_zenith, Beam(14.8, 21.3))
+    assert (wide, high) == (pytest.approx(21.3, abs=1.0), pytest.approx(14.8, abs=1.0))
+    assert spans(180.0, 45.0, Beam(2.0, 2.9)) is None, "it hides under the dish's own mark"

@@ -40,6 +40,11 @@ class BeamOrigin(Enum):
         """For people, after the width."""
         return _ORIGIN_WORDS[self]
 
+    @property
+    def brief(self) -> str:
+        """The same in a word or two."""
+        return _ORIGIN_BRIEF[self]
+
 
 _ORIGIN_WORDS = {
     BeamOrigin.THEORY: "from reflector and frequency",
@@ -123,7 +128,7 @@ class Beam:
     @property
     def brief(self) -> str:
         """The same in a narrow place: `5.5° x 5.5° theory, at most 6.4° x 6.3°`."""
-        told = f"{self.size} {_ORIGIN_BRIEF[self.origin]}"
+        told = f"{self.size} {self.origin.brief}"
         if self.bound_deg is None or self.origin is BeamOrigin.COUNTS:
             return told
         return f"{told}, at most {_size(*self.bound_deg)}"

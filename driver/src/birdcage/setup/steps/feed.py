@@ -23,10 +23,12 @@ class FeedStep(Step):
     title = "Feed"
 
     def words(self) -> tuple[str, ...]:
-        """Say what depends on it."""
+        """Say what depends on it, and how wide the stock feed's beam is."""
+        beam = self._beam(self.bench.settings.feeds[STOCK])
+        told = "Its band and the dish's reflector make the beam." if beam is None else f"Stock beam: {beam.words}."
         return (
             "Which feed is fitted? Frequencies and offsets come from it, and whether the dish may fold flat.",
-            "Its band and the dish's reflector make the beam; a width that you measured goes before that.",
+            told,
             "Stow folds the dish onto the feed: allow it only for a feed that fits under it.",
         )
 
@@ -40,7 +42,7 @@ class FeedStep(Step):
             Choice("other", "n", "Another feed", fields=(
                 Field("name", "name", hint="L-band helix"),
                 Field("band", "band", "", "1670 to 1710 MHz"),
-                Field("beam_deg", "beam", "deg", "az x el as measured; empty: by theory"),
+                Field("beam_deg", "beam", "deg", "2.0 x 2.9; empty: theory"),
                 Field("lo_hz", "LO", "Hz", "9750 MHz; empty for none"),
                 Field("az_offset_deg", "az offset", "deg", "beam clockwise of the dish's axis", "0"),
                 Field("el_offset_deg", "el offset", "deg", "beam above the dish's axis", "0"),
@@ -84,7 +86,7 @@ class FeedStep(Step):
         beam, band = self._beam(feed), ""
         if feed.freq_min_hz is not None and feed.freq_max_hz is not None:
             band = f", {feed.freq_min_hz / 1e9:g} to {feed.freq_max_hz / 1e9:g} GHz"
-        return band + ("" if beam is None else f", beam {beam.words}")
+        return band + ("" if beam is None else f", beam {beam.size} {beam.origin.brief}")
 
     def _mount(self, name: str, keys: dict[str, Value]) -> None:
         self.bench.write({**keys, "feed.active": name})
