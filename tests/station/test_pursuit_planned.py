@@ -18,7 +18,7 @@ from birdcage.tracking.planning.planner import plan_pass
 from tests.tracking.orbits import NOW, PLACE, overhead
 
 from .conftest import Bench
-from .pursuit_bench import PARK, g2, travler
+from .pursuit_bench import PARK, PursuitBench, at, g2, travler
 
 
 @pytest.fixture(autouse=True)
@@ -69,3 +69,36 @@ def test_the_forecast_holds_for_a_dish_that_overshoots_as_the_g2_does():
     bench.until(Phase.FOLLOWING, 3000).step(100.0)
     assert bench.pursuit.rms_error_deg == pytest.approx(plan.forecast.rms_deg, rel=0.4)
     assert 0.4 * plan.forecast.max_deg < bench.pursuit.max_error_deg < 1.1 * plan.forecast.max_deg
+
+
+def slow(bench):
+    """Both axes go slower than they say."""
+    for axis in bench.device.dish.axes[:2]:
+        axis.data.max_rate_deg_s *= 0.93
+        axis.data.accel_deg_s2 *= 0.7
+
+
+@pytest.mark.parametrize(("aside_deg", "wire", "wear"), [
+    (-7.0, "", None), (-4.0, "&latency_min=0.1&latency_max=0.3", None), (-4.0, "&latency_max=0.2", slow),
+], ids=["as a G2 is", "slow wire", "slow axes"])  # fmt: skip
+def test_the_dish_is_on_a_target_that_fits_no_turn_whenever_no_rewind_is_announced(aside_deg, wire, wear):
+    """Azimuth 250 to 400 on a cable from -423 to 23: it crosses the sky fastest where the cable ends."""
+    bench = PursuitBench(f"g2?seed=1{wire}").connect()
+    bench.do(Home("you"), 60)
+    bench.do(Goto(20, 40, "you"), 20)
+    plan = planned(bench, aside_deg, inclination_deg=51.6)
+    (rewind,) = plan.rewinds
+    bench.step(rewind.start_s - 25.0 - at(bench))
+    bench.pursue(plan, at_end="stay")
+    bench.step(15.0)
+    if wear is not None:
+        wear(bench)
+    off_deg, phases = [], set()
+    while at(bench) < rewind.end_s + 10.0:
+        bench.step(0.05)
+        phases.add(bench.pursuit.phase)
+        if not rewind.start_s <= at(bench) <= rewind.end_s:
+            truth = bench.device.truth()
+            off_deg.append(separation(*plan.sky.at(at(bench)), truth.az_deg, truth.el_deg))
+    assert Phase.REWINDING in phases
+    assert max(off_deg) < 0.3

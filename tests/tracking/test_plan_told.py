@@ -31,10 +31,10 @@ def test_the_text_fits_a_terminal_and_tells_what_matters(rewinding, through_the_
         assert max(map(len, plan_lines(plan))) <= 80
     text = "\n".join(plan_lines(rewinding))
     assert "MADE UP (999)" in text
-    assert "Rewind   12:12:52Z: dish +23° to -334°, 6.0 s" in text
+    assert "Rewind   12:12:52Z: dish +23° to -333°, 9.6 s" in text
     assert "↺ rewind" in text
     assert "Leave    12:08:" in text
-    assert "6 s out of reach: cable stop." in text
+    assert "10 s out of reach: cable stop." in text
     text = "\n".join(plan_lines(through_the_keyhole))
     assert "1700 MHz" in text
     assert "at best 2.69°" in text

@@ -96,7 +96,9 @@ def test_a_pass_that_fits_no_turn_gets_one_rewind_that_is_announced():
     plan = plan_of(-2.0, orbit={"inclination_deg": 51.6, "height_km": 420.0})
     before, rewind, after = plan.legs
     assert [leg.part for leg in plan.legs] == [Part.FOLLOW, Part.REWIND, Part.FOLLOW]
-    assert rewind.end_s - rewind.start_s == pytest.approx(5.7, abs=0.5)
+    taken = route(Bounds.of(mount()), g2(), (rewind.from_az_deg, 40.0), (rewind.to_az_deg, 38.0))
+    assert taken.seconds == pytest.approx(6.0, abs=0.1)
+    assert rewind.end_s - rewind.start_s == pytest.approx(1.1 * taken.seconds + 3 * 1.0, abs=0.1), "no time for stops"
     assert (before.end_s, after.start_s) == (rewind.start_s, rewind.end_s)
     assert (before.turn, after.turn) == (-1, -2)
     assert rewind.from_az_deg <= 23.33
@@ -105,7 +107,7 @@ def test_a_pass_that_fits_no_turn_gets_one_rewind_that_is_announced():
         for a, b in zip([(rewind.from_az_deg, 0.0), *rewind.waypoints], rewind.waypoints, strict=False)
     )
     (told,) = [one for one in plan.incidents if one.what == "rewind"]
-    assert (told.at_s, told.text) == (rewind.start_s, "cable turns back, 6.0 s")
+    assert (told.at_s, told.text) == (rewind.start_s, "cable turns back, up to 9.6 s")
     assert any("turned back" in note for note in plan.notes)
     assert plan.reach.reasons == ("floor", "cable")
     assert [one.turn for one in plan.reach.intervals] == [-1, -2]
@@ -122,7 +124,7 @@ def test_a_rewind_goes_through_the_keyhole_where_that_is_near():
 
 @pytest.mark.parametrize("aside_deg", [0.1, 0.7, 2.0])
 def test_the_target_is_followed_as_soon_as_a_rewind_can_end(aside_deg):
-    """The later a rewind ends the shorter it may be: no second is given away."""
+    """The later a rewind ends the shorter it may be: no second is given away beyond what it may take at the most."""
     on = mount(travler(5.0))
     plan = plan_of(aside_deg, on)
     before, rewind, after = plan.legs
@@ -131,7 +133,7 @@ def test_the_target_is_followed_as_soon_as_a_rewind_can_end(aside_deg):
     for sooner_s in (2.0, 6.0, 12.0):
         target = Sight.of(plan.sky, on).at(after.start_s - sooner_s, after.turn)
         needed = route(Bounds.of(on), on.model, here, target)
-        assert needed.seconds > after.start_s - sooner_s - before.end_s
+        assert needed.worst_s > after.start_s - sooner_s - before.end_s
 
 
 def test_above_the_ceiling_the_dish_stays_at_it_while_that_is_within_half_a_beam():

@@ -115,7 +115,7 @@ class Incident:
     what: str
     """`aos`, `reach`, `tca`, `keyhole`, `rewind`, `unreach`, `los`."""
     text: str
-    """For a person: `65° ceiling`, `cable turns back, 5.7 s`."""
+    """For a person: `65° ceiling`, `cable turns back, up to 9.6 s`."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -106,7 +106,7 @@ def _legs(stretches: Sequence[Stretch], course: Curve, *, turns: bool) -> tuple[
         if stretch.rewinds and legs:
             before, done_s = legs[-1], stretch.start_s
             if turn is not None and stretch.route is not None:
-                turned_s = before.end_s + stretch.route.seconds
+                turned_s = before.end_s + stretch.route.worst_s
                 done_s = turned_s if turned_s < done_s - _AT_ONCE_S else done_s
             legs.append(Leg(Part.REWIND, before.end_s, done_s, before.to_az_deg, start_deg, turn, stops))
             stops = ()
@@ -124,7 +124,7 @@ def _rewind_notes(legs: Sequence[Leg]) -> Iterator[str]:
         if leg.part is Part.REWIND and leg.turn is not None:
             yield (
                 f"The cable does not reach all the way: it is turned back from {leg.from_az_deg:+.0f}° to "
-                f"{leg.to_az_deg:+.0f}°, which takes {leg.end_s - leg.start_s:.1f} s."
+                f"{leg.to_az_deg:+.0f}°, which takes up to {leg.end_s - leg.start_s:.1f} s."
             )
         elif leg.part is Part.REWIND:
             yield f"The cable may come to its stop, as its turn is not known: {leg.end_s - leg.start_s:.0f} s are kept."

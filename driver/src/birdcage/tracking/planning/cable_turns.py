@@ -13,7 +13,7 @@ from birdcage.tracking.curve import Curve, Floats
 from birdcage.tracking.mount import Standing
 from birdcage.tracking.move_times import durations
 from birdcage.tracking.planning.rates import mean_rate_deg_s
-from birdcage.tracking.planning.routes import HOP_DEG, route
+from birdcage.tracking.planning.routes import HOP_DEG, SLOW, STOP_S, route
 from birdcage.tracking.planning.sight import Sight
 
 Spans = Sequence[tuple[float, float]]
@@ -105,17 +105,20 @@ def _within(t: Floats, spans: Spans) -> NDArray[np.bool_]:
 
 
 def _rewind_s(sight: Sight, az: Floats, el: Floats, turns: int) -> Floats:
-    """Return how long it takes to turn the cable by so many turns: from each sample (row) to each (column)."""
+    """Return how long it takes at the most to turn the cable by so many turns: from each sample (row) to each (column).
+
+    As `Route.worst_s` has it.
+    """
     model = sight.mount.model
     ways = np.abs(az[None, :] + 360.0 * turns - az[:, None])
     hops = np.maximum(np.ceil(ways / HOP_DEG), 1.0)
-    seconds: Floats = hops * durations(model.azimuth, ways / hops)
+    seconds: Floats = hops * (SLOW * durations(model.azimuth, ways / hops) + STOP_S)
     if sight.bounds.keepouts:
         over = max(keepout.below_deg for keepout in sight.bounds.keepouts)
         if over > sight.bounds.high_el_deg:
             return np.full_like(seconds, np.inf)
         climb = durations(model.elevation, np.maximum(over - el, 0.0))
-        seconds += climb[:, None] + climb[None, :]
+        seconds += SLOW * (climb[:, None] + climb[None, :]) + 2.0 * STOP_S
     return seconds
 
 

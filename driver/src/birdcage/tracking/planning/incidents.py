@@ -25,7 +25,7 @@ def incidents(
     for before, leg in zip((None, *legs), legs, strict=False):
         if leg.part is Part.REWIND:
             how = "cable turns back" if leg.turn is not None else "cable may turn back"
-            found.append(Incident(leg.start_s, "rewind", f"{how}, {leg.end_s - leg.start_s:.1f} s"))
+            found.append(Incident(leg.start_s, "rewind", f"{how}, up to {leg.end_s - leg.start_s:.1f} s"))
         elif before is None or before.end_s < leg.start_s - 1e-3 or before.part is Part.REWIND:
             found.append(Incident(leg.start_s, "reach", _enters(leg.start_s, reach, limits)))
     for index, leg in enumerate(legs):

@@ -67,7 +67,10 @@ def itinerary(sight: Sight, now_s: float, later: Sequence[Curve] = ()) -> Itiner
         else:
             found.append(piece)
             continue
-        arrived = _arrive(sight, begin, ready_s, piece, either_way=rewinds and not sight.bounds.turn_known)
+        # What comes after a stretch that is followed is announced, and must be over in time.
+        arrived = _arrive(
+            sight, begin, ready_s, piece, either_way=rewinds and not sight.bounds.turn_known, surely=bool(found)
+        )
         if arrived is None:
             cuts.append((piece.start_s, piece.end_s, "no-go"))
             continue
@@ -134,14 +137,18 @@ def _free(sight: Sight, before: Stretch, after: Stretch) -> bool:
 
 
 def _arrive(
-    sight: Sight, begin: tuple[float, float], ready_s: float, piece: Stretch, *, either_way: bool
-) -> tuple[Route, float] | None:
-    """Return the way to a piece and when it is followed from: as soon as the dish can be where the target is then."""
+    sight: Sight, begin: tuple[float, float], ready_s: float, piece: Stretch, *, either_way: bool,
+    surely: bool,
+) -> tuple[Route, float] | None:  # fmt: skip
+    """Return the way to a piece and when it is followed from: as soon as the dish can be where the target is then.
+
+    `surely`: also where the way takes as long as it may at the most.
+    """
 
     def there(at_s: float) -> tuple[Route, float] | None:
         """Return the way to where the target is at a time, and how much too late the dish would come."""
         taken = route(sight.bounds, sight.mount.model, begin, sight.at(at_s, piece.turn), either_way=either_way)
-        return None if taken is None else (taken, ready_s + taken.seconds - at_s)
+        return None if taken is None else (taken, ready_s + (taken.worst_s if surely else taken.seconds) - at_s)
 
     late_s, start_s = piece.start_s, piece.start_s
     for _ in range(_PASSES):

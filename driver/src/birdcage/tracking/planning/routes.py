@@ -14,6 +14,10 @@ from birdcage.tracking.planning.bounds import Bounds
 
 HOP_DEG = 170.0
 """The longest turn between two stops: under half a turn, by more than a dish may lag behind where it was planned."""
+SLOW = 1.1
+"""How much longer than its kinematics say an axis may take over a way: it is slower, or speeds up less, than known."""
+STOP_S = 1.0
+"""What each stop takes beyond the motion itself at the most: two lines on a slow wire, and the proof of rest."""
 _STILL_DEG = 1e-6
 _SAMPLE_S = 0.1
 
@@ -27,6 +31,11 @@ class Route:
     start: Point
     stops: tuple[Point, ...]
     seconds: float
+
+    @property
+    def worst_s(self) -> float:
+        """How long they take at the most: until then nothing may be planned that needs the dish."""
+        return SLOW * self.seconds + STOP_S * len(self.stops)
 
 
 def route(bounds: Bounds, model: DishModel, start: Point, end: Point, *, either_way: bool = False) -> Route | None:
