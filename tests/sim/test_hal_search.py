@@ -69,7 +69,7 @@ def test_it_ends_at_a_satellite(hal):
     found = truth(dish)
     assert not found.moving
     sky = dish.device.board
-    assert sky.above_floor_counts(dish.device.machine.dish_s, found.az_deg, found.el_deg) > 20
+    assert sky.above_floor_counts(dish.device.machine.dish_s, found.az_deg, found.el_deg) > 70
 
 
 def test_a_move_has_its_turn_and_the_search_goes_on(hal):

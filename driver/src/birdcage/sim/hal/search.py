@@ -97,7 +97,10 @@ class Search:
         return None
 
     def _hold(self, run: int) -> None:
+        """Stop, and go back by the way that braking took ([I]): the beam is narrower than that."""
         if run == self._run and self.running:
+            heard_at_deg = self._board.dish.axes[0].count(self._board.now_s)[0]
             self.stop()
+            self._board.put(0, heard_at_deg)
             if self._board.settings.found_text:
                 self._board.host.say(f"{self._board.settings.found_text}\n")
