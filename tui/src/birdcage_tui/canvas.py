@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 from itertools import groupby, pairwise
 
 from rich.segment import Segment
 from rich.style import Style
 from textual.strip import Strip
+
+from birdcage_tui.cell_text import cell_len, pieces
 
 _RANK = {ink: rank for rank, ink in enumerate(("", "faint", "line", "dim"))}
 """Quiet inks, quietest first; every other is louder."""
@@ -16,8 +19,13 @@ _BRAILLE = tuple(chr(0x2800 + dots) for dots in range(256))
 _DOT = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
 
 
+@lru_cache(maxsize=4096)
+def _has_odd_widths(text: str) -> bool:
+    return any(width != 1 or len(piece) != 1 for piece, width in pieces(text))
+
+
 class Cells:
-    """A rectangle of characters, each with the name of its ink. Only characters one cell wide belong in here."""
+    """A rectangle of characters, each with the name of its ink; right of a wide one stands an empty text."""
 
     def __init__(self, width: int, height: int, ink: str = "text", glyphs: str = "braille") -> None:
         self.width, self.height = max(width, 0), max(height, 0)
@@ -25,26 +33,53 @@ class Cells:
         """The set that the finished row is put into (`glyphs`): for shapes that have one of their own in it."""
         self._chars = [[" "] * self.width for _ in range(self.height)]
         self._inks = [[ink] * self.width for _ in range(self.height)]
+        self._wide_rows: set[int] = set()
 
     def put(self, x: int, y: int, text: str, ink: str = "text") -> int:
         """Write `text`, clipped at the edges. Return the column after it."""
+        if not text.isascii() and _has_odd_widths(text):
+            for piece, width in pieces(text):
+                x = self._put_piece(x, y, piece, width, ink)
+            return x
         if 0 <= y < self.height:
             chars, inks = self._chars[y], self._inks[y]
             for column, char in enumerate(text, x):
                 if 0 <= column < self.width:
+                    if y in self._wide_rows:
+                        self._part(column, y)
                     chars[column], inks[column] = char, ink
         return x + len(text)
+
+    def _put_piece(self, x: int, y: int, piece: str, width: int, ink: str) -> int:
+        """Write one sign, a space for each of its cells where it lies across an edge."""
+        whole = x >= 0 and x + width <= self.width
+        for column, char in enumerate((piece, "")[:width] if whole else (" ",) * width, x):
+            if 0 <= y < self.height and 0 <= column < self.width:
+                self._part(column, y)
+                self._chars[y][column], self._inks[y][column] = char, ink
+                self._wide_rows.add(y)
+        return x + width
+
+    def _part(self, x: int, y: int) -> None:
+        """Leave a space where half of a wide sign would be left, once its other half at this cell is another."""
+        chars = self._chars[y]
+        if chars[x] == "" and x:
+            chars[x - 1] = " "
+        if x + 1 < self.width and chars[x + 1] == "":
+            chars[x + 1] = " "
 
     def put_dots(self, x: int, y: int, bits: Sequence[int], inks: Sequence[str]) -> None:
         """Write a row of braille, clipped at the sides; where there is no dot, what stands there is left alone."""
         chars, names = self._chars[y], self._inks[y]
         for column, (dots, ink) in enumerate(zip(bits, inks, strict=True), x):
             if dots and 0 <= column < self.width:
+                if y in self._wide_rows:
+                    self._part(column, y)
                 chars[column], names[column] = _BRAILLE[dots], ink
 
     def right(self, x: int, y: int, text: str, ink: str = "text") -> None:
         """Write `text` so that it ends before column `x`."""
-        self.put(x - len(text), y, text, ink)
+        self.put(x - cell_len(text), y, text, ink)
 
     def free(self, x: int, y: int, length: int, *over: str) -> bool:
         """Return whether nothing stands there yet; braille in the inks `over` counts as nothing."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import textwrap
 from typing import cast
 
 from textual import events
@@ -13,6 +12,7 @@ from textual.widget import Widget
 from textual.widgets import Input, Label
 
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import wrap
 from birdcage_tui.commands.table import can_move
 from birdcage_tui.control.reach import forbidden, way_words
 from birdcage_tui.esc_field import EscField
@@ -74,7 +74,7 @@ class GotoPreview(Pane):
     def draw(self, cells: Cells, view: View) -> None:
         """Write the words."""
         ink, words = foretell(self.text, view)
-        rows = textwrap.wrap(words, max(cells.width - 2, 10), max_lines=cells.height, placeholder=" …")
+        rows = wrap(words, max(cells.width - 2, 10), most=cells.height)
         for y, row in enumerate(rows):
             cells.put(1, y, row, {"text": "bar", "dim": "bar-dim", "warn": "bar-warn"}[ink])
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import textwrap
-
 from rich.text import Text
 from textual.app import ComposeResult
 from textual.containers import Vertical
@@ -11,6 +9,7 @@ from textual.widget import Widget
 from textual.widgets import OptionList
 from textual.widgets.option_list import Option
 
+from birdcage_tui.cell_text import wrap
 from birdcage_tui.commands import Command, in_force
 from birdcage_tui.dialogs import Dialog
 from birdcage_tui.status import TopRow
@@ -37,7 +36,7 @@ def line_of(command: Command, view: View, width: int) -> Text:
     title = command.title if command.title.endswith("…") else f"{command.title}."
     reason = command.refused(view)
     why = "" if reason is None else f" Not now: {reason}"
-    rows = textwrap.wrap(f"{title} {command.help}{why}", max(width - 11, 12))
+    rows = wrap(f"{title} {command.help}{why}", max(width - 11, 12))
     return Text.assemble((f"{command.shown:>8}  ", "bold" if reason is None else ""), f"\n{'':10}".join(rows))
 
 

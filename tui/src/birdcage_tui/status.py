@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import textwrap
-
 from textual import events
 from textual.app import ComposeResult
 from textual.containers import Horizontal
 from textual.message import Message
 
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import cell_len, cut, pad, wrap
 from birdcage_tui.commands.table import can_release
 from birdcage_tui.pane import Pane
 from birdcage_tui.skew import has_skew, skew_text
@@ -23,6 +22,9 @@ NARROW = 68
 
 MUST = 5
 """Fields that share a smaller gap where they do not fit otherwise: link, az, el, activity, who has control."""
+
+LEAST_NAME = 6
+"""Columns that a longer name of who has control is cut to, at least."""
 
 
 class StatusLine(Pane):
@@ -41,16 +43,19 @@ class StatusLine(Pane):
             cells.put(end, 0, " DEMO ", "target-row")
         x = 1
         fields = self._fields(view, wide=cells.width >= 110)
+        whose = fields[MUST - 1]
         if cells.width < NARROW:
             # The big digits below say where it points; who has control stands nowhere else.
             link, az, el, activity, holder, *_ = fields
             fields = [link, holder, activity, az, el]
-        first = sum(len(text) for text, _ in fields[:MUST])
+        first = sum(cell_len(text) for text, _ in fields[:MUST])
         gap = 2 if x + first + 2 * (MUST - 1) <= end else 1
         for field, ink in fields:
-            text = field if x + len(field) <= end else field.rstrip()
-            if x + len(text) > end:
-                break
+            text = field if x + cell_len(field) <= end else field.rstrip()
+            if x + cell_len(text) > end:
+                if (field, ink) != whose or end - x < LEAST_NAME:
+                    break
+                text = cut(text, end - x)
             x = cells.put(x, 0, text, ink) + gap
 
     @staticmethod
@@ -82,12 +87,16 @@ class StatusLine(Pane):
             activity = LINK[state.link.state][1].upper()
         elif state.homed is False and not view.moving and state.held is None:
             activity = "NOT HOMED"
+        holder = cut(state.holder or "nobody", 16)
         fields = [
             (f"{name} {glyph} {age:<4}", link_ink),
             (f"AZ{mark}{az}°", ink),
             (f"EL{mark}{el}°", ink),
             (f"{activity:<9}", "bar"),
-            (f"{(state.holder or 'nobody')[:16]:<9}", "bar-dim" if state.holder is None else "bar"),
+            (
+                pad(holder, max(cell_len(holder), 9)),
+                "bar-dim" if state.holder is None else "bar",
+            ),
         ]
         if has_skew(view):
             fields.append((f"SK{skew_text(view)}", ink))
@@ -144,11 +153,10 @@ class BadDayRow(Pane):
         """Return the ink and the wrapped rows, one at least."""
         found = bad_day(view)
         ink, words = ("dim", calm(view)) if found is None else found
-        rows = textwrap.wrap(
+        rows = wrap(
             words.replace("Enter ", "Enter\N{NO-BREAK SPACE}"),
             max(width - 2, 10),
-            max_lines=self.LONGEST if found else 1,
-            placeholder=" …",
+            most=self.LONGEST if found else 1,
         )
         return ink, [row.replace("\N{NO-BREAK SPACE}", " ") for row in rows] or [""]
 
@@ -163,7 +171,7 @@ class BadDayRow(Pane):
         """Write the words, in colour over the whole width when something is wrong."""
         ink, rows = self.lines(view, cells.width)
         for y in range(cells.height):
-            cells.put(0, y, f" {rows[y] if y < len(rows) else ''}".ljust(cells.width), ink)
+            cells.put(0, y, pad(f" {rows[y] if y < len(rows) else ''}", cells.width), ink)
 
     def on_mouse_down(self, event: events.MouseDown) -> None:
         """Enter's mouse target: release, acknowledge or accept."""

@@ -9,6 +9,7 @@ from birdcage.base.geometry import shortest_turn
 
 from birdcage_tui.calibrate.words import aside, direction, put_wrapped
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import cell_len, cut
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import Heard, View
 
@@ -88,7 +89,7 @@ class AimPane(Pane, can_focus=True):
     def _target(self, cells: Cells, view: View, guide: GuideView, now: CalibrateNow) -> int:
         cells.put(1, 0, guide.target, "target-strong")
         state = guide.busy or ("" if now.guide is None or guide.may_not_take else "at rest")
-        if len(guide.target) + len(state) + 3 <= cells.width:
+        if cell_len(guide.target) + len(state) + 3 <= cells.width:
             cells.right(cells.width - 1, 0, state, "accent" if guide.busy else "dim")
         stands = "--" if guide.expected is None else direction(*guide.expected)
         position = guide.position
@@ -101,7 +102,7 @@ class AimPane(Pane, can_focus=True):
         rows.append(("signal", "text", _signal(view, self._since, cells.width - LABEL - 2)))
         for y, (label, ink, words) in enumerate(rows, 1):
             cells.put(1, y, label, "dim")
-            cells.put(1 + LABEL, y, words[: cells.width - LABEL - 1], "dim" if words == "--" else ink)
+            cells.put(1 + LABEL, y, cut(words, cells.width - LABEL - 1), "dim" if words == "--" else ink)
         return 1 + len(rows)
 
     @staticmethod

@@ -8,6 +8,7 @@ from textual import events
 
 from birdcage_tui.calibrate.words import maybe, put_wrapped
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import cut, pad
 from birdcage_tui.host import Host
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
@@ -66,7 +67,7 @@ class ListPane(Pane):
         for y, (ink, words) in enumerate(rows[self._top : self._top + room]):
             here = self._top + y == self.at
             row = f" {'▶' if here and self.has_focus else '›' if here else ' '} {words}"
-            cells.put(0, y, f"{row:<{cells.width}}", ("key" if self.has_focus else "strong") if here else ink)
+            cells.put(0, y, pad(row, cells.width), ("key" if self.has_focus else "strong") if here else ink)
         put_wrapped(cells, cells.height - 2, foot, "dim")
 
     def move(self, by: int) -> None:
@@ -111,7 +112,7 @@ class ObjectsPane(ListPane, can_focus=True):
         name = max(self.width() - 20, 8)
         found = [(each.candidate, error_text(each.error_then_deg)) for each in now.guide.proposals]
         return [
-            ("text", f"{one.name[:name]:<{name}} {one.az_deg:4.0f}° {one.el_deg:2.0f}° {then:>6}")
+            ("text", f"{pad(cut(one.name, name), name)} {one.az_deg:4.0f}° {one.el_deg:2.0f}° {then:>6}")
             for one, then in found
         ]
 
@@ -158,7 +159,7 @@ class PeaksPane(ListPane, can_focus=True):
         last = f"{where} {maybe(left):>6} {maybe(alone):>6}"
         name = max(width - len(last) - 4, 6)
         odd = fit is not None and fit.warning.startswith(f"Peak {peak.number} ")
-        return "warn" if odd else "text", f"{peak.number:>2} {peak.target[:name]:<{name}}{last}"
+        return "warn" if odd else "text", f"{peak.number:>2} {pad(cut(peak.target, name), name)}{last}"
 
     def foot(self, now: CalibrateNow) -> str:
         """Say when and how the chosen one was found."""
@@ -190,7 +191,7 @@ class SetsPane(ListPane, can_focus=True):
         last = f"{offsets} {maybe(entry.rms_deg):>6}"
         name = max(width - len(last) - 3, 6)
         sign = "●" if kept.in_force else " "
-        return "good" if kept.in_force else "text", f"{sign} {entry.name[:name]:<{name}}{last}"
+        return "good" if kept.in_force else "text", f"{sign} {pad(cut(entry.name, name), name)}{last}"
 
 
 def error_text(value: float) -> str:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import textwrap
 from typing import TYPE_CHECKING
 
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import wrap
 
 if TYPE_CHECKING:
     from birdcage.calibration.fit import Fit
@@ -100,7 +100,7 @@ def put_wrapped(cells: Cells, y: int, words: str, ink: str, *, x: int = 1, width
     if room <= 0 or not words:
         return y
     wide = max((cells.width - x - 1) if width is None else width, 10)
-    for line in textwrap.wrap(words, wide, max_lines=room, placeholder=" …"):
+    for line in wrap(words, wide, most=room):
         cells.put(x, y, line, ink)
         y += 1
     return y

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import textwrap
-
 from rich.style import Style
 
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import pad, wrap
 from birdcage_tui.commands import BY_NAME
 from birdcage_tui.pane import Pane
 from birdcage_tui.themes import DEFAULT, LOOKS
@@ -61,11 +60,7 @@ class HintLine(Pane):
 
     def lines(self, width: int) -> list[tuple[str, str]]:
         """Return the wrapped rows and their inks, one at least."""
-        rows = [
-            (row, ink)
-            for words, ink in self.says
-            for row in textwrap.wrap(words, max(width - 2, 10), max_lines=LONGEST_HINT, placeholder=" …")
-        ]
+        rows = [(row, ink) for words, ink in self.says for row in wrap(words, max(width - 2, 10), most=LONGEST_HINT)]
         return rows or [("", self.INK)]
 
     def show(self, view: View) -> None:
@@ -79,7 +74,7 @@ class HintLine(Pane):
         """Write the words, in colour over the whole width when they warn."""
         rows = self.lines(cells.width)
         for y, (row, ink) in enumerate(rows):
-            cells.put(0, y, f" {row}".ljust(cells.width), ink)
+            cells.put(0, y, pad(f" {row}", cells.width), ink)
             self.heat(0, y, cells.width, "console-type")
 
 

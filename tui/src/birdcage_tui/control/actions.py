@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import cut
 from birdcage_tui.commands import BY_NAME
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
 
 BUTTONS = (("home", "home"), ("engage", "engage"), ("release-motors", "release"), ("stow", "stow"))
-
-
-def cut(words: str, width: int) -> str:
-    """Return the words, with an ellipsis where they are longer than `width`."""
-    return words if len(words) <= width else words[: max(width - 1, 0)] + "…"
 
 
 def speeds_text(view: View) -> str:

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import textwrap
-
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import cut, wrap
 from birdcage_tui.commands.table import can_move
-from birdcage_tui.control.actions import cut
 from birdcage_tui.pane import Pane
 from birdcage_tui.stop_words import esc_text
 from birdcage_tui.view import View
@@ -53,12 +51,12 @@ class LogPane(Pane):
         """Write as many as there is room for."""
         earlier = view.told[:-1] if view.note else view.told
         if not earlier:
-            for y, row in enumerate(textwrap.wrap(EMPTY, max(cells.width - 2, 10))):
+            for y, row in enumerate(wrap(EMPTY, max(cells.width - 2, 10))):
                 cells.put(1, y, row, "dim")
         y = 0
         for told in reversed(earlier):
             cells.put(1, y, f"{told.utc:%H:%M:%S}Z", "dim")
-            for row in textwrap.wrap(told.words, max(cells.width - TIME - 2, 10)):
+            for row in wrap(told.words, max(cells.width - TIME - 2, 10)):
                 cells.put(1 + TIME, y, row, "text")
                 y += 1
             if y >= cells.height:

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import textwrap
-
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import wrap
 from birdcage_tui.pane import Pane
 from birdcage_tui.track.pursuing import pursuit_of
 from birdcage_tui.view import YOU, View
@@ -67,7 +66,7 @@ class NetworkPane(Pane):
     @staticmethod
     def _row(cells: Cells, y: int, label: str, words: str, ink: str, label_ink: str = "dim") -> int:
         cells.put(1, y, label, label_ink)
-        for line in textwrap.wrap(words, max(cells.width - 18, 10)):
+        for line in wrap(words, max(cells.width - 18, 10)):
             cells.put(17, y, line, ink)
             y += 1
         return y

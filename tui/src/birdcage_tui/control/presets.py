@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import textwrap
+from collections.abc import Sequence
 from typing import cast
 
 from birdcage.base.presets import Preset
@@ -13,6 +13,7 @@ from textual.geometry import Region
 from textual.widgets import Input
 
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import cell_len, cut, elide, pad, wrap
 from birdcage_tui.commands import BY_NAME
 from birdcage_tui.esc_field import EscField
 from birdcage_tui.host import Host
@@ -22,6 +23,8 @@ from birdcage_tui.view import View
 
 KEYS = (("preset-go", "go"), ("preset-add", "add"), ("preset-edit", "edit"), ("preset-delete", "del"),
         ("preset-filter", "find"), ("preset-undo", "undo"))  # fmt: skip
+LEAST_NAME, LEAST_NOTE = 4, 6
+"""Columns that a name gets at least, and from which on a note is worth showing."""
 EMPTY = "No direction has a name yet. Press a to save the current direction."
 
 
@@ -85,23 +88,22 @@ class PresetsPane(Pane, can_focus=True):
             self._words(cells, 0, f'No name or note has "{self.filter}" in it. / changes that.', "dim", bottom)
         room = max(bottom - y, 0)
         self._top = min(max(self._top, self.cursor - room + 1), self.cursor)
-        for index, preset in list(enumerate(shown))[self._top : self._top + room]:
-            self._row(cells, y, index, preset)
+        for index in range(len(shown))[self._top : self._top + room]:
+            self._row(cells, y, shown, index)
             y += 1
 
-    def _row(self, cells: Cells, y: int, index: int, preset: Preset) -> None:
-        here = index == self.cursor
+    def _row(self, cells: Cells, y: int, shown: Sequence[Preset], index: int) -> None:
+        preset, here = shown[index], index == self.cursor
         ink = "accent-row" if here and self.has_focus else "text"
         angles = f"{preset.az_deg:6.2f}° {preset.el_deg:5.2f}°"
-        if cells.width < 30:
+        longest = max(cell_len(each.name) for each in shown)
+        if cells.width - len(angles) - 4 < longest:  # the whole name counts for more than a tenth of a degree
             angles = f"{preset.az_deg:3.0f}° {preset.el_deg:2.0f}°"
-        name_width = max(min(cells.width - len(angles) - 4, 20), 4)
-        name = preset.name if len(preset.name) <= name_width else preset.name[: name_width - 1] + "…"
+        name_width = max(min(cells.width - len(angles) - 4, longest), LEAST_NAME)
         note_width = cells.width - name_width - len(angles) - 6
-        note = preset.note if note_width >= 6 else ""
-        note = note if len(note) <= note_width else note[: max(note_width - 1, 0)] + "…"
-        line = f"{'▶' if here else ' '} {name:<{name_width}} {angles}  {note}"
-        cells.put(0, y, line.ljust(cells.width)[: cells.width], ink)
+        note = cut(preset.note, note_width) if note_width >= LEAST_NOTE else ""
+        line = f"{'▶' if here else ' '} {pad(elide(preset.name, name_width), name_width)} {angles}  {note}"
+        cells.put(0, y, pad(line, cells.width), ink)
         if ink == "text":
             cells.put(0, y, line[:1], "accent-strong")
             cells.put(2 + name_width + 1 + len(angles) + 2, y, note, "dim")
@@ -132,7 +134,7 @@ class PresetsPane(Pane, can_focus=True):
 
     @staticmethod
     def _wrapped(cells: Cells, words: str, rows: int) -> list[str]:
-        return textwrap.wrap(words, max(cells.width - 2, 10), max_lines=rows, placeholder=" …")
+        return wrap(words, max(cells.width - 2, 10), most=rows)
 
     def _words(self, cells: Cells, y: int, words: str, ink: str, rows: int) -> int:
         if rows <= 0:

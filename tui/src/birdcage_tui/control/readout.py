@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import textwrap
-
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import wrap
 from birdcage_tui.digits import angle_text, put_big, width_of
 from birdcage_tui.goto_text import wind_of
 from birdcage_tui.pane import Pane
@@ -85,5 +84,5 @@ class ReadoutPane(Pane):
         left = 0 if cells.width < 30 else 1
         ink = "dim" if view.waiting else "warn" if not view.link_up else "accent-strong" if view.moving else "text"
         cells.put(left, y, motion_text(view)[: cells.width - left], ink)
-        for row, words in enumerate(textwrap.wrap(stop_text(view), cells.width - left), y + 1):
+        for row, words in enumerate(wrap(stop_text(view), cells.width - left), y + 1):
             cells.put(left, row, words, "text" if view.moving else "dim")

@@ -10,6 +10,7 @@ from birdcage.station.turning import cable_limits
 from textual import events
 
 from birdcage_tui.canvas import Braille, Cells
+from birdcage_tui.cell_text import cell_len
 from birdcage_tui.control.compass import Compass
 from birdcage_tui.control.horizon_draw import draw_skyline
 from birdcage_tui.control.needle import draw_needle
@@ -142,8 +143,8 @@ class RosePane(Pane, can_focus=True):
             limit = f"below {below:.0f}°"
             for words in (f"{reason} {limit}".strip(), reason, limit):
                 places = [compass.cell(middle, part) for part in (0.5, 0.42, 0.34)] if words else []
-                starts = [(x - len(words) // 2, y) for x, y in places]
-                spot = next(((x, y) for x, y in starts if cells.free(x - 1, y, len(words) + 2, *QUIET)), None)
+                starts = [(x - cell_len(words) // 2, y) for x, y in places]
+                spot = next(((x, y) for x, y in starts if cells.free(x - 1, y, cell_len(words) + 2, *QUIET)), None)
                 if spot is not None:
                     cells.put(*spot, words, "warn")
                     break
@@ -179,7 +180,7 @@ class RosePane(Pane, can_focus=True):
         if position.modelled:
             cells.put(0, 0, "modelled", "text")
         named = next((p.name for p in view.presets if abs(shortest_turn(p.az_deg, position.az_deg)) < 0.5), "")
-        if named and cells.free(cells.width - len(named) - 1, 0, len(named) + 1, *QUIET):
+        if named and cells.free(cells.width - cell_len(named) - 1, 0, cell_len(named) + 1, *QUIET):
             cells.right(cells.width, 0, named, "target")
 
     def on_click(self, event: events.Click) -> None:

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import textwrap
-
 from textual.app import ComposeResult
 
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import wrap
 from birdcage_tui.commands import PAGES
 from birdcage_tui.pages.page import Page
 from birdcage_tui.pane import Pane
@@ -64,12 +63,12 @@ class PlainWords(Pane):
         y += 5
         cells.put(x, y, "This page is not built yet. It will have:", "warn")
         for sentence in WILL[self._name_of_page]:
-            for index, line in enumerate(textwrap.wrap(sentence, width - 4)):
+            for index, line in enumerate(wrap(sentence, width - 4)):
                 y += 1
                 cells.put(x + 2, y, f"{'·' if not index else ' '} {line}", "text")
         y += 2
         meanwhile = MEANWHILE.get(self._name_of_page, "Until then: the dashboard (1) shows the dish.")
-        for index, line in enumerate(textwrap.wrap(meanwhile, width)):
+        for index, line in enumerate(wrap(meanwhile, width)):
             cells.put(x, y + index, line, "dim")
 
 

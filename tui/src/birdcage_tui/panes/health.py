@@ -5,6 +5,7 @@ from __future__ import annotations
 from birdcage.station.state import Link, StationState
 
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import cell_len, cut
 from birdcage_tui.commands.everywhere import can_end_search
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
@@ -48,8 +49,8 @@ class HealthPane(Pane):
             cells.put(x + 3, y, name, "dim")
             room = max(width - 14, 0)
             values = _feed(view.state) if name == "feed" else (value,)
-            fitting = next((words for words in values if len(words) <= room), values[-1])
-            cells.put(x + 13, y, fitting[:room], "text")
+            fitting = next((words for words in values if cell_len(words) <= room), values[-1])
+            cells.put(x + 13, y, cut(fitting, room), "text")
 
     @staticmethod
     def facts(view: View) -> list[tuple[tuple[str, str], str, str]]:

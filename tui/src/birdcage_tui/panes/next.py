@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import textwrap
-
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import wrap
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.sky_next import draw_next, next_rows, troubled
 from birdcage_tui.view import View
@@ -13,7 +12,7 @@ from birdcage_tui.words import next_steps
 
 def _wrapped(words: str, width: int) -> list[str]:
     """Return rows no wider than `width`; a number keeps its unit."""
-    rows = textwrap.wrap(words.replace("12 V", "12\N{NO-BREAK SPACE}V"), width)
+    rows = wrap(words.replace("12 V", "12\N{NO-BREAK SPACE}V"), width)
     return [row.replace("\N{NO-BREAK SPACE}", " ") for row in rows]
 
 

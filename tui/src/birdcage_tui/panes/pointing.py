@@ -5,9 +5,9 @@ from __future__ import annotations
 from birdcage.station.known import Turn
 
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import cut, fit, pad
 from birdcage_tui.digits import angle_text, put_big, width_of
 from birdcage_tui.pane import Pane
-from birdcage_tui.passes.words import fit
 from birdcage_tui.skew import has_skew, skew_row
 from birdcage_tui.stop_words import stop_text
 from birdcage_tui.track.pursuing import pursuit_of
@@ -79,10 +79,10 @@ class PointingPane(Pane):
             skew_row(cells, 1, y, view)
             y += 1
         y += air if cells.height >= y + air + 4 else 0
-        cells.put(1, y, motion_text(view)[: cells.width - 2], motion_ink(view))
+        cells.put(1, y, cut(motion_text(view), cells.width - 2), motion_ink(view))
         if not self._pursuit(cells, y, view):
             self._bar(cells, y + 1, view)
-        cells.put(1, y + 2, stop_text(view)[: cells.width - 2], "text" if view.moving else "dim")
+        cells.put(1, y + 2, cut(stop_text(view), cells.width - 2), "text" if view.moving else "dim")
         cable_gauge(cells, min(y + 3 + air, cells.height - 1), view)
 
     @staticmethod
@@ -131,9 +131,9 @@ class PointingPane(Pane):
             return False
         name, error = headline(view) or "", live_words(view)
         if error:
-            cells.put(1, y, fit(name, cells.width - 4 - len(error)).ljust(cells.width - 2), "accent-strong")
+            cells.put(1, y, pad(fit(name, cells.width - 4 - len(error)), cells.width - 2), "accent-strong")
             cells.right(cells.width - 1, y, error, "accent-strong")
-        x = cells.put(1, y + 1, next_words(view)[: cells.width - 2], "text")
+        x = cells.put(1, y + 1, cut(next_words(view), cells.width - 2), "text")
         los = los_words(pursuit.plan)
         if x + len(los) + 3 <= cells.width:
             cells.right(cells.width - 1, y + 1, los, "dim")

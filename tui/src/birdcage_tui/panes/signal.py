@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import itertools
-import textwrap
 
 from birdcage.station.pursuit import Phase
 
 from birdcage_tui.canvas import Braille, Cells
+from birdcage_tui.cell_text import wrap
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import STALE_S, Sample, View
 from birdcage_tui.words import age_text
@@ -104,7 +104,7 @@ class SignalPane(Pane):
             words = ("Nothing heard yet.", "The tuner is read once the dish answers.")
         else:
             words = ("Nothing heard yet.", "The tuner is read while the dish rests.")
-        for row, line in enumerate(textwrap.wrap(" ".join(words), max(cells.width - 2, 10))):
+        for row, line in enumerate(wrap(" ".join(words), max(cells.width - 2, 10))):
             cells.put(1, row, line, "dim")
 
 

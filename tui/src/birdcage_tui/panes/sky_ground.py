@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from birdcage.sky.geostationary import arc
 
 from birdcage_tui.canvas import Braille, Cells
+from birdcage_tui.cell_text import cell_len
 from birdcage_tui.panes.polar import Polar
 from birdcage_tui.view import View
 
@@ -118,7 +119,7 @@ def label(cells: Cells, names: tuple[str, ...], x: int, y: int, off: int, ink: s
     `off`: how many columns right of the middle the mark stands. Return whether one was written.
     """
     for name in names:
-        length = len(name)
+        length = cell_len(name)
         beside = x + 2 if off >= 0 else x - 1 - length
         below = x - length // 2
         if abs(off) > 8:

@@ -6,7 +6,8 @@ import heapq
 from typing import TYPE_CHECKING
 
 from birdcage_tui.canvas import Cells
-from birdcage_tui.passes.words import count_text, fit, length_text
+from birdcage_tui.cell_text import fit
+from birdcage_tui.passes.words import count_text, length_text
 from birdcage_tui.view import View
 
 if TYPE_CHECKING:

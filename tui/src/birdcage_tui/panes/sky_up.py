@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from birdcage_tui.canvas import Braille, Cells
+from birdcage_tui.cell_text import fit
 from birdcage_tui.panes.polar import Polar
 from birdcage_tui.panes.sky_ground import QUIET, label
-from birdcage_tui.passes.words import fit
 from birdcage_tui.view import View
 
 OVER = (*QUIET, "target", "accent", "text")

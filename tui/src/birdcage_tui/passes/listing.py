@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-import textwrap
 from typing import cast
 
 from textual import events
 
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import fit, wrap
 from birdcage_tui.host import Host
 from birdcage_tui.pane import Pane
 from birdcage_tui.passes.desk import Desk
 from birdcage_tui.passes.empty import GET_ELEMENTS, empty_words
 from birdcage_tui.passes.model import Row
 from birdcage_tui.passes.spark import Sparks
-from birdcage_tui.passes.words import count_text, fit, reach_sign, reach_text, reasons_text
+from birdcage_tui.passes.words import count_text, reach_sign, reach_text, reasons_text
 from birdcage_tui.view import View
 
 LEAST_NAME, MOST_NAME = 10, 24
@@ -56,7 +56,7 @@ class PassList(Pane, can_focus=True):
         if not rows:
             y = 0
             for ink, sentence in empty_words(view, self._desk):
-                for line in textwrap.wrap(sentence, max(cells.width - 2, 10)):
+                for line in wrap(sentence, max(cells.width - 2, 10)):
                     cells.put(1, y, line, ink)
                     y += 1
                 y += 1
@@ -77,7 +77,7 @@ class PassList(Pane, can_focus=True):
         if not note:
             return 0
         words = f"▲ {note} {GET_ELEMENTS}"
-        lines = textwrap.wrap(words, max(cells.width - 2, 10), max_lines=6, placeholder=" …")
+        lines = wrap(words, max(cells.width - 2, 10), most=6)
         for y, line in enumerate(lines, cells.height - len(lines)):
             cells.put(1, y, line, "warn")
         return len(lines)

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import textwrap
-
 from textual.geometry import Size
 
 from birdcage_tui.canvas import Braille, Cells
+from birdcage_tui.cell_text import cell_len, cut, wrap
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.polar import Polar
 from birdcage_tui.panes.sky_ground import QUIET, Ground, rim
@@ -69,7 +68,7 @@ class PassSky(Pane):
             lines += _losses(row, edges=False)
             lines += [*self._more(row, view, width, cells.height - y - len(lines)), *_losses(row, edges=True)]
         for ink, words in lines[: cells.height - y]:
-            cells.put(x, y, words[:width], ink)
+            cells.put(x, y, cut(words, width), ink)
             y += 1
 
     def _more(self, row: Row, view: View, width: int, room: int) -> list[tuple[str, str]]:
@@ -81,7 +80,7 @@ class PassSky(Pane):
             lines = [
                 (ink, each)
                 for ink, words in brief(row, view.state.beam, signal=signal)
-                for each in textwrap.wrap(words, width, subsequent_indent="  ")
+                for each in wrap(words, width, indent="  ")
             ]
             if len(lines) <= room:
                 return lines
@@ -145,7 +144,7 @@ def _who(row: Row, t_s: float, width: int) -> list[tuple[str, str]]:
     number = f"  {row.norad_id}" if row.norad_id else ""
     event = row.next_event(t_s)
     words = "stays up" if event is None else f"{EVENT_WORDS[event[1]]} in {count_text(event[0] - t_s)}"
-    return [("strong", f"{name}{number}" if len(name + number) <= width else name), ("target", words)]
+    return [("strong", f"{name}{number}" if cell_len(name + number) <= width else name), ("target", words)]
 
 
 def _held(row: Row) -> str:
@@ -184,10 +183,10 @@ def _tall(row: Row, t_s: float, width: int, moment: str) -> list[tuple[str, str]
     if row.reach is not None:
         lines += [("text", f"  {clock_text(start)} to {clock_text(end)}") for start, end in row.reach.intervals[:3]]
     if row.age is not None:
-        told = textwrap.wrap(f"{row.age.glyph} elements {row.age.words}", width, subsequent_indent="  ")
+        told = wrap(f"{row.age.glyph} elements {row.age.words}", width, indent="  ")
         lines += [(row.age.ink, each) for each in told]
     if row.hears:
-        lines += [("text", each) for each in textwrap.wrap(f"sends {row.hears}", width, subsequent_indent="  ")]
+        lines += [("text", each) for each in wrap(f"sends {row.hears}", width, indent="  ")]
     return lines
 
 

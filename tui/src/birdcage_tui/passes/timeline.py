@@ -8,10 +8,11 @@ from textual import events
 from textual.message import Message
 
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import fit
 from birdcage_tui.pane import Pane
 from birdcage_tui.passes.desk import Desk
 from birdcage_tui.passes.model import Row
-from birdcage_tui.passes.words import clock_text, fit
+from birdcage_tui.passes.words import clock_text
 from birdcage_tui.view import View
 
 NAME, WIDE_NAME = 14, 20

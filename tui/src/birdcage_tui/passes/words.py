@@ -14,13 +14,6 @@ EVENT_WORDS = {"AOS": "rises", "reach": "in reach", "out": "out of reach", "LOS"
 """What the words of `Row.events` count to, spelt out."""
 
 
-def fit(name: str, width: int) -> str:
-    """Return a name in so many columns: what stands in brackets goes first, then the end."""
-    if len(name) > width:
-        name = name.partition(" (")[0]
-    return name if len(name) <= width else f"{name[: max(width - 1, 0)]}…"
-
-
 def count_text(span_s: float) -> str:
     """Return a countdown in seven columns or fewer: `03:20`, from an hour on `2 h 05`, from a day on `3 d 4h`."""
     minutes, seconds = divmod(int(max(span_s, 0.0)), 60)

@@ -7,6 +7,7 @@ from birdcage.sky.world import Ground, WorldView
 from textual import events
 
 from birdcage_tui.canvas import Braille, Cells
+from birdcage_tui.cell_text import cell_len, elide
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.sky_ground import QUIET
 from birdcage_tui.passes.world_map_chart import Chart, Layers
@@ -140,14 +141,13 @@ def _name(
 
     `rows`: 3 for a name that may also stand a row above or below, 1 for one that then would be taken for another's.
     """
-    if len(name) > LONGEST:
-        name = name[: LONGEST - 1] + "…"
-    sides = (x + 2, x - 1 - len(name))
+    name = elide(name, LONGEST)
+    sides = (x + 2, x - 1 - cell_len(name))
     for inks in over:
         for start in sides if x < left + chart.width // 2 else sides[::-1]:
             for row in (y, y - 1, y + 1)[:rows]:
-                inside = left <= start <= left + chart.width - len(name)
-                begin, end = max(start - 1, 0), min(start + len(name) + 1, cells.width)
+                inside = left <= start <= left + chart.width - cell_len(name)
+                begin, end = max(start - 1, 0), min(start + cell_len(name) + 1, cells.width)
                 if inside and cells.free(begin, row, end - begin, *inks):
                     cells.put(start, row, name, ink)
                     return

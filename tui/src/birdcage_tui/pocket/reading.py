@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import textwrap
-
 from textual.geometry import Region
 
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import fit, pad, wrap
 from birdcage_tui.commands.table import can_home, can_release
 from birdcage_tui.digits import angle_text, put_big, width_of
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.pointing import cable_gauge, motion_ink
-from birdcage_tui.passes.words import fit
 from birdcage_tui.skew import has_skew, skew_row, skew_text
 from birdcage_tui.stop_words import stop_text
 from birdcage_tui.track.pursuing import pursuit_of
@@ -31,7 +29,7 @@ def wrong_rows(view: View, width: int) -> tuple[str, list[str]]:
     if found is None:
         return "text", []
     ink, words = found
-    rows = textwrap.wrap(words.replace("Enter ", "Enter\N{NO-BREAK SPACE}"), max(width - 2, 8))
+    rows = wrap(words.replace("Enter ", "Enter\N{NO-BREAK SPACE}"), max(width - 2, 8))
     return ink, [row.replace("\N{NO-BREAK SPACE}", " ") for row in rows]
 
 
@@ -105,7 +103,7 @@ class PocketReading(Pane):
         if command is not None and rows:
             self.hot.append((Region(0, y, cells.width, len(rows)), command))
         for row in rows:
-            cells.put(0, y, f" {row}".ljust(cells.width), ink)
+            cells.put(0, y, pad(f" {row}", cells.width), ink)
             y += 1
         return y
 

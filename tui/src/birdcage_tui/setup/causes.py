@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import textwrap
 from collections.abc import Sequence
 
 from birdcage.setup.case import Cause
 from birdcage.setup.step import StepView
 
-from birdcage_tui.setup.fold import cut
+from birdcage_tui.cell_text import cut, wrap
 from birdcage_tui.setup.wiring import Line
 
 
@@ -23,7 +22,7 @@ def seen_lines(seen: str, width: int) -> list[Line]:
     """Return what was seen at each baud rate."""
     if not seen:
         return [(("dim", cut("Only this speed was listened to so far.", width)),)]
-    return [(("accent", row),) for row in textwrap.wrap(seen, max(width, 20))]
+    return [(("accent", row),) for row in wrap(seen, max(width, 20))]
 
 
 def cause_lines(causes: Sequence[Cause], chosen: int, width: int, room: int) -> list[Line]:
@@ -60,8 +59,8 @@ def _title(number: int, cause: Cause, count: int, *, here: bool) -> Line:
 
 
 def _block(cause: Cause, width: int) -> list[Line]:
-    why = [(("dim", f"    {row}"),) for row in textwrap.wrap(cause.why, max(width - 4, 20))]
-    rows = textwrap.wrap(cause.what_to_do.replace("`birdcage wiring` draws the plug.", "w draws the plug."),
+    why = [(("dim", f"    {row}"),) for row in wrap(cause.why, max(width - 4, 20))]
+    rows = wrap(cause.what_to_do.replace("`birdcage wiring` draws the plug.", "w draws the plug."),
                          max(width - 6, 20))  # fmt: skip
     todo = [(("accent", "  → " if not index else "    "), ("text", row)) for index, row in enumerate(rows)]
     return [*why, *todo]

@@ -58,8 +58,3 @@ def folded_text(steps: Sequence[StepView]) -> str:
 def glyph_of(step: StepView, *, present: bool) -> tuple[str, str]:
     """Return the mark of a step and its ink; the present one keeps ✕ when it failed."""
     return PRESENT if present and step.mark is not Mark.FAILED else GLYPHS[step.mark]
-
-
-def cut(text: str, width: int) -> str:
-    """Return `text`, with an ellipsis where it was too long."""
-    return text if len(text) <= width else text[: max(width - 1, 0)] + "…"

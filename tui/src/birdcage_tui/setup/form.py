@@ -13,8 +13,8 @@ from textual.widget import Widget
 from textual.widgets import Input, Label
 
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import cut
 from birdcage_tui.pane import Pane
-from birdcage_tui.setup.fold import cut
 from birdcage_tui.view import View
 
 MOVES = "▲ moves the dish"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import textwrap
 from collections.abc import Sequence
 
 from birdcage.setup.step import Mark, StepView
@@ -10,8 +9,9 @@ from textual import events
 from textual.message import Message
 
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import cut, wrap
 from birdcage_tui.pane import Pane
-from birdcage_tui.setup.fold import Row, cut, folded_text, glyph_of
+from birdcage_tui.setup.fold import Row, folded_text, glyph_of
 from birdcage_tui.view import View
 
 TITLE_WIDTH = 15
@@ -74,8 +74,7 @@ class StepsPane(Pane):
             return None
         for most in (3, 2, 1):
             blocks = [
-                textwrap.wrap(self._words(self._steps[row.first]), max(width - 8, 10), max_lines=most,
-                              placeholder=" …") for row in self._rows
+                wrap(self._words(self._steps[row.first]), max(width - 8, 10), most=most) for row in self._rows
             ]  # fmt: skip
             if sum(1 + len(block) for block in blocks) <= height:
                 return blocks

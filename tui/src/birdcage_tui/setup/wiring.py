@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import textwrap
 from collections.abc import Sequence
 
 from birdcage.setup.wiring import CAUTIONS, CONNECTORS, SYMPTOMS, Connector, Pin
+
+from birdcage_tui.cell_text import wrap
 
 Line = tuple[tuple[str, str], ...]
 """One row, as (ink, text) from the left."""
@@ -80,7 +81,7 @@ def _item(text: str, width: int) -> list[Line]:
 
 
 def _wrap(text: str, width: int) -> list[str]:
-    return textwrap.wrap(text, max(width, 20)) or [""]
+    return wrap(text, max(width, 20)) or [""]
 
 
 def _blank() -> Line:

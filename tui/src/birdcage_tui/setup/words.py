@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import textwrap
 from dataclasses import dataclass
 
 from birdcage.setup.step import Mark, StepView
 
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import wrap
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
 from birdcage_tui.words import span_text
@@ -41,7 +41,7 @@ class Telling:
         found: list[tuple[str, str]] = []
 
         def say(ink: str, words: str) -> None:
-            found.extend((ink, line) for line in textwrap.wrap(words, max(width, 10)))
+            found.extend((ink, line) for line in wrap(words, max(width, 10)))
 
         if self.whole and step.evidence:
             say({Mark.FAILED: "fault", Mark.DONE: "good"}.get(step.mark, "dim"), step.evidence)

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import textwrap
 from dataclasses import dataclass
 from typing import cast
 
 from textual import events
 
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import fit, wrap
 from birdcage_tui.host import Host
 from birdcage_tui.pane import Pane
-from birdcage_tui.passes.words import fit
 from birdcage_tui.view import View
 
 MOST_UP = 40
@@ -87,7 +86,7 @@ class FoundList(Pane):
             note = "" if view.track is None else view.track.found_note or EMPTY
             words = "The pursuit desk opens …" if view.track is None else note if view.track.query.strip() else \
                 "No favourite is marked, and nothing is up: / searches. On page 7, * marks favourites."  # fmt: skip
-            for y, line in enumerate(textwrap.wrap(words, max(cells.width - 2, 10))):
+            for y, line in enumerate(wrap(words, max(cells.width - 2, 10))):
                 cells.put(1, y, line, "dim")
             return
         self.cursor = min(self.cursor, len(rows) - 1)
@@ -107,7 +106,7 @@ class FoundList(Pane):
     def _note(self, cells: Cells, view: View) -> int:
         """Say above the rows why none of them is what was typed; return how many rows that takes."""
         note = "" if view.track is None else view.track.found_note
-        lines = textwrap.wrap(note, max(cells.width - 2, 10))[: max(cells.height - 1, 0)]
+        lines = wrap(note, max(cells.width - 2, 10))[: max(cells.height - 1, 0)]
         for y, line in enumerate(lines):
             cells.put(1, y, line, "warn")
         self._above = len(lines)

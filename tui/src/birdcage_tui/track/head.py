@@ -5,9 +5,9 @@ from __future__ import annotations
 from birdcage.pursuit.now import Mode
 
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import cell_len, fit
 from birdcage_tui.commands import BY_NAME
 from birdcage_tui.pane import Pane
-from birdcage_tui.passes.words import fit
 from birdcage_tui.track.pursuing import plan_of, pursuit_of, shown_is_followed
 from birdcage_tui.track.words import expected_words, offset_words, pass_words, reach_words
 from birdcage_tui.view import View
@@ -33,7 +33,7 @@ class TrackHead(Pane):
             words = pass_words(plan)
             number = f"  {plan.aim.norad_id}" if plan.aim.norad_id else ""
             room = cells.width - len(words) - 4
-            name = plan.aim.name if len(plan.aim.name) + len(number) > room else plan.aim.name + number
+            name = plan.aim.name if cell_len(plan.aim.name) + len(number) > room else plan.aim.name + number
             x = cells.put(1, 0, fit(name, max(room, 8)), "target-strong")
             cells.put(x + 2, 0, words, "text")
             ink, shapes = expected_words(plan)

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import textwrap
 from typing import TYPE_CHECKING
 
 from birdcage.station.pursuit import Phase
 
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import fit, wrap
 from birdcage_tui.digits import put_big, width_of
 from birdcage_tui.pane import Pane
-from birdcage_tui.passes.words import count_text, fit
+from birdcage_tui.passes.words import count_text
 from birdcage_tui.track.bullseye import draw_bullseye
 from birdcage_tui.track.pursuing import plan_of, pursuit_of, same_target, sample_of, shown_is_followed, target_place
 from birdcage_tui.track.words import (
@@ -57,7 +57,7 @@ class TrackNow(Pane):
                 width -= side + 2
         lines = self.lines(view, width, big=y > 0)
         for ink, words in lines:
-            for row in textwrap.wrap(words, max(width, 10)):
+            for row in wrap(words, max(width, 10)):
                 if y < cells.height:
                     cells.put(1, y, row, ink)
                     y += 1

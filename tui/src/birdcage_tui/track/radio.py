@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import textwrap
-
 from birdcage.radio.now import RadioNow, RadioState
 from birdcage.sky.downlinks_age import is_doubtful
 from birdcage.sky.downlinks_words import air_words, satdump_words, signal_words
 
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import cut, fit, wrap
 from birdcage_tui.pane import Pane
-from birdcage_tui.passes.words import fit
 from birdcage_tui.track.pursuing import plan_of
 from birdcage_tui.view import View
 
@@ -68,7 +66,7 @@ class RadioPane(Pane):
             if radio.recording is not None:
                 facts.append(("recording", "told to begin" if radio.recording else "no"))
         told = "dim" if not radio.address else "warn" if radio.state is RadioState.TUNED else ink
-        sentence = textwrap.wrap(radio.sentence or ("" if radio.address else UNSET), max(cells.width - 2, 10))
+        sentence = wrap(radio.sentence or ("" if radio.address else UNSET), max(cells.width - 2, 10))
         sent = sent_facts(view)
         aside = y + len(facts) + len(sentence) + len(sent) > cells.height and cells.width >= TWO_COLUMNS
         width = cells.width // 2 if aside else cells.width
@@ -89,6 +87,6 @@ def _write(cells: Cells, y: int, width: int, facts: list[tuple[str, str]]) -> in
     """Write names and values below each other, as far as there is room; return the row behind them."""
     for name, value in facts[: max(cells.height - y, 0)]:
         cells.put(1, y, name, "dim")
-        cells.put(13, y, value[: max(width - 14, 0)], "text")
+        cells.put(13, y, cut(value, max(width - 14, 0)), "text")
         y += 1
     return y

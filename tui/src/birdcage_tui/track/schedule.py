@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import textwrap
-
 from birdcage.pursuit.now import Scheduled
 
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import fit, pad, wrap
 from birdcage_tui.pane import Pane
-from birdcage_tui.passes.words import clock_text, fit, length_text
+from birdcage_tui.passes.words import clock_text, length_text
 from birdcage_tui.view import View
 
 SPANS_S = (3600.0, 2 * 3600.0, 3 * 3600.0, 6 * 3600.0, 12 * 3600.0, 24 * 3600.0)
@@ -33,7 +32,7 @@ class SchedulePane(Pane):
         words = f"{kept} of {len(rows)} passes" if on else f"dry run: {kept} of {len(rows)} passes"
         cells.put(x, 0, words[: max(cells.width - x, 0)] if rows else "", "dim")
         if not rows:
-            for y, line in enumerate(textwrap.wrap(EMPTY, max(cells.width - 2, 10)), 1):
+            for y, line in enumerate(wrap(EMPTY, max(cells.width - 2, 10)), 1):
                 cells.put(1, y, line, "dim")
             return
         y = 1
@@ -69,5 +68,5 @@ class SchedulePane(Pane):
         room = 24 if cells.width >= 76 else min(max(cells.width - x - 10, 10), 16)
         name = fit(row.name.removeprefix("DEMO "), room)  # row 1 says that it is the demo
         ink = "target" if row.kept else "dim"
-        x = cells.put(x, y, f"{name:<{room}} {row.max_reach_elevation_deg:3.0f}°  ", ink)
+        x = cells.put(x, y, f"{pad(name, room)} {row.max_reach_elevation_deg:3.0f}°  ", ink)
         cells.put(x, y, fit(row.why, max(cells.width - x, 1)), "dim")
