@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from birdcage.base.config.sections import NoGoSector
 from birdcage.base.geometry import separation
 from birdcage.sim.wire import DROP, PASS
 from birdcage.station.pursuit import Phase
@@ -16,8 +17,8 @@ WAITS_S = 100.0
 GLIDES = {"controller": "velocity", "velocity_allowed": True}
 
 
-def following(address="g2?seed=1", *, seconds=12.0, **options):
-    bench = PursuitBench(address).connect()
+def following(address="g2?seed=1", *, seconds=12.0, settings=None, **options):
+    bench = PursuitBench(address, settings or {}).connect()
     start = at(bench) + WAITS_S
     bench.pursue(plan_of(start, lasts_s=90.0, az_rate=0.6, leave_s=start - 60.0), **(options or GLIDES))
     bench.until(Phase.FOLLOWING)
@@ -150,6 +151,18 @@ def test_after_the_link_was_lost_in_a_glide():
     bench.step(15.0)
     assert own_speeds(bench)
     bench.do(Release("you"))
+
+
+def test_a_sector_that_only_a_glide_would_meet_ends_nothing():
+    """Straight on from the beginning of the pass is the corner of a sector, over which the course climbs."""
+    bench = following(settings={"sectors": (NoGoSector(107.0, 112.0, 37.0),)}, seconds=0.0)
+    worst = 0.0
+    for _ in range(300):
+        bench.step(0.1)
+        worst = max(worst, error_deg(bench))
+    assert bench.pursuit.phase is Phase.FOLLOWING, bench.pursuit.why
+    assert worst < 0.4
+    assert speeds(bench) == pytest.approx([65.0, 45.0], abs=0.02), "it was not in the way"
 
 
 def lossy(bench, share, seed=1):

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
 import pytest
+from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.steering.fast import fast
 from birdcage.tracking.steering.velocity import velocity
@@ -113,6 +115,28 @@ def test_from_the_first_lost_answer_on_it_steps_at_the_speeds_of_the_dish(kind):
     assert limits == [{0: 65.0, 1: 45.0}]
     assert rig.speeds == {0: 65.0, 1: 45.0}
     assert len([at for at, _ in rig.sends(0) if at > 1030.0]) > 100, "it does not step"
+
+
+def test_it_has_its_own_speeds_when_the_leg_ends():
+    """A rewind may begin then, and go at them at once, whatever answer is lost before."""
+    for faults in (None, losing(1026.0, Limit)):
+        rig = waiting(straight(1.0, 0.2, seconds=35)).run(velocity, each=faults)
+        restored = [at for at, step in rig.steps if isinstance(step, Limit)][-1]
+        assert restored < 1035.0 - 3.0
+        assert rig.now < 1035.3
+
+
+def test_an_axis_that_never_rests_is_sent_as_far_as_its_overshoot_would_carry_it():
+    """The course of the motor counts on the overshoot of steps (decision 0035)."""
+    axes = (
+        replace(axis, mean_overshoot_up_deg=0.03, mean_overshoot_down_deg=0.04)
+        for axis in (CARRYOUT_G2.azimuth, CARRYOUT_G2.elevation)
+    )
+    model = replace(CARRYOUT_G2, **dict(zip(("azimuth", "elevation"), axes, strict=True)))
+    rig = waiting(straight(1.0, -0.3, seconds=40, el_deg=40.0), model=model).run(velocity)
+    times = np.arange(1010.0, 1034.0, 0.1)
+    ahead = [np.mean([rig.at(axis, t) - rig.course.at(t)[axis] for t in times]) for axis in (0, 1)]
+    assert ahead == pytest.approx([0.03, -0.04], abs=0.006)
 
 
 def test_an_answer_lost_while_it_waits_costs_nothing():

@@ -8,7 +8,7 @@ from concurrent.futures import Future
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import AxisMotion, DishMotion
-from birdcage.base.errors import BirdcageError, CommandRefused, NoReply, PositionUnknown, Stopped
+from birdcage.base.errors import BirdcageError, CommandRefused, MotionRefused, NoReply, PositionUnknown, Stopped
 from birdcage.base.geometry import shortest_turn
 from birdcage.station.board import Board
 from birdcage.station.look import Look
@@ -176,6 +176,10 @@ class Helmsman:
         sent_s = self.now_s
         try:
             self._antenna.steer(step.axis, deg)
+        except MotionRefused as refused:
+            if not step.beyond or refused.reason != "sector":
+                raise
+            return Answer(self.now_s)
         except (CommandRefused, NoReply) as error:
             self._bear(error)
             if error.reason == LATE and not elevation:

@@ -26,6 +26,8 @@ class Send:
     axis: int
     """Motor number."""
     deg: float
+    beyond: bool = False
+    """Whether it is further than the course goes soon: where a no-go sector is in the way, the answer is a lost one."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -33,7 +33,13 @@ class Glide:
         course = self._helm.course()
         at_deg = self.belief.at(acts_s)[0]
         next_s = min(acts_s + round_s, self._helm.until_s)
-        way, way_s = course.at(next_s)[self._column] - at_deg, max(next_s - acts_s, REST_S)
+        wanted_deg = course.at(next_s)[self._column]
+        turns_deg = wanted_deg - course.at(acts_s)[self._column]
+        if turns_deg:
+            # An axis that does not come to rest lacks the overshoot that the course of the motor counts on, or that
+            # stepping has against a play that nobody knows (decision 0035).
+            wanted_deg += math.copysign(self.axis.mean_overshoot_deg(turns_deg) or 0.0, turns_deg)
+        way, way_s = wanted_deg - at_deg, max(next_s - acts_s, REST_S)
         # The dish counts whole steps a second.
         steps_s = max(round(abs(way) / way_s / self.axis.step_deg), 1)
         self.speed_deg_s = min(steps_s * self.axis.step_deg, self.axis.speed_deg_s)

@@ -91,13 +91,17 @@ class Glider:
         return True
 
     def _glide(self) -> Activity:
-        """Glide at the speeds that are set, and then at better ones, until the leg ends or an answer is lost."""
+        """Glide at the speeds that are set, and then at better ones, until an answer is lost.
+
+        Or until shortly before the leg ends: a rewind may follow, for which the dish needs its own speeds.
+        """
         helm, pace = self._helm, self._pace
+        pause_s = 2.0 * helm.delay_s + LEAD_S
         look_s = helm.now_s + helm.look_every_s
         for glide in self._due:
             if not (yield from self._send(glide)):
                 return
-        while helm.now_s < helm.until_s:
+        while helm.now_s < helm.until_s - pause_s:
             if helm.now_s >= look_s:
                 if not (yield from self._look()):
                     return
@@ -151,7 +155,7 @@ class Glider:
 
     def _send(self, glide: Glide) -> Generator[Step, Answer, bool]:
         """Send an axis where it was planned; return whether the answer came in time."""
-        step = Send(glide.axis.index, glide.goal_deg)
+        step = Send(glide.axis.index, glide.goal_deg, beyond=True)
         answer = yield from self._do(step)
         # Where its answer is lost, the dish has most likely taken it all the same.
         glide.belief.send(glide.goal_deg, self._latency.measure(glide.axis.index, answer, 0.0))
