@@ -14,7 +14,7 @@ def no_ports(monkeypatch):
     monkeypatch.setattr("birdcage.link.ports.list_ports", refuse)
 
 
-@pytest.mark.parametrize("words", [(), ("g2",), ("travler",), ("pro",)])
+@pytest.mark.parametrize("words", [(), ("g2",), ("travler",), ("pro",), ("adapters",)])
 def test_it_prints_plain_text_of_80_columns(run, no_ports, words) -> None:
     result = run("wiring", *words, port="/dev/no-such-port")
     assert (result.exit_code, result.stderr) == (0, "")
@@ -41,3 +41,14 @@ def test_an_unknown_plug_is_refused_by_name(run) -> None:
     result = run("wiring", "kvh")
     assert result.exit_code == 2
     assert "travler" in result.stderr
+
+
+def test_adapters_have_a_section_of_their_own_that_each_plug_names(run, as_json) -> None:
+    text = run("wiring", "adapters").stdout
+    assert "SH-U11" in text
+    assert "T/R-" not in text
+    assert "`birdcage wiring adapters`" in run("wiring", "travler").stdout
+    told = as_json(run("wiring", "adapters", "--json"))
+    assert told["plugs"] == []
+    assert any("DTECH" in each["name"] for each in told["adapters"])
+    assert any("560 ohm" in each for each in told["lines"])

@@ -1,6 +1,7 @@
 """The eleven steps with a Trav'ler: what it does by itself, what only lasts until power-up, where its limits are."""
 
 import pytest
+from birdcage.setup.engine import clear_question
 from birdcage.setup.step import NoSuchChoice
 from birdcage.station.state import Link, Search
 
@@ -101,3 +102,33 @@ def test_a_dish_that_answers_as_another_is_not_called_mute(build):
     assert house.setup.causes() == ()
     enter = next(each for each in step.choices if each.key == "enter")
     assert enter.name == "firmware-hal205"
+
+
+CLEARANCE = "Nothing taller than 8 in (20 cm) may stand within 32.5 in (83 cm) of the centre of its base."
+
+
+def test_before_it_homes_by_its_power_its_papers_say_what_to_clear_and_to_fix(build):
+    words = " ".join(build("hal205?seed=1&boot=1&boot_home_s=600").view("home").words)
+    assert CLEARANCE in words
+    assert "45 lb (20 kg): fix its base" in words
+
+
+def test_before_the_first_motion_its_clearance_is_asked_for(travler):
+    assert CLEARANCE in clear_question(travler.state.dish)
+    assert "hand near its power switch" in clear_question(travler.state.dish)
+
+
+def test_the_feed_step_says_what_the_coax_carries(travler, build):
+    assert "coax carries 12 to 18 V: connect no 5 V LNA" in " ".join(travler.view("feed").words)
+    assert "coax carries 13 or 18 V: connect no 5 V LNA" in " ".join(build("g2?seed=1").up().view("feed").words)
+
+
+def test_the_north_step_names_the_mark_on_the_base(travler, build):
+    assert travler.view("north").words[0].startswith("BACK on its base is azimuth 0")
+    assert "BACK" not in " ".join(build("g2?seed=1").up().view("north").words)
+
+
+def test_a_failed_homing_is_told_with_its_remedy_at_the_step(build):
+    house = build("hal205?seed=1&boot=1&boot_home_s=20&home_fails=1")
+    house.run(40.0)
+    assert "choose INSTALLATION, then Calibrate EL" in " ".join(house.view("home").words)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from birdcage.setup.wiring import CAUTIONS, CONNECTORS, SYMPTOMS, connector
-from birdcage.setup.wiring_text import drawing_lines, wiring_lines
+from birdcage.setup.wiring_text import adapter_lines, drawing_lines, wiring_lines
 from birdcage.station.finding import Saw
 
 
@@ -73,3 +73,18 @@ def test_the_drawing_shows_each_contact_once():
             assert f"{pin.signal}" in drawing
             assert str(pin.number) in drawing
         assert max(map(len, drawing.splitlines())) <= 38
+
+
+def test_the_two_kinds_of_line_adapters_and_bias_are_told_in_plain_ascii():
+    lines = adapter_lines(80)
+    text = " ".join(" ".join(lines).split())
+    assert max(map(len, lines)) <= 80
+    assert text.isascii()
+    for words in ("four signal wires", "RS-485 with two wires", "hears its own echo", "SH-U11", "DTECH", "ESP32",
+                  "560 ohm", "120 ohm"):  # fmt: skip
+        assert words in text, words
+
+
+@pytest.mark.parametrize("key", ["g2", "travler"])
+def test_the_supply_of_a_dish_stands_with_its_plug(key):
+    assert any(note.startswith("Supply: ") and "label" in note for note in connector(key).notes)

@@ -165,9 +165,9 @@ class Talk:
         self._setup.choose(view.name, choice.name, values)
 
     def _cleared(self) -> bool:
-        from birdcage.setup.engine import CLEAR_QUESTION
+        from birdcage.setup.engine import clear_question
 
-        _tell(CLEAR_QUESTION)
+        _tell(clear_question(self._dish.state.dish))
         if (self._line("yes or no> ") or "").lower() not in ("y", "yes"):
             return False
         self._setup.clear()

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from enum import Enum
 
 from birdcage.base.beam import Reflector
@@ -163,6 +164,24 @@ POWER_SWITCH = StopMeans("power", proven=True, sentence="the power of the dish i
 
 
 @dataclass(frozen=True, slots=True)
+class Handling:
+    """What a person at the dish has to know of it as a machine: sentences from its papers, empty where none is known.
+
+    `docs/safety.md` has them all, with who says so.
+    """
+
+    clearance: str = ""
+    """What must keep away from it."""
+    weight: str = ""
+    coax: str = ""
+    """What voltage its coax carries, and what that forbids."""
+    north: str = ""
+    """How its base is marked."""
+    home_remedies: Mapping[str, str] = field(default_factory=dict)
+    """What helps an axis that fails to home, by the name of the axis."""
+
+
+@dataclass(frozen=True, slots=True)
 class DishModel:
     """A dish. What it lacks is None or False here, and every face greys it out and says why."""
 
@@ -201,6 +220,7 @@ class DishModel:
     """As sold; None where its size is not known. It makes the beam, together with the feed."""
     skew: Axis | None = None
     """The axis that turns the feed about the beam; None where there is none."""
+    handling: Handling = Handling()
 
     @property
     def axes(self) -> tuple[Axis, ...]:

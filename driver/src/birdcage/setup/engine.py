@@ -23,7 +23,7 @@ from birdcage.setup.steps.link import LinkStep
 from birdcage.setup.steps.north import NorthStep
 from birdcage.setup.steps.place import PlaceStep
 from birdcage.setup.steps.search import SearchStep
-from birdcage.station.known import PortInfo, SystemFacts, list_ports, look_at_system
+from birdcage.station.known import DishModel, PortInfo, SystemFacts, list_ports, look_at_system
 from birdcage.station.requests import Unwatch, Watch
 from birdcage.station.session import Session
 
@@ -32,6 +32,13 @@ CLEAR_QUESTION = (
     "animals and things, the cable free, and a hand near its power switch?"
 )
 """To be answered with yes once a run, before anything that moves is taken."""
+
+
+def clear_question(dish: DishModel | None) -> str:
+    """Return `CLEAR_QUESTION`, with what the papers of this dish say must keep away from it."""
+    clearance = "" if dish is None else dish.handling.clearance
+    return f"{CLEAR_QUESTION} {clearance}".rstrip()
+
 
 STEPS: tuple[type[Step], ...] = (
     LinkStep, DishStep, SearchStep, HomeStep, FeedStep, LimitsStep, DirectionStep, LevelStep, PlaceStep, NorthStep,
@@ -113,7 +120,7 @@ class Setup:
         return self._clear
 
     def clear(self) -> None:
-        """A person has answered `CLEAR_QUESTION` with yes. It holds for this run."""
+        """A person has answered `clear_question` with yes. It holds for this run."""
         self._clear = True
 
     @property

@@ -1,4 +1,4 @@
-"""Which wire goes where: plugs, cautions and symptoms as data (reference section 1.1), with who says so.
+"""Which wire goes where: plugs, adapters, cautions and symptoms as data (reference section 1.1), with who says so.
 
 TX is from the computer to the dish, RX from the dish to the computer; TA, TB, RA and RB are the terminals of an RS-422
 adapter, A being plus.
@@ -53,6 +53,16 @@ class Connector:
 
 
 @dataclass(frozen=True, slots=True)
+class Adapter:
+    """What stands between the computer and the plug."""
+
+    name: str
+    used_with: str
+    """Which dish, and who says so."""
+    notes: str
+
+
+@dataclass(frozen=True, slots=True)
 class Symptom:
     """What a fault of the wires looks like from the computer."""
 
@@ -90,6 +100,7 @@ CONNECTORS = (
         "The drawing of Chris Davidson, who runs a G2 with it (winegard-sky-scan, docs/wiring_guide.png). The Trav'ler "
         "has the same order.",
         (
+            "Supply: read the label of yours; no source here gives its voltage.",
             _G2_DISAGREEMENT,
             "At 9600, 19200, 38400 and 57600 baud a G2 is silent.",
         ),
@@ -111,6 +122,7 @@ CONNECTORS = (
         ),
         "The READMEs of Gabe Emerson KL1FI for both dishes (Travler_Rotor, Carryout-Rotor), which agree.",
         (
+            "Supply: 12 V DC (RP-SK87) or about 50 V DC for the Trav'ler, 12 V for the Carryout. Read its label.",
             _TRAVLER_DISAGREEMENT,
             "The Carryout's socket is on the control board, under the radome.",
         ),
@@ -138,6 +150,31 @@ CAUTIONS = (
     "Count contacts, not colours: cables differ. A meter tells which contact is which.",
     "A is plus here, and B minus. Not every adapter agrees: either pair may need its two wires swapped.",
     "Switch the dish off before you change a wire.",
+)
+
+FOUR_WIRES = "Use an adapter with four signal wires: RS-422, or RS-485 with four wires (full duplex)."
+
+LINES = (
+    "RS-485 with two wires: both sides talk in turn on one pair. Such an adapter hears its own echo: do not use it.",
+    "RS-422: a pair each way, one sender on each. The dishes here need this.",
+    "RS-485 with four wires: wired like RS-422. Between one computer and one dish they are the same.",
+)
+"""What tells the two kinds of line apart."""
+
+ADAPTERS = (
+    Adapter("DSD TECH SH-U11, USB to RS-422 (FTDI FT232R)", "Carryout G2, by an earlier project",
+            "Five wires, ground included. FTDI chips carry a serial number: birdcage finds the port again by it."),
+    Adapter("USB to RS-232, then DTECH RS-232 to RS-485/422", "Trav'ler, Carryout of 2003, by their owner",
+            "Connect the T/R pair and the RXD pair. If it has several TTL levels, set 5 V."),
+    Adapter("ESP32 with DIYables RS-422 module (MAX490)", "Carryout G2, by an earlier project",
+            "A bridge to Wi-Fi. The module speaks 5 V, the ESP32 takes 3.3 V: divide what goes into RX2. "
+            "docs/wiring.md tells how."),
+)  # fmt: skip
+
+BIAS = (
+    "Termination: 120 ohm across a pair at its receiving end; the MAX490 module has it. Up to 3 m that is enough.",
+    "Bias: without fail-safe, as in a MAX490, a receiver reads noise as bytes while no side drives the pair.",
+    "On long lines and near motors pull its RX+ to 5 V and its RX- to ground, 560 ohm each.",
 )
 
 SYMPTOMS = (

@@ -5,10 +5,11 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Sequence
 
-from birdcage.setup.wiring import CAUTIONS, SYMPTOMS, Connector, Drawing, Pin
+from birdcage.setup.wiring import ADAPTERS, BIAS, CAUTIONS, FOUR_WIRES, LINES, SYMPTOMS, Connector, Drawing, Pin
 
 NARROWEST = 40
 """Columns below which the drawings do not fit; the text is as wide as that, then."""
+MORE = "Adapters, RS-422 and RS-485, bias and termination: `birdcage wiring adapters`."
 
 
 def wiring_lines(connectors: Sequence[Connector], width: int = 80) -> list[str]:
@@ -19,7 +20,23 @@ def wiring_lines(connectors: Sequence[Connector], width: int = 80) -> list[str]:
         lines += [*connector_lines(each, width), ""]
     if any(each.pins for each in connectors):
         lines += ["CAUTIONS", *(line for text in CAUTIONS for line in _item(text, width)), "", *symptom_lines(width)]
+        lines += ["", *textwrap.wrap(MORE, width)]
     return lines[:-1] if lines[-1:] == [""] else lines
+
+
+def adapter_lines(width: int = 80) -> list[str]:
+    """Return which adapters work, what tells the two kinds of line apart, bias and termination. Plain ASCII."""
+    width = max(width, NARROWEST)
+    lines = ["RS-422 AND RS-485", *textwrap.wrap(FOUR_WIRES, width)]
+    for text in LINES:
+        lines += _item(text, width)
+    lines += ["", "ADAPTERS"]
+    for each in ADAPTERS:
+        lines += _item(f"{each.name}: {each.used_with}. {each.notes}", width)
+    lines += ["", "TERMINATION AND BIAS"]
+    for text in BIAS:
+        lines += _item(text, width)
+    return lines
 
 
 def connector_lines(connector: Connector, width: int = 80) -> list[str]:

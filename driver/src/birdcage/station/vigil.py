@@ -14,7 +14,7 @@ from birdcage.station.control import Control
 from birdcage.station.events import End, FaultRaised, TranscriptLine
 from birdcage.station.look import Look
 from birdcage.station.mover import Mover
-from birdcage.station.stalls import stalled_axis
+from birdcage.station.stalls import MotorFault, blocked, motor_fault
 from birdcage.station.starting import Starting
 from birdcage.station.state import Activity, Fault, Pointing, Search
 from birdcage.station.stopper import Stopper
@@ -24,12 +24,8 @@ CLOCK_STEP_S = 2.0
 UNASKED_DEG = 0.3
 """At rest a reading repeats to a hundredth; this much is motion."""
 UNASKED_POLL_S = 0.2
-
-STALL = (
-    "Something blocks it, or its motor lost steps.",
-    "Look at the dish before anything else. Free it, acknowledge, and home it if its angles are wrong.",
-)
-"""What a stall means, and what to do."""
+LESS_THAN_A_FAILED_HOMING = ("reboot", "unhomed")
+"""Faults that say less than that an axis failed to home, which takes their place."""
 
 
 class Vigil:
@@ -50,6 +46,8 @@ class Vigil:
         """Set while somebody talks to the dish: nothing is asked for then."""
         self._met = False
         """Whether the dish has answered this station before: else its boot text is the beginning, not a restart."""
+        self._failed_to_home = False
+        """Whether an axis has failed to home in the start that is under way: that says more than the restart."""
         self._doubted: Pointing | None = None
         """Where the dish rested before a reading that says otherwise, until a second one agrees with either."""
         self._rested: Pointing | None = None
@@ -194,7 +192,10 @@ class Vigil:
 
     def _stalled(self, sentence: str) -> None:
         self._mover.activity(Activity.IDLE, "")
-        self.raise_fault("stall", sentence, *STALL)
+        self._raise_stall(blocked("", sentence))
+
+    def _raise_stall(self, fault: MotorFault) -> None:
+        self.raise_fault("stall", fault.what, fault.meaning, fault.remedy)
 
     def slow(self, sentence: str) -> None:
         """A speed that was changed for a while could not be put back."""
@@ -226,7 +227,8 @@ class Vigil:
         """Hear a line that nobody asked for; boot text means that the dish has forgotten everything."""
         self._board.tell(TranscriptLine(*self._board.stamp(), "<", line))
         if self._met and self.hear_stall(line):
-            return  # before, it is a dish that fails to home while it starts: nothing of ours is in its way
+            return
+        self._hear_failed_homing(line)
         if not any(mark in line for mark in self._antenna.protocol.boot_marks):
             self._starting.hear(line, met=self._met)
             return
@@ -239,20 +241,21 @@ class Vigil:
             self.forget("reboot")
             self.interrupted("fault")
             self._starting.ended()
-            self.raise_fault(
-                "reboot", f"The dish has restarted: {line.strip()!r}",
-                "It homes by itself or has to be homed, and may begin its TV search.",
-                "Check its power and cable. Wait until it is quiet, then acknowledge and home it.",
-            )  # fmt: skip
+            if fault is None or not self._failed_to_home:
+                self.raise_fault(
+                    "reboot", f"The dish has restarted: {line.strip()!r}",
+                    "It homes by itself or has to be homed, and may begin its TV search.",
+                    "Check its power and cable. Wait until it is quiet, then acknowledge and home it.",
+                )  # fmt: skip
+        self._failed_to_home = False
 
     def hear_stall(self, text: str) -> bool:
         """Raise the fault if a line says that an axis is stalled; return whether it does."""
-        axis = stalled_axis(text)
-        if axis is None:
+        found = motor_fault(text, self._antenna.protocol.model)
+        if found is None:
             return False
-        sentence = f"The {axis} is stalled: the dish says {text.strip()!r}"
         fault, motion = self._board.state.fault, self._antenna.motion
-        self._mover.fail(End.FAULT, sentence, Stopped(sentence, reason="stall"))
+        self._mover.fail(End.FAULT, found.what, Stopped(found.what, reason="stall"))
         if motion is not None and motion.silent:
             self._stopper.call("birdcage", "fault")  # the other axis is still on its way
             self._stopper.take_calls()
@@ -261,9 +264,20 @@ class Vigil:
             self._mover.activity(Activity.UNKNOWN, "")
             self._unsettled = True  # the other axis may still be on its way, as it was asked to
             self.look_again()
-        if fault is None:
-            self.raise_fault("stall", sentence, *STALL)
+        if found.homing:
+            self._hear_failed_homing(text)
+        elif fault is None:
+            self._raise_stall(found)
         return True
+
+    def _hear_failed_homing(self, line: str) -> None:
+        """A dish that starts, and was not met yet, is in nobody's way: only that it failed to home counts."""
+        found, fault = motor_fault(line, self._antenna.protocol.model), self._board.state.fault
+        if found is None or not found.homing:
+            return
+        self._failed_to_home = True
+        if fault is None or fault.reason in LESS_THAN_A_FAILED_HOMING:
+            self._raise_stall(found)
 
     def hear_refusal(self, error: BirdcageError) -> bool:
         """Return whether what the dish answered instead of its reply was that an axis is stalled."""

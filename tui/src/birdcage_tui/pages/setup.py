@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from birdcage.base.errors import BirdcageError
-from birdcage.setup.engine import CLEAR_QUESTION
+from birdcage.setup.engine import clear_question
 from birdcage.setup.step import Choice
 from textual import events, on
 
@@ -166,7 +166,8 @@ class SetupPage(SetupBody):
             else:
                 self.remark("Nothing was moved: only y says that the area is clear.")
 
-        self.app.push_screen(QuestionScreen("Is the area clear?", CLEAR_QUESTION, "it is clear: go on"), answered)
+        question = clear_question(self.host.station.state.dish)
+        self.app.push_screen(QuestionScreen("Is the area clear?", question, "it is clear: go on"), answered)
 
     def _attempt(self, deed: Callable[[], None]) -> None:
         self.wrong = self.note = ""

@@ -98,7 +98,8 @@ def lay_out(page: SetupLayout) -> object:
         _rows(pointing, POINTING_ROWS if left >= 0 else max(left + POINTING_ROWS, 7))
         _rows(below, max(left, 0))
     elif extra.display:
-        needs = extra.wiring_rows(width) if fills else 0
+        # The column counts the scrollbar that its parts do not have.
+        needs = extra.wiring_rows(min(width, extra.size.width or width)) if fills else 0
         _rows(extra, max(room - told - asked, needs))
     return page.room, width, wide, told, asked, room, page.looked, extra.kind, page.present
 

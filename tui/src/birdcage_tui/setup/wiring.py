@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from birdcage.setup.wiring import CAUTIONS, CONNECTORS, SYMPTOMS, Connector, Pin
+from birdcage.setup.wiring import ADAPTERS, BIAS, CAUTIONS, CONNECTORS, FOUR_WIRES, LINES, SYMPTOMS, Connector, Pin
 
 from birdcage_tui.cell_text import wrap
 
@@ -21,7 +21,7 @@ def connectors_for(firmware: str | None) -> tuple[Connector, ...]:
 
 
 def lines(connectors: Sequence[Connector], width: int) -> list[Line]:
-    """Return the drawings, then cautions, sources and what a wrong wire looks like."""
+    """Return the drawings, then cautions, what a wrong wire looks like, sources, adapters."""
     found: list[Line] = []
     for each in connectors:
         found += [*drawing(each, width), _blank()]
@@ -29,6 +29,9 @@ def lines(connectors: Sequence[Connector], width: int) -> list[Line]:
         ("Beware", CAUTIONS),
         ("What you see, and what it means", [f"{each.saw.value}: {each.cause}: {each.remedy}." for each in SYMPTOMS]),
         ("Notes", [note for each in connectors for note in (*each.notes, f"Source: {each.supported_by}")]),
+        ("RS-422 and RS-485", [FOUR_WIRES, *LINES]),
+        ("Adapters", [f"{each.name}: {each.used_with}. {each.notes}" for each in ADAPTERS]),
+        ("Termination and bias", BIAS),
     ):
         found.append((("strong", heading),))
         for text in texts:

@@ -11,25 +11,31 @@ WIDTH = 80
 
 
 @click.command("wiring", epilog=EPILOG)
-@click.argument("plug", required=False, type=click.Choice(["g2", "travler", "pro"]))
+@click.argument("plug", required=False, type=click.Choice(["g2", "travler", "pro", "adapters"]))
 @global_options("json", "verbose")
 def command(plug: str | None) -> None:
-    """Print which wire goes where, and what a wrong one looks like. No dish is needed, and no port is opened."""
+    """Print which wire goes where, what a wrong one looks like, and which adapters work.
+
+    No dish is needed, and no port is opened.
+    """
     from dataclasses import asdict
 
     from birdcage.cli.say import tell, tell_json
     from birdcage.setup import wiring
-    from birdcage.setup.wiring_text import wiring_lines
+    from birdcage.setup.wiring_text import adapter_lines, wiring_lines
 
-    connectors = wiring.CONNECTORS if plug is None else (wiring.connector(plug),)
+    adapters = plug == "adapters"
+    connectors = () if adapters else wiring.CONNECTORS if plug is None else (wiring.connector(plug),)
     if flags().json:
         tell_json(
             {
                 "plugs": [{**asdict(each), "drawing": each.drawing.value} for each in connectors],
+                "adapters": [asdict(each) for each in wiring.ADAPTERS],
+                "lines": (wiring.FOUR_WIRES, *wiring.LINES, *wiring.BIAS),
                 "cautions": wiring.CAUTIONS,
                 "symptoms": [{**asdict(each), "saw": each.saw.value} for each in wiring.SYMPTOMS],
             }
         )
         return
-    for line in wiring_lines(connectors, WIDTH):
+    for line in adapter_lines(WIDTH) if adapters else wiring_lines(connectors, WIDTH):
         tell(line)

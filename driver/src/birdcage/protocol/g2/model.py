@@ -6,7 +6,7 @@ import re
 
 from birdcage.base.beam import CountedBeam, Reflector
 from birdcage.console.dialect import ConsoleDialect
-from birdcage.protocol.model import Axis, CableRange, DishModel, SearchSwitch, SecondMove, StopMeans, Turn
+from birdcage.protocol.model import Axis, CableRange, DishModel, Handling, SearchSwitch, SecondMove, StopMeans, Turn
 
 REFLECTOR = Reflector(0.3048, 0.3048, CountedBeam(6.4, 6.3, 12.45e9))
 """12 inches round (`12-IN G2` in its boot log). The width was scanned in counts, on satellites that stand alone
@@ -49,6 +49,7 @@ CARRYOUT_G2 = DishModel(
     position_reported=True,
     power_switch="12 V switch",
     reflector=REFLECTOR,
+    handling=Handling(coax="Its coax carries 13 or 18 V: connect no 5 V LNA or bias tee to it."),
 )
 
 DIALECT = ConsoleDialect(

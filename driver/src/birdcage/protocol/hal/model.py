@@ -8,6 +8,7 @@ from birdcage.protocol.model import (
     Axis,
     CableRange,
     DishModel,
+    Handling,
     MeasuredTimes,
     SearchSwitch,
     SecondMove,
@@ -30,6 +31,20 @@ SKEW = Axis(2, "skew", 0.0, 180.0, _SPEED_DEG_S, _ACCELERATION_DEG_S2, _STEP_DEG
 REFLECTOR = Reflector(0.8382, 0.5842)
 """33 x 23 inches, the long side level, as for feeds side by side along the arc: an assumption, as is that the skew axis
 turns the feed alone (`docs/decisions`)."""
+
+HANDLING = Handling(
+    clearance="Nothing taller than 8 in (20 cm) may stand within 32.5 in (83 cm) of the centre of its base.",
+    weight="It weighs 45 lb (20 kg): fix its base before it moves.",
+    coax="Its coax carries 12 to 18 V: connect no 5 V LNA or bias tee to it.",
+    north="BACK on its base is azimuth 0: turn it to true north, or measure it.",
+    home_remedies={
+        "elevation": (
+            "At the indoor unit press POWER, hold ENTER for 2 s, choose INSTALLATION, then Calibrate EL, and confirm "
+            "at its hard stop. Then switch the dish off and on."
+        )
+    },
+)
+"""From the papers of the SK-1000 and its owners (`docs/safety.md`)."""
 
 TRAVLER = DishModel(
     name="Trav'ler",
@@ -59,6 +74,7 @@ TRAVLER = DishModel(
     power_switch="power switch",
     reflector=REFLECTOR,
     skew=SKEW,
+    handling=HANDLING,
 )
 """The Trav'ler LG-2112.
 

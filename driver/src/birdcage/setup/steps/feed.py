@@ -26,10 +26,12 @@ class FeedStep(Step):
         """Say what depends on it, and how wide the stock feed's beam is."""
         beam = self._beam(self.bench.settings.feeds[STOCK])
         told = "Its band and the dish's reflector make the beam." if beam is None else f"Stock beam: {beam.words}."
+        dish = self.bench.state.dish
         return (
             "Which feed is fitted? Frequencies and offsets come from it, and whether the dish may fold flat.",
             told,
             "Stow folds the dish onto the feed: allow it only for a feed that fits under it.",
+            *((dish.handling.coax,) if dish is not None and dish.handling.coax else ()),
         )
 
     def choices(self) -> tuple[Choice, ...]:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from birdcage.setup.step import Choice
 from birdcage.setup.steps.base import Plan, Step
+from birdcage.station.known import DishModel
 from birdcage.station.requests import Home
 from birdcage.station.state import Activity
 
@@ -46,20 +47,22 @@ class HomeStep(Step):
         """Name the consequence."""
         model = self.bench.state.dish
         if model is not None and self._by_itself:
-            return (*self._wait(model.boot_s), *self.trouble())
+            return (*self._wait(model), *self.trouble())
         words = ["Turns through its whole range, runs into its end stops, ~20 s. Keep its swing clear."]
         if model is None or not model.homing_stoppable:
             switch = "power switch" if model is None else model.power_switch
             words.append(f"Homing can't be stopped: keep a hand on the {switch}.")
         return (*words, *self.trouble())
 
-    def _wait(self, boot_s: float) -> tuple[str, ...]:
+    def _wait(self, dish: DishModel) -> tuple[str, ...]:
         """Say that there is nothing to press: the power switch homes it."""
         if self.proven:
             return ("This dish homes by itself at power-up, and has done so. There is no command for it.",)
+        minutes = dish.boot_s / 60
         return (
             "This dish homes by itself at power-up; there is no command for it.",
-            f"Switch it off and on, keep its swing clear, and wait: up to {boot_s / 60:.0f} min with its TV search.",
+            f"Switch it off and on, keep its swing clear, and wait: up to {minutes:.0f} min with its TV search.",
+            *(words for words in (dish.handling.clearance, dish.handling.weight) if words),
         )
 
     def choices(self) -> tuple[Choice, ...]:

@@ -12,6 +12,7 @@ from birdcage.setup.causes import find_causes
 from birdcage.setup.step import Choice, Field, Mark, NoSuchChoice
 from birdcage.setup.steps.base import Plan, Step
 from birdcage.setup.steps.firmware import OTHER, other_firmwares, speak_another
+from birdcage.setup.wiring import FOUR_WIRES
 from birdcage.station.detecting import heard_firmware
 from birdcage.station.finding import BaudFinding, Saw
 from birdcage.station.known import PortInfo, SystemFacts
@@ -128,7 +129,7 @@ class LinkStep(Step):
             elif self._answering() is not None:
                 words = [f"A dish was heard at {self._answering()} baud: connect at that speed."]
         if not self._ports:
-            words.append("This machine has no serial port now: plug the adapter in.")
+            words += ["This machine has no serial port now: plug the adapter in.", FOUR_WIRES]
         if self.findings:
             words.append(f"Seen: {describe(self.findings)}.")
         words += [f"{each.title}: {each.what_to_do}" for each in self.causes()[:MOST_CAUSES]]

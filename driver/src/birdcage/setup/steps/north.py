@@ -30,7 +30,8 @@ class NorthStep(Step):
 
     def words(self) -> tuple[str, ...]:
         """Show the Sun now, and what a compass would read."""
-        words = []
+        dish = self.bench.state.dish
+        words = [dish.handling.north] if dish is not None and dish.handling.north else []
         up = False
         try:
             az_deg, el_deg = north.sun_now(self.bench)
