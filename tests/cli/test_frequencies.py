@@ -96,10 +96,10 @@ def test_who_is_dead_is_not_named_as_a_sender(ask, as_json):
 @pytest.mark.parametrize(
     ("words", "told"),
     [
-        (("--rf", "10489.5"), "say 10489.5M for megahertz"),
+        (("--rf", "1701300000"), "for hertz type 1701300000Hz"),
         ((), "Give one of --rf"),
         (("--rf", "1G", "--if", "1G"), "Give one of --rf"),
-        (("--rf", "much"), "no frequency"),
+        (("--rf", "much"), "not a frequency"),
     ],
 )
 def test_what_cannot_be_worked_out_is_said(ask, words, told):

@@ -59,7 +59,14 @@ def test_the_version_is_that_of_the_distribution(run) -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "default"), [("pos", "the port is asked"), ("stop", "the port is asked"), ("sim", "g2")]
+    ("name", "default"),
+    [
+        ("pos", "as set, else the port is asked"),
+        ("stop", "as set, else the port is asked"),
+        ("sim", "g2"),
+        ("passes", "as set, else none: no limits of a dish"),
+        ("sky", "as set, else none: no limits of a dish"),
+    ],
 )
 def test_help_tells_which_firmware_counts_when_none_is_named(run, name, default) -> None:
     assert f"[default: {default}]" in " ".join(run(name, "--help").stdout.split())

@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
+import click
 import pytest
+from birdcage.cli.app import cli
+from birdcage.station.known import list_firmwares
 
 
 def seen(as_json, result) -> tuple[object, object, object]:
@@ -100,3 +104,42 @@ def test_paths_lie_in_the_home(run, as_json) -> None:
 
 def test_ports_as_json_is_a_list(run, as_json) -> None:
     assert isinstance(as_json(run("ports", "--json")), list)
+
+
+def commands_with(option: str) -> list[tuple[str, click.Option]]:
+    """Return every option of a name, with its command."""
+    found, waiting = [], [("birdcage", cli)]
+    for name, command in waiting:
+        found += [(name, each) for each in command.params if isinstance(each, click.Option) and option in each.opts]
+        if isinstance(command, click.Group):
+            context = click.Context(command)
+            waiting += [
+                (f"{name} {each}", sub)
+                for each in command.list_commands(context)
+                if (sub := command.get_command(context, each)) is not None
+            ]
+    return found
+
+
+def test_the_time_to_look_at_has_one_name() -> None:
+    assert len(commands_with("--at")) == 6
+    assert [name for name, each in commands_with("--start") if not each.hidden] == []
+    assert {each.type.name for _name, each in commands_with("--at")} == {"TIME"}
+
+
+def test_a_frequency_has_one_unit() -> None:
+    options = [each for name in ("--freq", "--rf", "--if", "--lo") for each in commands_with(name)]
+    assert len(options) == 5
+    assert {(each.type.name, each.type.convert("137.1", each, None)) for _name, each in options} == {("FREQ", 137.1e6)}
+    assert all("a bare number is in MHz" in (each.help or "") for _name, each in commands_with("--freq"))
+
+
+def test_the_old_name_of_the_time_goes_on_to_work(run, as_json) -> None:
+    words = ("passes", "iss", "--lat", 51.5, "--lon", 0, "--hours", 24, "--json")
+    at, start = (as_json(run(*words, option, "2026-11-21")) for option in ("--at", "--start"))
+    assert at == start
+
+
+def test_help_names_no_firmware_that_does_not_exist() -> None:
+    told = " ".join(each.help or "" for _name, each in commands_with("--firmware"))
+    assert set(re.findall(r"\b(?:g\d\w*|hal\d+|trav\w*)\b", told)) <= set(list_firmwares())

@@ -157,7 +157,7 @@ def test_a_person_is_led_from_step_to_step(person, pty_dish):
     me.answers("8 Level> ", "")
     me.answers("pitch (deg", "1,5")
     me.answers("roll (deg", "abc")
-    me.sees("'abc' is no number")
+    me.sees("'abc' is not a number")
     me.answers("8 Level> ", "q")
     me.sees("go on where it was")
     assert me.ends() == 0

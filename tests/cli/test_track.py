@@ -45,7 +45,7 @@ def test_the_plan_in_json_is_one_value(run, as_json):
     (("--plan", "--engage"), "--plan moves nothing"),
     (("--until", "reach"), "go with --engage"),
     (("--controller", "fast"), "go with --engage"),
-    (("--engage", "--until", "noon"), "is no time such as"),
+    (("--engage", "--until", "noon"), "is not a time"),
     (("--engage", "--controller", "best"), "'best' is not one of"),
     (("--engage", "--speed", 20, "--port", "/dev/ttyUSB0"), "--speed is for a simulated dish"),
     (("--time-offset", 9999), "9999"),

@@ -207,7 +207,7 @@ class TestFeed:
     @pytest.mark.parametrize(("typed", "said"), [
         ({"beam_deg": "2 x"}, "type one width, or two: 2.0 x 2.9"),
         ({"beam_deg": "1 x 2 x 3"}, "type one width, or two: 2.0 x 2.9"),
-        ({"band": "1690"}, "is no band such as 1670 to 1710 MHz"),
+        ({"band": "1690"}, "is not a band. Type 1670 to 1710 MHz"),
         ({"band": "1710 to 1670 MHz"}, "does not go from a lower to a higher frequency"),
     ])  # fmt: skip
     def test_what_cannot_be_used_is_refused_and_nothing_is_written(self, house, typed, said):

@@ -13,19 +13,27 @@ from birdcage.sky.band import Conversion, lnbs, megahertz, parse_frequency, plan
         ("10.4895 GHz", 10.4895e9),
         ("10489,5m", 10.4895e9),
         ("437800k", 437.8e6),
-        ("1701300000", 1.7013e9),
+        ("1701300000Hz", 1.7013e9),
+        ("1.7013e9 Hz", 1.7013e9),
+        ("137.1", 137.1e6),
+        ("10489,5", 10.4895e9),
         ("50 Hz", 50.0),
         (".5G", 5e8),
     ],
 )
-def test_units_are_hz_k_m_and_g(text, hz):
+def test_units_are_hz_k_m_and_g_and_a_bare_number_is_in_mhz(text, hz):
     assert parse_frequency(text) == pytest.approx(hz)
 
 
-@pytest.mark.parametrize("text", ["10489.5", "", "M", "-5M", "5 miles", "0M", "2000G", "nan", "1e9", "5,5,5M"])
-def test_what_is_no_frequency_or_has_no_unit_is_not_guessed_at(text):
-    with pytest.raises(ValueError, match=r"frequency|unit"):
+@pytest.mark.parametrize("text", ["1701300000", "", "M", "-5M", "5 miles", "0M", "2000G", "nan", "1e9", "5,5,5M"])
+def test_what_is_no_frequency_is_refused(text):
+    with pytest.raises(ValueError, match=r"not a frequency|not between 1 Hz and 1 THz"):
         parse_frequency(text)
+
+
+def test_a_number_of_hertz_without_its_unit_is_told_how_to_say_so():
+    with pytest.raises(ValueError, match=r"A bare number is in MHz: for hertz type 137100000Hz\."):
+        parse_frequency("137100000")
 
 
 def test_an_oscillator_below_the_signal_keeps_the_spectrum_and_one_above_inverts_it():

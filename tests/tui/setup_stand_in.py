@@ -31,7 +31,7 @@ STEPS = (
               Choice("other", "o", "Another feed", fields=(
                   Field("name", "name", hint="L-band helix"), Field("band", "band", "", "1670 to 1710 MHz"),
                   Field("beam_deg", "beam", "deg", "2.0 x 2.9; empty: theory"),
-                  Field("lo_hz", "LO", "Hz", "9750 MHz; empty for none"),
+                  Field("lo_hz", "LO", "MHz", "9750; empty for none"),
                   Field("az_offset_deg", "az offset", "deg", "beam clockwise of the dish's axis", "0"),
                   Field("el_offset_deg", "el offset", "deg", "beam above the dish's axis", "0"),
                   Field("stow", "stow allowed", "", "y or n", "n"))))),

@@ -106,10 +106,10 @@ def test_what_is_typed_stays_while_words_change_every_second():
 
 def test_a_refusal_is_told_in_its_own_words():
     async def refused(app, pilot, engine):
-        engine.refusal = "pitch: '1.5x' is no number."
+        engine.refusal = "pitch: '1.5x' is not a number."
         await press(app, pilot, "enter", *"1.5x", "enter", "2", "enter")
         text = stand_in.text_of(app)
-        assert "▲ pitch: '1.5x' is no number." in text
+        assert "▲ pitch: '1.5x' is not a number." in text
         assert isinstance(app.focused, Input), "to be mended where it stands"
 
     run(refused, "level")

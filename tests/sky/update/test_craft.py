@@ -1,4 +1,4 @@
-"""The remote prediction service: asked as documented, and never believed blindly."""
+"""The prediction server: asked as documented, and never believed blindly."""
 
 from __future__ import annotations
 

@@ -42,7 +42,7 @@ COMMANDS = {
     "if": "Work out where a converter puts a frequency, and who can tune to it.",
     "ready": "Check what is missing before you leave home.",
     "calibrate": "Find how the dish stands: peaks, pointing model, named alignments.",
-    "craft": "Ask a remote prediction service, if you have set one.",
+    "craft": "Ask a prediction server, if you have set one.",
     "config": "Show and check birdcage.toml.",
     "paths": "Print where files are kept.",
 }

@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 DEFAULT_PORT = "/dev/ttyUSB0"
 DEFAULT_FIRMWARE = "hal205"
 """What is tried first where nobody has named a firmware and nothing answers to tell (document 003)."""
-ASKED = "the port is asked"
+ASKED = "as set, else the port is asked"
+NO_DISH = "as set, else none: no limits of a dish"
 
 AnyCallable = TypeVar("AnyCallable", bound=Callable[..., Any])
 
@@ -121,7 +122,7 @@ _OPTIONS: dict[str, tuple[tuple[str, ...], dict[str, Any]]] = {
     ),
     "port": (
         ("--port",),
-        {"metavar": "PORT", "help": f"Serial port or URL, or BIRDCAGE_PORT.  [default: {DEFAULT_PORT}]"},
+        {"metavar": "PORT", "help": f"Serial port or URL, or BIRDCAGE_PORT.  [default: as set, or {DEFAULT_PORT}]"},
     ),
     "firmware": (
         ("--firmware",),
@@ -129,7 +130,7 @@ _OPTIONS: dict[str, tuple[tuple[str, ...], dict[str, Any]]] = {
     ),
     "baud": (
         ("--baud",),
-        {"type": click.IntRange(50, 4_000_000), "help": "Speed of the port.  [default: the firmware's]"},
+        {"type": click.IntRange(50, 4_000_000), "help": "Speed of the port.  [default: as set, or the firmware's]"},
     ),
     "json": (("--json",), {"is_flag": True, "help": "Print data as JSON."}),
     "config": (("--config",), {"type": click.Path(), "help": "Another birdcage.toml."}),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -31,11 +31,31 @@ class UtcTime(click.ParamType["datetime"]):
         try:
             when = datetime.fromisoformat(value)
         except ValueError:
-            self.fail(f"{value!r} is no time such as 2026-11-21T18:30:00Z.", param, ctx)
+            self.fail(f"{value!r} is not a time. Type 2026-11-21T18:30:00Z.", param, ctx)
         return when.replace(tzinfo=UTC) if when.tzinfo is None else when.astimezone(UTC)
 
 
 UTC_TIME = UtcTime()
+
+
+class Frequency(click.ParamType["float"]):
+    """A frequency in Hz, from text with a unit; a bare number is in MHz."""
+
+    name = "FREQ"
+
+    def convert(self, value: str | float, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        """Return hertz."""
+        from birdcage.sky.band import parse_frequency
+
+        if isinstance(value, float):
+            return value
+        try:
+            return parse_frequency(value)
+        except ValueError as error:
+            self.fail(str(error), param, ctx)
+
+
+FREQUENCY = Frequency()
 NEGATIVE_NUMBERS = {"ignore_unknown_options": True}
 """Settings of a command whose arguments may be such; `no_options_among` finds what is none."""
 
@@ -47,6 +67,29 @@ def no_options_among(words: Iterable[str]) -> None:
             raise click.NoSuchOption(word)
 
 
+def at_option(text: str, *, old_name: str | None = None) -> Callable[[AnyCallable], AnyCallable]:
+    """Add `--at TIME` to a command, which gets it as `at`. `old_name` goes on to work, and is not shown."""
+
+    def keep(context: click.Context, _parameter: click.Parameter, value: datetime | None) -> None:
+        if value is not None:
+            context.meta[__name__] = value
+
+    def take(context: click.Context, _parameter: click.Parameter, value: datetime | None) -> datetime | None:
+        return value if value is not None else context.meta.get(__name__)
+
+    def decorate(function: AnyCallable) -> AnyCallable:
+        told = f"{text} ISO 8601; UTC unless it names a zone.  [default: now]"
+        function = click.option("--at", type=UTC_TIME, callback=take, help=told)(function)
+        if old_name is not None:
+            hidden = click.option(
+                old_name, type=UTC_TIME, callback=keep, expose_value=False, hidden=True, is_eager=True
+            )
+            function = hidden(function)
+        return function
+
+    return decorate
+
+
 def observer_options(function: AnyCallable) -> AnyCallable:
     """Add `--lat`, `--lon` and `--alt` to a command; `find_observer` takes what they hold."""
     for name, metavar, kind, text in (
@@ -56,7 +99,7 @@ def observer_options(function: AnyCallable) -> AnyCallable:
             "--lat",
             "DEG",
             click.FloatRange(-90.0, 90.0),
-            "Latitude, north positive.  [default: of the place in use]",
+            "Latitude, north positive.  [default: of the active place]",
         ),
     ):
         function = click.option(name, type=kind, metavar=metavar, help=text)(function)

@@ -8,9 +8,8 @@ from collections.abc import Mapping
 from datetime import UTC, datetime, timedelta
 
 from birdcage.setup.step import NoSuchChoice
+from birdcage.sky.band import parse_frequency
 
-_SCALE = {"": 1.0, "k": 1e3, "m": 1e6, "g": 1e9}
-_FREQUENCY = re.compile(r"([-+]?[0-9.]+(?:e[-+]?\d+)?)\s*([kmg]?)(?:hz)?", re.IGNORECASE)
 _TIME = re.compile(r"(\d{1,2}):(\d\d)(?::(\d\d(?:\.\d+)?))?\s*z?", re.IGNORECASE)
 
 
@@ -22,7 +21,7 @@ def optional_number(values: Mapping[str, str], name: str, label: str, low: float
     try:
         value = float(text)
     except ValueError:
-        raise NoSuchChoice(f"{label}: {values[name].strip()!r} is no number.") from None
+        raise NoSuchChoice(f"{label}: {values[name].strip()!r} is not a number.") from None
     if not math.isfinite(value) or not low <= value <= high:
         raise NoSuchChoice(f"{label}: {values[name].strip()} does not lie between {low:g} and {high:g}.")
     return value
@@ -37,18 +36,16 @@ def number(values: Mapping[str, str], name: str, label: str, low: float, high: f
 
 
 def frequency_hz(values: Mapping[str, str], name: str, label: str) -> float | None:
-    """Return a frequency in Hz from `9750 MHz`, `9.75G` or `9.75e9`; None where nothing was typed."""
+    """Return a frequency in Hz from `9750`, which is in MHz, or `9.75G`; 0 from `0`; None where nothing was typed."""
     text = values.get(name, "").strip().replace(",", ".")
     if not text:
         return None
-    found = _FREQUENCY.fullmatch(text)
+    if text.strip("0.") == "":
+        return 0.0
     try:
-        value = math.nan if found is None else float(found[1]) * _SCALE[found[2].lower()]
-    except ValueError:
-        value = math.nan
-    if not 0.0 <= value <= 1e12:
-        raise NoSuchChoice(f"{label}: {text!r} is no frequency such as 9750 MHz.")
-    return value
+        return parse_frequency(text)
+    except ValueError as error:
+        raise NoSuchChoice(f"{label}: {error}") from None
 
 
 def band_hz(values: Mapping[str, str], name: str, label: str) -> tuple[float | None, float | None]:
@@ -61,7 +58,7 @@ def band_hz(values: Mapping[str, str], name: str, label: str) -> tuple[float | N
         return None, None
     ends = re.split(r"\s+to\s+|\s*[-\u2013]\s*", text)
     if len(ends) != 2:
-        raise NoSuchChoice(f"{label}: {text!r} is no band such as 1670 to 1710 MHz.")
+        raise NoSuchChoice(f"{label}: {text!r} is not a band. Type 1670 to 1710 MHz.")
     unit = re.sub(r"[-+0-9.,\s]", "", ends[1])
     low = ends[0] if re.search(r"[a-zA-Z]", ends[0]) else ends[0] + unit
     low_hz, high_hz = (frequency_hz({name: end}, name, label) for end in (low, ends[1]))
@@ -82,7 +79,7 @@ def time_of_day(text: str, near: datetime) -> datetime:
     """Return the UTC time nearest to `near` that a watch shows as `12:03` or `12:03:20`."""
     found = _TIME.fullmatch(text.strip())
     if found is None or int(found[1]) > 23 or int(found[2]) > 59 or float(found[3] or 0) >= 60:
-        raise NoSuchChoice(f"{text.strip()!r} is no time such as 12:03:20.")
+        raise NoSuchChoice(f"{text.strip()!r} is not a time. Type 12:03:20.")
     midnight = near.astimezone(UTC).replace(hour=0, minute=0, second=0, microsecond=0)
     told = midnight + timedelta(hours=int(found[1]), minutes=int(found[2]), seconds=float(found[3] or 0))
     return min((told + timedelta(days=days) for days in (-1, 0, 1)), key=lambda each: abs(each - near))

@@ -7,23 +7,22 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-_UNITS = {"": 1.0, "k": 1e3, "m": 1e6, "g": 1e9}
-_FREQUENCY = re.compile(r"\s*(\d+(?:[.,]\d*)?|[.,]\d+)\s*([kmg]?)(?:hz)?\s*", re.IGNORECASE)
-LEAST_BARE_HZ = 1e6
-"""A smaller number without a unit is rather megahertz than hertz, and is not guessed at."""
+_UNITS = {"": 1e6, "hz": 1.0, "k": 1e3, "m": 1e6, "g": 1e9}
+"""A number without a unit is in megahertz: here, in every option and in the setup."""
+_FREQUENCY = re.compile(r"\s*(\d+(?:[.,]\d*)?(?:e\+?\d+)?|[.,]\d+)\s*(hz|(?:([kmg])(?:hz)?)?)\s*", re.IGNORECASE)
+MOST_HZ = 1e12
 
 
 def parse_frequency(text: str) -> float:
-    """Return a frequency in Hz: `9750M`, `10.4895 GHz`, `437800k`, `1701300000`. ValueError, a sentence, for none."""
+    """Return a frequency in Hz: `9750M`, `9750`, `10.4895 GHz`, `1701300000Hz`. ValueError, a sentence, for none."""
     found = _FREQUENCY.fullmatch(text)
     if found is None:
-        raise ValueError(f"{text!r} is no frequency such as 9750M or 10.4895G")
-    number, unit = float(found[1].replace(",", ".")), found[2].lower()
-    hz = number * _UNITS[unit]
-    if not unit and "hz" not in text.lower() and hz < LEAST_BARE_HZ:
-        raise ValueError(f"{text!r} has no unit: say {text.strip()}M for megahertz")
-    if not 0.0 < hz <= 1e12:
-        raise ValueError(f"{text!r} is no frequency from 1 Hz to 1 THz")
+        raise ValueError(f"{text.strip()!r} is not a frequency. Type 137.1M or 10.4895G; a bare number is in MHz.")
+    unit = (found[3] or found[2]).lower()
+    hz = float(found[1].replace(",", ".")) * _UNITS[unit]
+    if not 1.0 <= hz <= MOST_HZ:
+        bare = "" if unit else f" A bare number is in MHz: for hertz type {text.strip()}Hz."
+        raise ValueError(f"{text.strip()!r} is not between 1 Hz and 1 THz.{bare}")
     return hz
 
 

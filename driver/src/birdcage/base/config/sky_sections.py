@@ -27,7 +27,7 @@ class ElementsSettings(Section):
     )
     craft_url: str | None = setting(
         None,
-        "A server that predicts passes, if you have one (`birdcage craft`); not set: none is asked.",
+        "A prediction server, if you have one (`birdcage craft`); not set: none is asked.",
         env="BIRDCAGE_CRAFT_URL",
     )
 

@@ -10,8 +10,8 @@ import click
 
 from birdcage.cli import exits
 from birdcage.cli.known_satellites import find_elements
-from birdcage.cli.options import flags, global_options, wanted
-from birdcage.cli.sky_options import UTC_TIME, elements_option, find_observer, observer_options
+from birdcage.cli.options import NO_DISH, flags, global_options, wanted
+from birdcage.cli.sky_options import UTC_TIME, at_option, elements_option, find_observer, observer_options
 
 if TYPE_CHECKING:
     from birdcage.cli.options import Wanted
@@ -26,14 +26,14 @@ if TYPE_CHECKING:
 @click.option("--engage", is_flag=True, help="Move the dish: follow one pass after the other, until Ctrl+C.")
 @click.option("--until", type=UTC_TIME, help="When --engage ends: no pass is begun after it. ISO 8601, UTC.")
 @click.option("--speed", type=click.FloatRange(1.0, 1000.0), help="Time runs so much faster; of a simulated dish only.")
-@click.option("--start", type=UTC_TIME, help="ISO 8601; UTC unless it says its zone.  [default: now]")
+@at_option("When the list begins.", old_name="--start")
 @click.option(
     "--hours", type=click.FloatRange(0.0, 72.0, min_open=True), help="How far ahead.  [default: as set, or 24]"
 )
-@global_options()
+@global_options(firmware=f"{NO_DISH}; with --engage the port is asked")
 def command(
     elements: Path | None, lat: float | None, lon: float | None, alt: float | None, dry_run: bool, engage: bool,
-    until: datetime | None, speed: float | None, start: datetime | None, hours: float | None,
+    until: datetime | None, speed: float | None, at: datetime | None, hours: float | None,
 ) -> None:  # fmt: skip
     """Show which passes of the favourites would be followed by themselves, and why the others are left out.
 
@@ -54,10 +54,8 @@ def command(
     from birdcage.pursuit.schedule_candidates import find_candidates, slewing
     from birdcage.sky.decay import reentry_warning
 
-    if engage and (dry_run or elements or start or hours):
-        raise click.UsageError(
-            "--dry-run, --elements, --start and --hours are for looking: leave them out with --engage."
-        )
+    if engage and (dry_run or elements or at or hours):
+        raise click.UsageError("--dry-run, --elements, --at and --hours move nothing. Leave them out with --engage.")
     if not engage and (until or speed):
         raise click.UsageError("--until and --speed go with --engage.")
     wants = wanted()
@@ -66,7 +64,7 @@ def command(
         return
     observer = find_observer(wants.settings, lat, lon, alt)
     watched = _favourites(find_elements(wants.paths, elements, say), from_file=elements is not None)
-    begin = start if start is not None else datetime.now(UTC)
+    begin = at if at is not None else datetime.now(UTC)
     rules = wants.settings.autotrack if hours is None else replace(wants.settings.autotrack, hours=hours)
     if wants.named_model is None:
         say("No dish is named (--firmware, or firmware in birdcage.toml): reach is all above the horizon.")

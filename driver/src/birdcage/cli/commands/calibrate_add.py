@@ -8,7 +8,7 @@ import click
 
 from birdcage.cli.exits import EPILOG
 from birdcage.cli.options import Wanted, flags, global_options, wanted
-from birdcage.cli.sky_options import NEGATIVE_NUMBERS, UTC_TIME, no_options_among
+from birdcage.cli.sky_options import NEGATIVE_NUMBERS, at_option, no_options_among
 
 if TYPE_CHECKING:
     from datetime import datetime
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 @click.option("--dish-az", "dish_az_deg", type=click.FloatRange(-720.0, 720.0), metavar="DEG",
               help="What the dish read, in its own degrees.  [default: the dish is asked]")  # fmt: skip
 @click.option("--dish-el", "dish_el_deg", type=click.FloatRange(-90.0, 180.0), metavar="DEG", help="The same.")
-@click.option("--at", type=UTC_TIME, help="When that was, UTC unless it names a zone.  [default: now]")
+@at_option("When that was.")
 @click.option("--sigma", "sigma_deg", type=click.FloatRange(0.001, 45.0), metavar="DEG",
               help="How well it was peaked.  [default: by the signal to expect]")  # fmt: skip
 @global_options()

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import click
 
 from birdcage.cli.exits import DATA_EPILOG
-from birdcage.cli.options import flags, global_options, wanted
-from birdcage.cli.sky_options import UTC_TIME
+from birdcage.cli.options import NO_DISH, flags, global_options, wanted
+from birdcage.cli.sky_options import at_option
 
 if TYPE_CHECKING:
     from datetime import datetime
@@ -17,9 +17,9 @@ SHOWN = 8
 
 
 @click.command("next", short_help="Name what to peak on next.", epilog=DATA_EPILOG)
-@click.option("--at", type=UTC_TIME, help="Another time than now, UTC unless it names a zone.")
+@at_option("When.")
 @click.option("--all", "every", is_flag=True, help=f"All that is up and in reach, not the best {SHOWN} alone.")
-@global_options("firmware", "json", "config", "verbose", firmware="none, and no limits of the dish")
+@global_options("firmware", "json", "config", "verbose", firmware=NO_DISH)
 def next_(at: datetime | None, every: bool) -> None:
     """Name what to peak on next: what makes the pointing known best over the whole sky.
 

@@ -19,10 +19,10 @@ if TYPE_CHECKING:
 @click.group("craft", epilog=DATA_EPILOG)
 @global_options("config", "json", "verbose")
 def command() -> None:
-    """Ask a remote prediction service, if you have one: BIRDCAGE_CRAFT_URL, or elements.craft_url in birdcage.toml.
+    """Ask a prediction server, if you have one: BIRDCAGE_CRAFT_URL, or elements.craft_url in birdcage.toml.
 
     It computes for its own place, not for yours, and birdcage never follows it: `birdcage passes` needs no network.
-    Whether its angles include refraction is up to that service.
+    Whether its angles include refraction is up to that server.
     """
 
 
@@ -68,7 +68,7 @@ def _service() -> Craft:
 
     url = elements_settings().craft_url
     if url is None:
-        raise ConfigError("No prediction service is set: BIRDCAGE_CRAFT_URL names one. `birdcage passes` needs none.")
+        raise ConfigError("No prediction server is set. BIRDCAGE_CRAFT_URL names one. `birdcage passes` needs none.")
     return Craft(url)
 
 

@@ -8,6 +8,7 @@ import click
 
 from birdcage.cli.exits import DATA_EPILOG
 from birdcage.cli.options import flags, global_options
+from birdcage.cli.sky_options import FREQUENCY
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -23,26 +24,6 @@ MOST_SENDERS = 4
 MOST_NAMES = 6
 
 
-class Frequency(click.ParamType["float"]):
-    """A frequency with its unit, in Hz."""
-
-    name = "FREQ"
-
-    def convert(self, value: str | float, param: click.Parameter | None, ctx: click.Context | None) -> float:
-        """Return hertz."""
-        from birdcage.sky.band import parse_frequency
-
-        if isinstance(value, float):
-            return value
-        try:
-            return parse_frequency(value)
-        except ValueError as error:
-            self.fail(f"{error}.", param, ctx)
-
-
-FREQUENCY = Frequency()
-
-
 @click.command("if", short_help="Work out where a converter puts a frequency.", epilog=DATA_EPILOG)
 @click.argument("target", nargs=-1)
 @click.option("--rf", "rf_hz", type=FREQUENCY, help="What the satellite sends: 10489.5M, 1.7013G.")
@@ -55,7 +36,7 @@ def command(
     """Work out the intermediate frequency behind a converter, what it is for, and which receivers tune to it.
 
     TARGET, named as for `birdcage where` (QO-100, METEOR-M N2-3, dish 119), stands for all that it sends.
-    Units are Hz, k, M and G; a number below a million must say its unit. With --if: what may have been received.
+    Frequencies are in MHz unless they say Hz, k, M or G. --if lists what may have been received.
     """
     from datetime import UTC, datetime
 

@@ -10,8 +10,8 @@ import click
 
 from birdcage.cli import exits
 from birdcage.cli.known_satellites import find_elements
-from birdcage.cli.options import Wanted, flags, global_options, wanted
-from birdcage.cli.sky_options import UTC_TIME, elements_option, find_observer, observer_options
+from birdcage.cli.options import NO_DISH, Wanted, flags, global_options, wanted
+from birdcage.cli.sky_options import FREQUENCY, at_option, elements_option, find_observer, observer_options
 
 if TYPE_CHECKING:
     import numpy as np
@@ -32,7 +32,7 @@ SHOWN = 40
 @click.argument("target", nargs=-1, metavar="[SATELLITE]")
 @elements_option
 @observer_options
-@click.option("--start", type=UTC_TIME, help="ISO 8601; UTC unless it says its zone.  [default: now]")
+@at_option("When the list begins.", old_name="--start")
 @click.option(
     "--hours", type=click.FloatRange(0.0, 240.0, min_open=True), default=24.0, show_default=True, help="How far ahead."
 )
@@ -56,14 +56,14 @@ SHOWN = 40
     metavar="N",
     help=f"The first N.  [default: {SHOWN}; all with --json, --csv, --ics]",
 )
-@click.option("--freq", type=click.FloatRange(0.0, min_open=True), metavar="MHZ", help="Add the Doppler shift there.")
+@click.option("--freq", "freq_hz", type=FREQUENCY, help="Add the Doppler shift there: 137.1M; a bare number is in MHz.")
 @click.option("--csv", "csv_file", type=click.Path(path_type=Path), metavar="FILE", help="Write CSV; `-` is stdout.")
 @click.option("--ics", "ics_file", type=click.Path(path_type=Path), metavar="FILE", help="Write a calendar.")
-@global_options("config", "firmware", "json", "verbose")
+@global_options("config", "firmware", "json", "verbose", firmware=NO_DISH)
 def command(
     target: tuple[str, ...], elements: Path | None, lat: float | None, lon: float | None, alt: float | None,
-    start: datetime | None, hours: float, min_elevation: float, name: str | None, hearable: bool | None, sort: str,
-    limit: int | None, freq: float | None, csv_file: Path | None, ics_file: Path | None,
+    at: datetime | None, hours: float, min_elevation: float, name: str | None, hearable: bool | None, sort: str,
+    limit: int | None, freq_hz: float | None, csv_file: Path | None, ics_file: Path | None,
 ) -> None:  # fmt: skip
     """List what comes over: rise, highest point, set, and when this dish can follow it; of SATELLITE alone if named.
 
@@ -95,7 +95,7 @@ def command(
         watched = with_name(watched, name, wants.paths, elements)
     watched = _heard(watched, wants, hearable, named)
     limits = _limits(wants)
-    begin = start if start is not None else datetime.now(UTC)
+    begin = at if at is not None else datetime.now(UTC)
     table_wanted = csv_file is None and ics_file is None and not flags().json
     found = _search(watched, observer, begin, hours, min_elevation)
     which = np.arange(len(found))
@@ -103,7 +103,7 @@ def command(
         which = _that_move(found)
     shown = SHOWN if limit is None and table_wanted else limit
     rows = _rows(found, which, watched, observer, limits, sort, shown)
-    freq_hz, now = None if freq is None else freq * 1e6, datetime.now(UTC)
+    now = datetime.now(UTC)
     heard = _first_heard(wants)
     if csv_file is not None:
         from birdcage.sky.export.as_csv import passes_csv

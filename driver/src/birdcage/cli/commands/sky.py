@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import click
 
 from birdcage.cli.exits import DATA_EPILOG
-from birdcage.cli.options import flags, global_options
-from birdcage.cli.sky_options import UTC_TIME, elements_option, find_observer, observer_options
+from birdcage.cli.options import NO_DISH, flags, global_options
+from birdcage.cli.sky_options import at_option, elements_option, find_observer, observer_options
 
 if TYPE_CHECKING:
     from datetime import datetime
@@ -19,7 +19,7 @@ SHOWN = 40
 
 
 @click.command("sky", epilog=DATA_EPILOG)
-@click.option("--at", type=UTC_TIME, help="Another time than now, UTC unless it names a zone.")
+@at_option("When.")
 @click.option(
     "--min-elevation", type=click.FloatRange(-90.0, 90.0), default=0.0, show_default=True, metavar="DEGREES",
     help="Leave out what stands lower.",
@@ -29,7 +29,7 @@ SHOWN = 40
 )
 @observer_options
 @elements_option
-@global_options("firmware", "json", "config", "verbose", firmware="none, and no limits of the dish")
+@global_options("firmware", "json", "config", "verbose", firmware=NO_DISH)
 def command(
     at: datetime | None, min_elevation: float, limit: int | None,
     lat: float | None, lon: float | None, alt: float | None, elements: Path | None,

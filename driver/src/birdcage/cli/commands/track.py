@@ -11,6 +11,7 @@ import click
 from birdcage.cli.exits import EPILOG
 from birdcage.cli.options import flags, global_options
 from birdcage.cli.sky_options import (
+    FREQUENCY,
     NEGATIVE_NUMBERS,
     UTC_TIME,
     elements_option,
@@ -52,12 +53,12 @@ class Until(click.ParamType["str | datetime"]):
 @click.option("--controller", type=click.Choice(CONTROLLERS), help="What steers.  [default: as set, or auto]")
 @click.option("--time-offset", "time_offset_s", type=click.FloatRange(-3600.0, 3600.0), metavar="S",
               help="It comes so many seconds later than computed.  [default: as the catalogue remembers]")  # fmt: skip
-@click.option("--freq", "freq_hz", type=click.FloatRange(1e6, 1e12), metavar="HZ",
-              help="Frequency of its downlink.  [default: of the first one that the feed hears]")  # fmt: skip
+@click.option("--freq", "freq_hz", type=FREQUENCY, help="Its downlink: 137.1M; a bare number is in MHz.  "
+              "[default: the first one that the feed hears]")  # fmt: skip
 @click.option("--speed", type=click.FloatRange(1.0, 1000.0), help="Time runs so much faster; of a simulated dish only.")
 @elements_option
 @observer_options
-@global_options()
+@global_options(firmware="as set, else none: --engage asks the port, a plan needs one")
 def command(
     target: tuple[str, ...], plan_only: bool, engage: bool, until: Literal["los", "reach"] | datetime | None,
     controller: ControllerName | None, time_offset_s: float | None, freq_hz: float | None, speed: float | None,

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 import click
 
 from birdcage.cli.exits import DATA_EPILOG
-from birdcage.cli.options import flags, global_options
+from birdcage.cli.options import NO_DISH, flags, global_options
 from birdcage.cli.sky_options import (
     NEGATIVE_NUMBERS,
-    UTC_TIME,
+    at_option,
     elements_option,
     find_observer,
     no_options_among,
@@ -24,10 +24,10 @@ if TYPE_CHECKING:
 
 @click.command("where", epilog=DATA_EPILOG, context_settings=NEGATIVE_NUMBERS)
 @click.argument("target", nargs=-1, required=True)
-@click.option("--at", type=UTC_TIME, help="Another time than now, UTC unless it names a zone.")
+@at_option("When.")
 @observer_options
 @elements_option
-@global_options("firmware", "json", "config", "verbose", firmware="none, and no limits of the dish")
+@global_options("firmware", "json", "config", "verbose", firmware=NO_DISH)
 def command(
     target: tuple[str, ...], at: datetime | None,
     lat: float | None, lon: float | None, alt: float | None, elements: Path | None,

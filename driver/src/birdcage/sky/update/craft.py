@@ -1,4 +1,4 @@
-"""A client for the remote prediction service that the source documents name by `BIRDCAGE_CRAFT_URL`.
+"""A client for the prediction server that the source documents name by `BIRDCAGE_CRAFT_URL`.
 
 Its interface is documented only by what an earlier app used of it (reference *an-earlier-app*, 1.9): GET, JSON, no
 log-in, the paths and fields below. Not documented, and assumed nowhere: how it writes times (ISO 8601 is read; without
