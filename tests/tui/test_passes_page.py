@@ -143,7 +143,7 @@ def test_the_filter_works_as_one_types_and_esc_clears_it():
 def test_only_what_is_in_reach_and_only_favourites():
     async def hide(app, pilot):
         reach = await pressed(app, pilot, "r")
-        both = await pressed(app, pilot, "f")
+        both = await pressed(app, pilot, "F")
         return reach, both
 
     reach, both = on_page(hide)
@@ -355,7 +355,7 @@ def test_a_second_changes_only_what_counts_down():
 @pytest.mark.parametrize("keys", [(), ("right_square_bracket",)], ids=str)
 def test_no_filter_hides_passes_unsaid_on_a_small_screen(keys):
     async def hide(app, pilot):
-        await pressed(app, pilot, *keys, "r", "f", "slash", *"metop", "enter")
+        await pressed(app, pilot, *keys, "r", "F", "slash", *"metop", "enter")
         return app.query_one(PassHead)._strips[0].text
 
     head = on_page(hide)

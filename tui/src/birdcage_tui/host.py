@@ -40,6 +40,9 @@ class Host(Protocol):
     def action_command(self, name: str) -> None:
         """Do a command of the table, or say why not."""
 
+    def show_page(self, name: str, then: str | None = None) -> None:
+        """Show a page; `then` is one of its commands, to be done there."""
+
     def say(self, words: str) -> None:
         """Put a sentence into row 2, where the calm line is."""
 

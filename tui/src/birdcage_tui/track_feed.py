@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from birdcage.sky.horizon import HorizonMask
 
     from birdcage_tui.settings import Place
+    from birdcage_tui.track.offer import Offer
 
 KEPT_LOOKS = 3600
 """Looks at how well the dish points that are kept: an hour of them."""
@@ -92,6 +93,8 @@ class TrackFeed:
         self.source: TrackSource | None = None
         self.now: DeskNow | None = None
         self.looks: deque[Sample] = deque(maxlen=KEPT_LOOKS)
+        self.offer: Offer | None = None
+        """The pass that was picked on F7 last."""
         self._number: int | None = None
         self._phase: Phase | None = None
         self._closed = False

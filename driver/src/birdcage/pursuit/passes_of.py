@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
 HOURS = (24.0, 48.0)
 """How far ahead is looked; the second one if there is nothing within the first."""
-MOST = 12
-"""Rows that are worked out; each takes a millisecond."""
+MOST = 18
+"""Rows that are worked out, each in a millisecond: a low orbit has up to 16 passes a day, and any may be picked."""
 SAME_S = 120.0
 """As near as this two times of AOS are one pass: other elements or another offset have moved it."""
 BEFORE = timedelta(minutes=30)

@@ -49,6 +49,11 @@ def can_forget(view: View) -> str | None:
     return "Nothing was left in mid-pass." if view.track is None or view.track.unfinished is None else None
 
 
+def can_take_offer(view: View) -> str | None:
+    """Return why the pass that was picked on F7 cannot be followed; what is held is released first, as everywhere."""
+    return None if can_release(view) is None else can_follow(view)
+
+
 def can_autotrack(view: View) -> str | None:
     """Return why autotrack cannot be switched. Off is always possible."""
     if view.track is not None and view.track.autotrack:
@@ -82,6 +87,9 @@ TRACK = (
            can_follow, "follow"),
     _craft("leave", ("x",), "x", "Leave", "End following. The dish stays where it is.", can_leave, "leave"),
     _craft("take", ("enter",), "Enter", "Choose", "Take the target or the pass under the cursor.", can_take, "choose"),
+    Command("offer-follow", ("enter",), "Enter", "Follow the picked pass",
+            "The pass that f on F7 has picked, as the row above says.", "Craft", can_take_offer, "follow it",
+            where=("offer",), page=PAGE),
     _craft("up", ("up", "k"), "↑ k", "Row above", "In the targets found, or in the passes.", can_search),
     _craft("down", ("down", "j"), "↓ j", "Row below", "In the targets found, or in the passes.", can_search),
     _craft("earlier", ("left_square_bracket",), "[", "0.1 s earlier", "The target comes earlier than computed.",

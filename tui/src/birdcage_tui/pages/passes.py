@@ -26,6 +26,7 @@ from birdcage_tui.passes.time_ask import time_screen
 from birdcage_tui.passes.time_text import moment_of
 from birdcage_tui.passes.timeline import Timeline
 from birdcage_tui.passes.world_map_ask import PassWorld
+from birdcage_tui.track.offer import Offer
 from birdcage_tui.view import View
 
 SHIFTS_S = {"time-back": -60.0, "time-forward": 60.0, "time-far-back": -1800.0, "time-far-forward": 1800.0}
@@ -229,6 +230,9 @@ class PassesPage(Page):
                 self._open_filter()
             case "pass-favourite" | "pass-undo":
                 self._favourite(command, view)
+            case "pass-follow":
+                self._follow(view)
+                return True
             case "pass-export":
                 self._export(view)
             case _:
@@ -254,6 +258,15 @@ class PassesPage(Page):
         self.host.sky.set_favourite(number or name, wanted)
         undo = "" if command == "pass-undo" else " u takes it back."
         self.host.say(f"{name} is {'a favourite' if wanted else 'no favourite any more'}.{undo}")
+
+    def _follow(self, view: View) -> None:
+        """Show the plan of the chosen pass on F2, where Enter follows it."""
+        row = self.desk.chosen(view)
+        if row is None:
+            self.host.say("No pass is chosen.")
+            return
+        self.host.track.offer = Offer(row.name, row.norad_id, row.tca_s)
+        self.host.show_page("control", "open-offer")
 
     def _export(self, view: View) -> None:
         self.host.sky.export(self.desk.rows(view))

@@ -35,7 +35,7 @@ def empty_words(view: View, desk: Desk) -> list[tuple[str, str]]:
         return [("text", f"Nothing that passes is known to send what the feed {sky.feed} hears."),
                 ("dim", "h shows what it cannot hear, too.")]  # fmt: skip
     if choice.favourites_only:
-        return [("text", "None of your favourites passes."), ("dim", "f shows all satellites again.")]
+        return [("text", "None of your favourites passes."), ("dim", "F shows all satellites again.")]
     if choice.reachable_only:
         return [("text", "Nothing comes within reach of this dish."), ("dim", "r shows what it cannot reach, too.")]
     return [("text", f"None of the {sky.satellites} satellites passes in the hours that were searched.")]

@@ -20,6 +20,7 @@ from birdcage_tui.track.found import FoundList
 from birdcage_tui.track.head import TrackHead
 from birdcage_tui.track.layout import VIEWS, layout
 from birdcage_tui.track.now import TrackNow
+from birdcage_tui.track.offer import OfferLine
 from birdcage_tui.track.passes import TrackPasses
 from birdcage_tui.track.plot import TrackSky
 from birdcage_tui.track.pursuing import plan_of
@@ -40,6 +41,9 @@ ORDERS: dict[str, Callable[[TrackSource], None]] = {
 }
 MOVES = ("track-aim", "track-follow", "track-resume", "track-autotrack")
 """What may move the dish."""
+ENDS_OFFER = frozenset({"track-search", "track-watch", "track-aim", "track-follow", "track-leave", "track-up",
+                        "track-down", "track-autotrack"})  # fmt: skip
+"""After these Enter no longer follows the pass that was picked on F7."""
 LOWEST_HZ, HIGHEST_HZ = 1e6, 100e9
 
 
@@ -62,6 +66,7 @@ class CraftTab(Vertical):
 
     DEFAULT_CSS = """
     CraftTab { height: 1fr; }
+    CraftTab OfferLine { height: 1; }
     CraftTab Input, CraftTab Input:focus { height: 1; border: none; padding: 0 1; background: $panel; }
     CraftTab #craft-upper { height: 1fr; }
     CraftTab #craft-right, CraftTab TrackStrips, CraftTab FoundList, CraftTab TrackPasses, CraftTab SchedulePane,
@@ -86,6 +91,9 @@ class CraftTab(Vertical):
 
     def compose(self) -> ComposeResult:
         """The parts, from the top left."""
+        offer = OfferLine(id="craft-offer")
+        offer.display = False
+        yield offer
         yield TrackHead(id="craft-head")
         field = EscField("name, number, 19.2E, moon, 180 45; Enter chooses", closes="closes", id="craft-search")
         field.display = False
@@ -115,7 +123,8 @@ class CraftTab(Vertical):
 
     def lay_out(self, view: View) -> None:
         """Give every part its room; nothing is done where nothing has changed."""
-        found = layout(self.size.width, self.size.height - bool(self._searching), self._shown)
+        taken = bool(self._searching) + self.query_one(OfferLine).display
+        found = layout(self.size.width, self.size.height - taken, self._shown)
         listing = self.listing(view)
         shown = VIEWS[0] if listing and not found.roomy else self._shown
         key = (found, listing, shown, bool(TrackNow.lines(view, 80)))
@@ -150,6 +159,9 @@ class CraftTab(Vertical):
 
     def show(self, view: View) -> None:
         """Choose the layout, and draw."""
+        offer = self.query_one(OfferLine)
+        if offer.display and self.screen.focused is not offer:
+            offer.display = False  # something else was taken up: Enter is no longer its own
         self.lay_out(view)
         for pane in self.query(Pane):
             pane.show(view)
@@ -159,9 +171,15 @@ class CraftTab(Vertical):
     def do(self, command: str) -> bool:
         """Do one of the tab's commands."""
         view, source = self.host.view(), self.host.track.source
+        if command in ENDS_OFFER and self.query_one(OfferLine).display:
+            self.screen.set_focus(None)
         match command:
             case "open-craft" | "tab-craft":
                 return True
+            case "open-offer":
+                self._open_offer(source)
+            case "offer-follow":
+                self.host.say("No pass is picked: f on F7 picks one.")
             case "track-search":
                 self._open_search()
             case "track-up" | "track-down":
@@ -230,6 +248,18 @@ class CraftTab(Vertical):
                 return
             source.choose_pass(row.passing.aos)
             self._shown = VIEWS[0]
+
+    def _open_offer(self, source: TrackSource | None) -> None:
+        """Choose the pass that was picked on F7, and offer to follow it."""
+        offer, line = self.host.track.offer, self.query_one(OfferLine)
+        if offer is None or source is None:
+            self.host.say("The pursuit desk is not open yet.")
+            return
+        self._close_search()
+        source.choose(offer.text)
+        source.choose_pass(offer.tca)
+        self._shown, line.offer, line.display = VIEWS[0], offer, True
+        self.screen.set_focus(line)
 
     def _ask_frequency(self, view: View) -> None:
         aim = None if view.track is None else view.track.aim

@@ -112,7 +112,8 @@ class TrackNow(Pane):
                 words = f"{decibels(sample.loss_db)}  {words}"
             found.append(("text", words))
         shown = plan_of(view)
-        if shown is not None and not shown_is_followed(view):
+        followable = shown is not None and any(leg.end_s > view.utc.timestamp() for leg in shown.legs)
+        if shown is not None and followable and not shown_is_followed(view):
             found.append(("text", f"f follows {shown.aim.name} instead."))
         if pursuit.why:
             found.append(("dim" if sample is not None else "text", pursuit.why))
