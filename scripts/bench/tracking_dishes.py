@@ -21,20 +21,6 @@ PLAY = {**IDEAL, "backlash": "0.06"}
 """Play alone."""
 ROBUST = {**SHAKEN, "overshoot": "1"}
 """All of it at once: jitter, overshoot, play, lost replies."""
-OVERSHOOTS = {"0": (0.0, 0.0), "1": (0.03, 0.04)}
-"""What the simulator's overshoot is on the mean, up and down, by its scale (section 7.4 of the reference)."""
-
-
-def knowing(model: DishModel, conditions: dict[str, str]) -> DishModel:
-    """Return the model of a dish of whose gear everything is known: play, and overshoot on the mean."""
-    up_deg, down_deg = OVERSHOOTS[conditions["overshoot"]]
-    azimuth, elevation = (
-        replace(
-            axis, play_deg=float(conditions["backlash"]), mean_overshoot_up_deg=up_deg, mean_overshoot_down_deg=down_deg
-        )
-        for axis in (model.azimuth, model.elevation)
-    )
-    return replace(model, azimuth=azimuth, elevation=elevation)
 
 
 @dataclass(frozen=True)

@@ -15,6 +15,7 @@ from birdcage.base.clock import VirtualClock
 from birdcage.base.errors import NoReply
 from birdcage.base.geometry import wrap_360
 from birdcage.link.link import Link
+from birdcage.protocol.gear import AXES, Gear, GearFact, GearKind, GearOrigin
 from birdcage.protocol.model import DishModel
 from birdcage.protocol.registry import get_protocol
 from birdcage.sim.axis import Axis
@@ -31,6 +32,10 @@ EARLY_S = 240.0
 
 
 DELAY_S = 2.0
+TO_AND_FRO = 12
+AWAY_DEG = 5.0
+RESTS_S = 2.0
+"""What a dish is moved before a pass to learn its overshoot: so often, so far; and when it rests."""
 PIECE_S = 0.004
 """How long a byte waits in the adapter at the longest while others follow it."""
 
@@ -121,7 +126,8 @@ class Bench:
         self.antenna = BirdcageAntenna(self.protocol)
         self.antenna.initialize()
         self.antenna.model = self.model
-        self.antenna.get_position()
+        stands = self.antenna.get_position()
+        self.at_start = stands.azimuth, stands.elevation
         self._moves = 0
         self._asked_s = self.start_s
         with self.device.lock:
@@ -165,6 +171,25 @@ class Bench:
             while self.device.truth().moving:
                 self.clock.advance(0.1)
             self.antenna.get_position()
+
+    def learn(self, play_deg: float) -> None:
+        """Move to and fro until readings at rest have told the overshoot, and go by that and by the play."""
+        az_deg, el_deg = self.at_start
+        for times in range(2 * TO_AND_FRO):
+            by_deg = 0.0 if times % 2 else AWAY_DEG
+            self.antenna.point(wrap_360(az_deg + by_deg), el_deg + by_deg)
+            self.clock.advance(RESTS_S)
+            self.antenna.get_position()
+        gear = Gear()
+        for axis in AXES:
+            gear = gear.with_fact(axis, GearKind.PLAY, GearFact(play_deg, GearOrigin.USER, self.clock.utc()))
+        for (axis, up), tally in self.antenna.commands.overshoots.tallies.items():
+            if tally.is_sure:
+                kind = GearKind.OVERSHOOT_UP if up else GearKind.OVERSHOOT_DOWN
+                fact = GearFact(tally.mean_deg, GearOrigin.READINGS, self.clock.utc(), tally.count)
+                gear = gear.with_fact(axis, kind, fact)
+        self.antenna.motion = None
+        self.model = self.antenna.model = gear.on(self.model)
 
     def wait(self, until_s: float) -> None:
         ahead_s = until_s - self.now_s

@@ -19,7 +19,7 @@ from birdcage.tracking.steering.choice import lead_s
 from birdcage.tracking.steering.fast import fast
 from birdcage.tracking.steering.queued import queued
 from birdcage.tracking.steering.velocity import velocity
-from tracking_dishes import G2, IDEAL, PLAY, ROBUST, SHAKEN, TRAVLER_5, WORN, Dish, knowing
+from tracking_dishes import G2, IDEAL, PLAY, ROBUST, SHAKEN, TRAVLER_5, WORN, Dish
 from tracking_passes import Case
 from tracking_peers import PEERS
 from tracking_runner import DELAY_S, EARLY_S, Bench, Order
@@ -60,7 +60,7 @@ class Work:
     """What the time-offset knob is set to."""
     seed: int = 1
     gear_known: bool = False
-    """Whether the dish's play and overshoot are known."""
+    """Whether its owner has set the play of the dish, and moves before the pass have taught its overshoot."""
 
 
 @dataclass(frozen=True)
@@ -97,14 +97,14 @@ class Score:
 
 def run(work: Work) -> Score:
     dish = DISHES[work.dish]
-    if work.gear_known:
-        dish = replace(dish, model=knowing(dish.model, CONDITIONS[work.condition]))
     now = datetime.fromtimestamp(work.case.passing.aos.timestamp() - EARLY_S + 10.0, UTC)
     plan = planned(work, dish, now, work.offset_s)
     true = plan if work.offset_s == 0.0 else planned(work, dish, now, 0.0)
     start_s = work.case.passing.aos.timestamp() + work.offset_s
     address = dish.address(CONDITIONS[work.condition], work.seed)
     bench = Bench(address, dish.model, start_s, LOST.get(work.condition, 0.0), work.late_s, seed=work.seed)
+    if work.gear_known:
+        bench.learn(float(CONDITIONS[work.condition]["backlash"]))
     stretches, rewinds = _stretches(plan)
     bench.sample(stretches[0][0] + work.late_s, stretches[-1][1] + work.late_s)
     if plan.preposition is not None:

@@ -23,6 +23,7 @@ from birdcage.kinematics import rest_point
 from birdcage.leapfrog import apply_leapfrog
 from birdcage.link.link import Link
 from birdcage.protocol.belief import Belief, Expected
+from birdcage.protocol.gear import Gear
 from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.protocol.types import MOTOR_AZIMUTH, MOTOR_ELEVATION, Position
 
@@ -57,6 +58,7 @@ class BirdcageAntenna:
         self._begun_by: dict[int, float] = {}
         """When each axis had taken its last command."""
         self._modelling = threading.RLock()
+        self.gear = Gear()
         self.kind = protocol.model
         """The dish as it was seen to take commands; `protocol.model` is what is known of all that are like it."""
         self.model = self.kind
@@ -108,7 +110,7 @@ class BirdcageAntenna:
 
     def remember_blocking(self, *, blocks: bool) -> None:
         """Count the dish among those that take no command of a move while a motor runs, or no longer."""
-        self.kind = self._protocol.model.blocking() if blocks else self._protocol.model
+        self.kind = self.gear.on(self._protocol.model.blocking() if blocks else self._protocol.model)
         self.use_speeds(self.speeds_deg_s)
 
     def doubt(self) -> None:
@@ -172,8 +174,8 @@ class BirdcageAntenna:
         return self._seen(self._protocol.glance())
 
     def _seen(self, dish: Position) -> Position:
-        now = self._clock.monotonic()
         with self._modelling:
+            now = self._clock.monotonic()
             if self.motion is not None:
                 self.motion = self.motion.with_reading(dish, now, self._clock.rate)
                 self.commands.see(dish, self.motion, self._clock.rate)
@@ -310,9 +312,9 @@ class BirdcageAntenna:
         self._check_thread()
         gate, clock = self._protocol.gate, self._clock
         azimuth = self.model.azimuth
-        if motor == azimuth.index and azimuth.max_deg - azimuth.min_deg >= 360.0:
-            dish_deg = round(wrap_360(dish_deg), 2) % 360.0  # as it is printed: never 360.00
         turns_az = motor == azimuth.index
+        if turns_az and azimuth.max_deg - azimuth.min_deg >= 360.0:
+            dish_deg = round(wrap_360(dish_deg), 2) % 360.0  # as it is printed: never 360.00
         az_deg, el_deg = (None, None) if self.motion is None else sent_to(self.motion)
         gate.check(dish_deg if turns_az else az_deg, el_deg if turns_az else dish_deg)
         here = gate.position
@@ -323,14 +325,11 @@ class BirdcageAntenna:
             try:
                 if self.model.moves_in_turn:
                     self.commands.send(
-                        motor,
-                        dish_deg,
-                        () if before is None else before.axes,
-                        known=True,
+                        motor, dish_deg, () if before is None else before.axes, known=True,
                         without=Without(dish_deg, moving=True),
-                    )
+                    )  # fmt: skip
                 else:
-                    self.commands.answers[motor] = self._protocol.steer_motor(motor, dish_deg)
+                    self.commands.steer(motor, dish_deg)
             finally:
                 self._begun_by[motor] = clock.monotonic()
             self.taken += 1

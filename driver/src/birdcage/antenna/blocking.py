@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from birdcage.antenna.motion import AxisMotion, DishMotion, longest_s
+from birdcage.antenna.overshoot import OvershootWatch
 from birdcage.base.geometry import shortest_turn
 from birdcage.protocol.model import SecondMove
 from birdcage.protocol.types import Position, Taken
@@ -40,6 +41,7 @@ class MoveCommands:
         antenna.protocol.busy_s = self.busy_s
         self.answers: dict[int, Taken] = {}
         """What the dish answered to the last command of each motor."""
+        self.overshoots = OvershootWatch()
         self._open: dict[int, Without] = {}
         """The axes of which it is not known whether the dish has taken their last command."""
         self.on_blocking: Callable[[], None] = lambda: None
@@ -65,7 +67,10 @@ class MoveCommands:
             busy_s = longest_s(antenna.model) / rate
         if antenna.model.has_speeds and not antenna.speeds_deg_s:
             busy_s *= SLOWER  # it may have been set to less than such dishes can do
+        self.overshoots.sent(motor)
         answer = self.answers[motor] = protocol.move_motor(motor, dish_deg, busy_s=max(0.0, busy_s))
+        if answer.sure:
+            self.overshoots.taken(motor, antenna.motion)
         if not answer.sure and abs(shortest_turn(without.deg, dish_deg)) > SEEN_DEG:
             self._open[motor] = without
         if not has_waited(answer.took_s, usual_s, runs_s):
@@ -74,6 +79,13 @@ class MoveCommands:
         if not antenna.model.moves_in_turn:
             antenna.remember_blocking(blocks=True)
             self.on_blocking()
+
+    def steer(self, motor: int, dish_deg: float) -> None:
+        """Send one axis as one of a stream; raises as `FirmwareProtocol.steer_motor`."""
+        self.overshoots.sent(motor)
+        answer = self.answers[motor] = self._antenna.protocol.steer_motor(motor, dish_deg)
+        if answer.sure:
+            self.overshoots.taken(motor, self._antenna.motion)
 
     def busy_s(self) -> float:
         """Return how long the dish may leave a reading unanswered: one that waits for its motors may wait with that."""
@@ -90,6 +102,9 @@ class MoveCommands:
 
     def see(self, dish: Position, motion: DishMotion, rate: float) -> None:
         """Take in where the dish is: an axis that goes from rest as it was sent has taken its command."""
+        protocol = self._antenna.protocol
+        asked_at = protocol.clock.monotonic() - protocol.console.took_s
+        self.overshoots.see(dish, motion, asked_at, rate)
         for axis, here in ((motion.azimuth, dish.azimuth), (motion.elevation, dish.elevation)):
             without = self._open.get(axis.axis.index)
             if without is None or without.moving or not axis.is_as_modelled(rate):

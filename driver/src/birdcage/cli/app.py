@@ -41,6 +41,7 @@ COMMANDS = {
     "downlinks": "List who sends what, and what your feed can hear.",
     "if": "Work out where a converter puts a frequency, and who can tune to it.",
     "ready": "Check what is missing before you leave home.",
+    "gear": "Show what is known of this dish's play and overshoot, set the play, or forget all.",
     "calibrate": "Find how the dish stands: peaks, pointing model, named alignments.",
     "craft": "Ask a prediction server, if you have set one.",
     "config": "Show and check birdcage.toml.",

@@ -12,6 +12,7 @@ from birdcage.antenna.alignment import Alignment
 from birdcage.base.beam import Beam
 from birdcage.base.config.sections import NoGoSector
 from birdcage.base.held import HeldNote
+from birdcage.protocol.gear import Gear
 from birdcage.protocol.model import DishModel, Turn
 from birdcage.station.pursuit import Pursuit
 
@@ -261,6 +262,8 @@ class StationState:
     alignment: Alignment = field(default_factory=Alignment)
     """The whole of what is in force: the offsets above, tilt and collimation. Shown whenever it is not zero."""
     feed_name: str = ""
+    gear: Gear = field(default_factory=Gear)
+    """What is known of its own play and overshoot, which `dish` has too, with where it comes from."""
     beam: Beam | None = None
     """Of this dish with that feed; None where it is not known."""
     stow_allowed: bool = False

@@ -21,6 +21,7 @@ from birdcage.station.board import Board, Listener
 from birdcage.station.connection import Connection
 from birdcage.station.control import Control
 from birdcage.station.desk import Desk
+from birdcage.station.gear_memory import GearMemory
 from birdcage.station.lent import LentSpeeds
 from birdcage.station.look import Look
 from birdcage.station.move_memory import MoveMemory
@@ -74,6 +75,7 @@ class Station:
         self._stopper = Stopper(board, antenna, self._control, self._mover, look)
         protocol.on_busy = self._mover.busy
         self._moves = MoveMemory(board, antenna, self._stopper, settings.state_folder, settings.identify)
+        self._gears = GearMemory(board, antenna, settings.state_folder, settings.identify)
         applying = Applying(board, antenna, self._mover, self._stopper, look)
         applying.use(settings)
         self._watches = Watches()
@@ -266,6 +268,7 @@ class Station:
         """A port is about to be opened: what is remembered of its dish counts."""
         self._control.meet(port)
         self._moves.meet(port)
+        self._gears.meet(port)
         self._turns.meet(port)
 
     def _connect(self) -> None:
