@@ -144,8 +144,16 @@ class Braille:
         for step in range(0, steps + 1, every):
             self.dot(x0 + (x1 - x0) * step / steps, y0 + (y1 - y0) * step / steps, ink)
 
-    def circle(self, x: float, y: float, radius: float, ink: str, spacing: float = 0.0) -> None:
-        """Draw a circle: one dot thick, or with a dot every `spacing` dots along it."""
+    def circle(
+        self, x: float, y: float, radius: float, ink: str, spacing: float = 0.0, dot_aspect: float = 1.0
+    ) -> None:
+        """Draw a circle: one dot thick, or with a dot every `spacing` dots along it.
+
+        `radius` is in widths of a dot; `dot_aspect` is how much taller than wide the terminal draws one.
+        """
+        if dot_aspect != 1.0:
+            self.ellipse(x, y, radius, radius / dot_aspect, ink, spacing or 0.7)
+            return
         if spacing <= 0:
             # Along the flatter axis of each eighth there is one dot a column: no corners, no gaps.
             reach = math.ceil(radius * math.sqrt(0.5))

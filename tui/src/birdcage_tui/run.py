@@ -30,6 +30,7 @@ from birdcage_tui.control.horizon_file import ConfigHorizon
 from birdcage_tui.glyphs import fitting
 from birdcage_tui.settings import AppSettings, Place
 from birdcage_tui.sky_feed import make_sky
+from birdcage_tui.terminal_cells import ASPECT
 from birdcage_tui.track_source import make_track
 
 if TYPE_CHECKING:
@@ -286,5 +287,7 @@ def _app_settings(settings: Settings, paths: Paths, *, demo: bool) -> AppSetting
         logs_folder=paths.logs,
         presets_file=paths.presets_file,
         glyphs=settings.app.glyphs if chosen else fitting(os.environ),
+        cell_aspect=settings.app.cell_aspect or ASPECT,
+        cell_aspect_set=settings.app.cell_aspect is not None,
         update_hz=settings.app.update_hz,
     )

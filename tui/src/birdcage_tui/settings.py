@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
+from birdcage_tui.terminal_cells import ASPECT
+
 if TYPE_CHECKING:
     from birdcage.sky.horizon import HorizonMask
 
@@ -53,6 +55,10 @@ class AppSettings:
     """A sentence about the settings that a person must see (a damaged file, say)."""
     glyphs: str = "braille"
     """What pictures are drawn with: `braille`, `block` or `ascii`."""
+    cell_aspect: float = ASPECT
+    """How much taller than wide a character is: so circles are round."""
+    cell_aspect_set: bool = False
+    """Whether a setting says so; else the terminal does, where it tells."""
     update_hz: float = 10.0
     """How many frames a second are drawn at most."""
     history_file: Path | None = None

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import cast
 
+from textual import events
 from textual.app import App
 from textual.driver import Driver
 from textual.filter import LineFilter, Monochrome
@@ -19,6 +21,7 @@ from birdcage_tui.glyphs import GlyphFilter
 from birdcage_tui.host import Host
 from birdcage_tui.pane import Pane
 from birdcage_tui.settings import AppSettings
+from birdcage_tui.terminal_cells import aspect_of
 from birdcage_tui.themes import DEFAULT, LOOKS, Look
 
 
@@ -75,6 +78,25 @@ class Surface(App[None]):
         if self._glyph_filter.enabled:
             filters.append(self._glyph_filter)
         return filters
+
+    def on_resize(self, event: events.Resize) -> None:
+        """Find out the shape of a character: another font has another."""
+        told = event.pixel_size
+        if told is not None and event.size:
+            aspect = aspect_of(told.width / event.size.width, told.height / event.size.height)
+            if aspect is not None:
+                self.cell_aspect_told(aspect)
+        elif (ask := getattr(self._driver, "ask_cell_size", None)) is not None:
+            ask()
+
+    def cell_aspect_told(self, aspect: float) -> None:
+        """Take what the terminal says of its characters, where no setting says it. Any thread."""
+        self.soon(lambda: self._take_aspect(aspect))
+
+    def _take_aspect(self, aspect: float) -> None:
+        if not self.settings.cell_aspect_set and aspect != self.settings.cell_aspect:
+            self.settings = replace(self.settings, cell_aspect=aspect)
+            self.paint()
 
     def _recolour(self, _: object) -> None:
         for pane in self.screen_stack[0].query(Pane):

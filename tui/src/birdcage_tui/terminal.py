@@ -24,6 +24,8 @@ from textual._xterm_parser import XTermParser
 from textual.drivers.linux_driver import LinuxDriver
 from textual.message import Message
 
+from birdcage_tui.terminal_cells import ASK, WAIT_S, CellAnswers, window_aspect
+
 READ_BYTES = 4096
 LOOK_S = 0.1
 """How often the end of the input thread is looked for."""
@@ -123,6 +125,11 @@ def _is_mid_sequence(parser: XTermParser) -> bool:
 class TerminalDriver(LinuxDriver):
     """Reads until the terminal is gone, and tells the app then (`terminal_gone`)."""
 
+    _asked = False
+    """Whether the terminal was asked for the size of a character."""
+    _answer_due = 0.0
+    """Until when its answer may come, in monotonic seconds."""
+
     def __init__(self, *arguments: Any, **more: Any) -> None:  # noqa: ANN401 - as Textual passes them
         super().__init__(*arguments, **more)
         # stdout is the terminal: `main` refuses another one. stderr may be a file, which is nothing to draw on.
@@ -131,7 +138,7 @@ class TerminalDriver(LinuxDriver):
 
     def run_input_thread(self) -> None:
         """Hand on what is typed, until the app ends or the terminal is gone."""
-        parser, decoder, paste = XTermParser(), InputDecoder(), PasteWatch()
+        parser, decoder, paste, answers = XTermParser(), InputDecoder(), PasteWatch(), CellAnswers()
         heard_at = monotonic()
         with selectors.DefaultSelector() as selector:
             selector.register(self.fileno, selectors.EVENT_READ)
@@ -142,11 +149,13 @@ class TerminalDriver(LinuxDriver):
                     if not data:
                         self._tell_gone()
                         break
-                    text = decoder.decode(data)
+                    text = self._without(answers, decoder.decode(data))
                     paste.see(text)
                     parser = self._feed(parser, text, paste)
                 else:
                     decoder.pause()
+                    if kept := answers.pause():
+                        parser = self._feed(parser, kept, paste)
                     if paste.is_open and monotonic() - heard_at >= PASTE_S:
                         paste.see(PASTE_ENDS)
                         parser = self._feed(parser, PASTE_ENDS, paste)
@@ -157,6 +166,29 @@ class TerminalDriver(LinuxDriver):
         """Return how long to wait for bytes: no longer than until an Esc turns out to be a key of its own."""
         due = parser._timeout_time  # noqa: SLF001 - Textual looks every 100 ms, which is that much later
         return LOOK_S if due is None else min(LOOK_S, max(0.0, due - monotonic()))
+
+    def _without(self, answers: CellAnswers, text: str) -> str:
+        """Return the text without what the terminal says of its characters' size, and hand that on."""
+        before = answers.cell, answers.area
+        text = answers.take(text, due=monotonic() < self._answer_due)
+        if (answers.cell, answers.area) != before:
+            with suppress(OSError):
+                self._tell_aspect(answers.aspect(*os.get_terminal_size(self._terminal.fileno())))
+        return text
+
+    def ask_cell_size(self) -> None:
+        """Find out how much taller than wide a character is: from the kernel, else the terminal is asked, once."""
+        aspect = window_aspect(self._terminal.fileno())
+        if aspect is not None:
+            self._tell_aspect(aspect)
+        elif not self._asked:
+            self._asked, self._answer_due = True, monotonic() + WAIT_S
+            self.write(ASK)
+
+    def _tell_aspect(self, aspect: float | None) -> None:
+        told: Callable[[float], object] | None = getattr(self._app, "cell_aspect_told", None)
+        if told is not None and aspect is not None:
+            told(aspect)
 
     def _read(self) -> bytes:
         try:

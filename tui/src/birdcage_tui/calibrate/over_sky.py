@@ -34,7 +34,7 @@ class OverSkyPane(Pane):
 
     def draw(self, cells: Cells, view: View) -> None:
         """Draw it."""
-        polar = Polar(cells.width, cells.height)
+        polar = Polar(cells.width, cells.height, view.settings.cell_aspect)
         canvas = Braille(cells.width, cells.height)
         low, high = view.state.el_min_deg, view.state.el_max_deg
         if low is not None and low > 0:
@@ -71,11 +71,12 @@ class OverSkyPane(Pane):
                 # Up on the sky is towards the middle of the map, right is clockwise about it.
                 middle_x, middle_y = polar.middle
                 reach = polar.radius / 90.0
-                away = max(((x0 - middle_x) ** 2 + (y0 - middle_y) ** 2) ** 0.5, 1e-6)
-                out_x, out_y = (x0 - middle_x) / away, (y0 - middle_y) / away
+                tall = polar.dot_aspect
+                away = max(((x0 - middle_x) ** 2 + ((y0 - middle_y) * tall) ** 2) ** 0.5, 1e-6)
+                out_x, out_y = (x0 - middle_x) / away, (y0 - middle_y) * tall / away
                 scale = ARROW_DEG / top * reach
                 x1 = x0 - out_x * each.up_deg * scale - out_y * each.right_deg * scale
-                y1 = y0 - out_y * each.up_deg * scale + out_x * each.right_deg * scale
+                y1 = y0 + (out_x * each.right_deg - out_y * each.up_deg) * scale / tall
                 canvas.line(x0, y0, x1, y1, "accent")
         if words != (self.border_subtitle or ""):  # setting it repaints the pane, equal or not
             self.border_subtitle = words

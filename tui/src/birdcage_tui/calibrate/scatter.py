@@ -52,18 +52,18 @@ class ScatterPane(Pane):
             for ink, words in BEGIN:
                 y = put_wrapped(cells, y, words, ink) + (1 if cells.height >= 15 else 0)
             return
-        self._plot(cells, fit, view.state.beam)
+        self._plot(cells, fit, view.state.beam, view.settings.cell_aspect / 2.0)
 
     def _told(self, title: str, words: str) -> None:
         if (title, words) != (self.border_title, self.border_subtitle or ""):  # setting it repaints, equal or not
             self.border_title, self.border_subtitle = title, words
 
     @staticmethod
-    def _plot(cells: Cells, fit: Fit, beam: Beam | None) -> None:
+    def _plot(cells: Cells, fit: Fit, beam: Beam | None, dot_aspect: float) -> None:
         reach = reach_of(fit)
         width, height = cells.width, cells.height
         canvas = Braille(width, height)
-        half_x, half_y = width - 1.0, height * 2.0 - 2.0
+        half_x, half_y = width - 1.0, (height * 2.0 - 2.0) * dot_aspect
         radius = min(half_x, half_y)
         middle_x, middle_y = float(width // 2 * 2), float(height // 2 * 4 + 1)
 
@@ -71,15 +71,15 @@ class ScatterPane(Pane):
             # What lies beyond the picture stands at its edge.
             x = min(max(right / reach * radius, -half_x), half_x)
             y = min(max(up / reach * radius, -half_y), half_y)
-            return middle_x + x, middle_y - y
+            return middle_x + x, middle_y - y / dot_aspect
 
         canvas.line(middle_x - radius, middle_y, middle_x + radius, middle_y, "line")
-        canvas.line(middle_x, middle_y - radius, middle_x, middle_y + radius, "line")
-        canvas.circle(middle_x, middle_y, radius, "line")
-        canvas.circle(middle_x, middle_y, radius / 2, "line", 4.0)
+        canvas.line(middle_x, middle_y - radius / dot_aspect, middle_x, middle_y + radius / dot_aspect, "line")
+        canvas.circle(middle_x, middle_y, radius, "line", dot_aspect=dot_aspect)
+        canvas.circle(middle_x, middle_y, radius / 2, "line", 4.0, dot_aspect)
         if beam is not None and reach / 4 < beam.narrow_deg / 2 < reach:
             across, up = (radius * width / 2 / reach for width in (beam.az_deg, beam.el_deg))
-            canvas.ellipse(middle_x, middle_y, across, up, "dim", 2.0)
+            canvas.ellipse(middle_x, middle_y, across, up / dot_aspect, "dim", 2.0)
         for each in fit.residuals:
             if each.alone_right_deg is not None and each.alone_up_deg is not None:
                 canvas.line(*dot(each.right_deg, each.up_deg), *dot(each.alone_right_deg, each.alone_up_deg), "dim", 3)

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 
 from birdcage_tui.canvas import Braille
+from birdcage_tui.terminal_cells import ASPECT
 
 
 @dataclass(frozen=True, slots=True)
@@ -14,11 +15,18 @@ class Compass:
 
     width: int
     height: int
+    aspect: float = ASPECT
+    """Height over width of a cell."""
+
+    @property
+    def dot_aspect(self) -> float:
+        """Height over width of a dot: a cell is 2 dots wide and 4 tall."""
+        return self.aspect / 2.0
 
     @property
     def radius(self) -> float:
-        """Dots from the hub to the rim."""
-        return max(4.0, min(self.width * 2 - 8, self.height * 4 - 4) / 2)
+        """Widths of a dot from the hub to the rim."""
+        return max(4.0, min(self.width * 2 - 8, (self.height * 4 - 4) * self.dot_aspect) / 2)
 
     @property
     def middle(self) -> tuple[float, float]:
@@ -29,7 +37,7 @@ class Compass:
         """Return the dot in a direction, at a part of the radius."""
         x, y = self.middle
         az = math.radians(az_deg)
-        return x + self.radius * part * math.sin(az), y - self.radius * part * math.cos(az)
+        return x + self.radius * part * math.sin(az), y - self.radius * part * math.cos(az) / self.dot_aspect
 
     def cell(self, az_deg: float, part: float = 1.0) -> tuple[int, int]:
         """Return the cell of that dot."""
@@ -39,13 +47,13 @@ class Compass:
     def direction(self, column: int, row: int) -> float | None:
         """Return the azimuth of a cell; None on the hub and outside the rim."""
         x0, y0 = self.middle
-        dx, dy = column * 2 + 1 - x0, row * 4 + 2 - y0
+        dx, dy = column * 2 + 1 - x0, (row * 4 + 2 - y0) * self.dot_aspect
         reach = math.hypot(dx, dy)
         return None if reach < 3 or reach > self.radius + 6 else math.degrees(math.atan2(dx, -dy)) % 360
 
     def ticks(self, canvas: Braille) -> None:
         """Draw the rim and its ticks: every 30 degrees long, every 10 short, every 5 shorter where there is room."""
-        canvas.circle(*self.middle, self.radius, "dim")
+        canvas.circle(*self.middle, self.radius, "dim", dot_aspect=self.dot_aspect)
         fine = 5 if self.radius >= 50 else 10
         for az_deg in range(0, 360, fine):
             part, least = (0.1, 5.0) if az_deg % 30 == 0 else (0.055, 3.0) if az_deg % 10 == 0 else (0.03, 2.0)
@@ -66,9 +74,10 @@ class Compass:
         edge = [self.dot(az_deg + span_deg * k / count, part) for k in range(count + 1) for part in (inner, outer)]
         left, right = (round(pick(x for x, _ in edge) - x0) for pick in (min, max))
         top, bottom = (round(pick(y for _, y in edge) - y0) for pick in (min, max))
-        for dy in range(top - 1, bottom + 2):
+        for row in range(top - 1, bottom + 2):
+            dy = row * self.dot_aspect
             for dx in range(left - 1, right + 2):
-                if (dx + dy) % every or not inner <= math.hypot(dx, dy) / self.radius <= outer:
+                if (dx + row) % every or not inner <= math.hypot(dx, dy) / self.radius <= outer:
                     continue
                 if (math.degrees(math.atan2(dx, -dy)) - az_deg) % 360 <= span_deg:
-                    canvas.dot(x0 + dx, y0 + dy, ink)
+                    canvas.dot(x0 + dx, y0 + row, ink)

@@ -13,6 +13,7 @@ from birdcage_tui.control.needle import draw_needle
 from birdcage_tui.control.tape import ROWS, draw_tape
 from birdcage_tui.host import Host
 from birdcage_tui.pane import Pane
+from birdcage_tui.terminal_cells import ASPECT
 from birdcage_tui.view import View
 
 UNDER_DEG = 3.0
@@ -31,25 +32,32 @@ class Quarter:
     width: int
     height: int
     words: int = WORDS
+    aspect: float = ASPECT
+    """Height over width of a cell."""
+
+    @property
+    def dot_aspect(self) -> float:
+        """Height over width of a dot: a cell is 2 dots wide and 4 tall."""
+        return self.aspect / 2.0
 
     @property
     def radius(self) -> float:
-        """Dots from the hub to the arc."""
+        """Widths of a dot from the hub to the arc."""
         over = self.words * 4 if self.height >= ROOM else 0
-        return max(4.0, min(self.width * 2 - 10, self.height * 4 - 8 - over))
+        return max(4.0, min(self.width * 2 - 10, (self.height * 4 - 8 - over) * self.dot_aspect))
 
     @property
     def hub(self) -> tuple[float, float]:
         """The hub: the arc stands in the middle of what the words over it leave."""
         left = max(2.0, (self.width * 2 - 8 - self.radius) / 2)
-        row = min(self.height - 1, math.floor((self.height * 4 + self.radius) / 8 + self.words / 2))
+        row = min(self.height - 1, math.floor((self.height * 4 + self.radius / self.dot_aspect) / 8 + self.words / 2))
         return left, row * 4 + 1.5  # the middle of a row, where its sign stands
 
     def dot(self, el_deg: float, part: float = 1.0) -> tuple[float, float]:
         """Return the dot at an elevation, at a part of the radius."""
         x, y = self.hub
         el = math.radians(el_deg)
-        return x + self.radius * part * math.cos(el), y - self.radius * part * math.sin(el)
+        return x + self.radius * part * math.cos(el), y - self.radius * part * math.sin(el) / self.dot_aspect
 
     def cell(self, el_deg: float, part: float = 1.0) -> tuple[int, int]:
         """Return the cell of that dot."""
@@ -59,7 +67,7 @@ class Quarter:
     def direction(self, column: int, row: int) -> float | None:
         """Return the elevation of a cell; None outside the quarter."""
         x0, y0 = self.hub
-        dx, dy = column * 2 + 1 - x0, y0 - row * 4 - 2
+        dx, dy = column * 2 + 1 - x0, (y0 - row * 4 - 2) * self.dot_aspect
         el_deg = math.degrees(math.atan2(dy, dx))
         reach = math.hypot(dx, dy)
         return el_deg if 3 <= reach <= self.radius + 8 and -2.0 <= el_deg <= 92.0 else None
@@ -67,13 +75,13 @@ class Quarter:
     def hatch(self, canvas: Braille, low_deg: float, high_deg: float) -> None:
         """Fill the part between two elevations with thin diagonals."""
         x0, y0 = self.hub
-        reach = math.ceil(self.radius)
-        for up in range(reach + 1):
-            for across in range(reach + 1):
-                if (across - up) % 5 or not 0.25 <= math.hypot(across, up) / self.radius <= 0.98:
+        for row in range(math.ceil(self.radius / self.dot_aspect) + 1):
+            up = row * self.dot_aspect
+            for across in range(math.ceil(self.radius) + 1):
+                if (across - row) % 5 or not 0.25 <= math.hypot(across, up) / self.radius <= 0.98:
                     continue
                 if low_deg <= math.degrees(math.atan2(up, across)) <= high_deg:
-                    canvas.dot(x0 + across, y0 - up, "line")
+                    canvas.dot(x0 + across, y0 - row, "line")
 
 
 def horizon_deg(view: View) -> float | None:
@@ -105,7 +113,7 @@ class ElevationPane(Pane):
             if state.el_offset_deg:
                 canvas.line(*quarter.dot(position.dish_el_deg, 0.1), *quarter.dot(position.dish_el_deg, 0.7), "dim", 2)
             draw_needle(canvas, *quarter.hub, 90.0 - position.el_deg, quarter.radius * 0.88, 0.0, ink,
-                        hollow=position.modelled)  # fmt: skip
+                        hollow=position.modelled, dot_aspect=quarter.dot_aspect)  # fmt: skip
         canvas.onto(cells, 0, 0)
         self._labels(cells, quarter, view)
         self._limits(cells, quarter, view)
@@ -124,7 +132,8 @@ class ElevationPane(Pane):
 
     @staticmethod
     def _quarter(width: int, height: int, view: View) -> Quarter:
-        return Quarter(width, max(height - ROWS, 1), WITH_HORIZON if view.horizon.mask.is_line else WORDS)
+        return Quarter(width, max(height - ROWS, 1), WITH_HORIZON if view.horizon.mask.is_line else WORDS,
+                       view.settings.cell_aspect)  # fmt: skip
 
     @staticmethod
     def _horizon(canvas: Braille, quarter: Quarter, view: View) -> None:

@@ -40,12 +40,13 @@ class RosePane(Pane, can_focus=True):
         self.border_title = "Azimuth"
         self._static: tuple[object, Braille] | None = None
 
-    def _compass(self) -> Compass:
-        return Compass(self.size.width, max(self.size.height - ROWS, 1))
+    @staticmethod
+    def _compass(width: int, height: int, view: View) -> Compass:
+        return Compass(width, max(height - ROWS, 1), view.settings.cell_aspect)
 
     def draw(self, cells: Cells, view: View) -> None:
         """Draw the dial, kept between frames, then what changes, then the scale."""
-        compass, state = Compass(cells.width, max(cells.height - ROWS, 1)), view.state
+        compass, state = self._compass(cells.width, cells.height, view), view.state
         position = state.position
         canvas = self._dial(compass, view).copy()
         self._travel(canvas, compass, view)
@@ -56,7 +57,7 @@ class RosePane(Pane, can_focus=True):
                     *compass.dot(position.dish_az_deg, 0.12), *compass.dot(position.dish_az_deg, 0.72), "dim", 2
                 )
             draw_needle(canvas, *compass.middle, position.az_deg, compass.radius * 0.84, compass.radius * 0.2, ink,
-                        hollow=position.modelled)  # fmt: skip
+                        hollow=position.modelled, dot_aspect=compass.dot_aspect)  # fmt: skip
         canvas.onto(cells, 0, 0)
         self._letters(cells, compass)
         self._rim(cells, compass, view)
@@ -186,7 +187,9 @@ class RosePane(Pane, can_focus=True):
     def on_click(self, event: events.Click) -> None:
         """Open the go-to line with the azimuth under the mouse; Enter is still to be pressed."""
         offset = event.get_content_offset(self)
-        az_deg = None if offset is None else self._compass().direction(offset.x, offset.y)
+        if offset is None or self.view is None:
+            return
+        az_deg = self._compass(self.size.width, self.size.height, self.view).direction(offset.x, offset.y)
         if az_deg is not None:
             event.stop()
             cast(Host, self.app).open_goto(f"az={az_deg:.0f}")

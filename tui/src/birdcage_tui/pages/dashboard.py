@@ -12,6 +12,7 @@ from birdcage_tui.panes.pointing import PointingPane
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.panes.sky import SkyPane
 from birdcage_tui.skew import SkewPane, has_skew
+from birdcage_tui.terminal_cells import ASPECT
 from birdcage_tui.view import TUNER, View
 
 LEAST_FOR_HEALTH = 31
@@ -23,6 +24,7 @@ class DashboardPage(Page):
 
     WATCHES = frozenset({"position", "rssi", "health"})
     RATE_HZ = 2.0
+    _aspect = ASPECT
 
     def compose(self) -> ComposeResult:
         """Sky, then the right-hand column."""
@@ -43,11 +45,15 @@ class DashboardPage(Page):
         if skew.display != instead or signal.display == instead:
             signal.display, skew.display = not instead, instead
         self.query_one(PointingPane).with_skew = not instead
+        if view.settings.cell_aspect != self._aspect:
+            self._aspect = view.settings.cell_aspect
+            self.on_resize()
         super().show(view)
 
     def on_resize(self) -> None:
         """Give the sky the width that makes its disc fill the height, and leave the readings theirs."""
         width, height = self.size
-        sky = 40 if width < 100 or height < 27 else max(min((height - 2) * 2 + 6, width - 50), 40)
+        round_width = round((height - 2) * self._aspect) + 6
+        sky = 40 if width < 100 or height < 27 else max(min(round_width, width - 50), 40)
         self.query_one(SkyPane).styles.width = sky
         self.set_class(height < LEAST_FOR_HEALTH, "-short")

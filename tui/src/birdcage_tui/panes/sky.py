@@ -37,7 +37,7 @@ class SkyPane(Pane):
 
     def draw(self, cells: Cells, view: View) -> None:
         """Draw grid and limits (kept between frames), then what changes."""
-        polar = Polar(cells.width, cells.height)
+        polar = Polar(cells.width, cells.height, view.settings.cell_aspect)
         if polar.width < 10 or polar.height < 5:
             return
         canvas = self._ground.draw(polar, view)
@@ -123,7 +123,10 @@ class SkyPane(Pane):
 
     def on_mouse_move(self, event: events.MouseMove) -> None:
         """Read out the direction under the mouse."""
-        found = Polar(self.size.width, self.size.height).direction(event.x - 1, event.y - 1)
+        if self.view is None:
+            return
+        polar = Polar(self.size.width, self.size.height, self.view.settings.cell_aspect)
+        found = polar.direction(event.x - 1, event.y - 1)
         name = self._named.get((event.x - 1, event.y - 1), "")
         self.border_subtitle = "" if found is None else f"AZ {found[0]:.0f}°  EL {found[1]:.0f}°  {name}".rstrip()
 

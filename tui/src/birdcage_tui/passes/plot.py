@@ -34,18 +34,21 @@ class PassSky(Pane):
         """Whether no other pane shows the figures."""
         self._ground = Ground(with_arc=False)
 
-    def disc(self, size: Size) -> tuple[Polar, bool]:
+    @staticmethod
+    def disc(size: Size, aspect: float) -> tuple[Polar, bool]:
         """Return the disc, and whether the figures stand beside it."""
-        round_width = size.height * 2 + 3
+        round_width = round(size.height * aspect) + 3
         beside = size.width - round_width >= WORDS
-        return (Polar(round_width, size.height), True) if beside else (Polar(size.width, size.height - LINES), False)
+        if beside:
+            return Polar(round_width, size.height, aspect), True
+        return Polar(size.width, size.height - LINES, aspect), False
 
     def draw(self, cells: Cells, view: View) -> None:
         """Draw the ground, the path, what moves on it, and the figures."""
         title = next(words for words in TITLES if len(words) <= cells.width - 2 or words == TITLES[-1])
         if title != self.border_title:
             self.border_title = title
-        polar, beside = self.disc(Size(cells.width, cells.height))
+        polar, beside = self.disc(Size(cells.width, cells.height), view.settings.cell_aspect)
         if polar.width < 10 or polar.height < 5:
             return
         row = self._desk.chosen(view)

@@ -25,32 +25,33 @@ def draw_compass(cells: Cells, top: int, view: View, place: Place | None) -> Non
     width = min(width, height * 2)
     dots = Braille(width, height)
     x0, y0 = float(width - 1), float(height * 2)
-    radius = min(x0 - 6, y0 - 5)
-    dots.circle(x0, y0, radius, "line")
+    tall = view.settings.cell_aspect / 2.0
+    radius = min(x0 - 6, (y0 - 5) * tall)
+    dots.circle(x0, y0, radius, "line", dot_aspect=tall)
     for tick_deg in range(0, 360, 30):
         inner = radius - (4 if tick_deg % 90 == 0 else 2)
-        dots.line(*_at(x0, y0, inner, tick_deg), *_at(x0, y0, radius, tick_deg), "dim")
+        dots.line(*_at(x0, y0, tall, inner, tick_deg), *_at(x0, y0, tall, radius, tick_deg), "dim")
     position = view.state.position
     if position is not None:
-        dots.line(x0, y0, *_at(x0, y0, radius - 4, position.az_deg), "accent")
+        dots.line(x0, y0, *_at(x0, y0, tall, radius - 4, position.az_deg), "accent")
         if view.state.az_offset_deg:
-            dots.line(*_at(x0, y0, radius * 0.55, view.state.az_offset_deg),
-                      *_at(x0, y0, radius, view.state.az_offset_deg), "dim", every=2)  # fmt: skip
+            dots.line(*_at(x0, y0, tall, radius * 0.55, view.state.az_offset_deg),
+                      *_at(x0, y0, tall, radius, view.state.az_offset_deg), "dim", every=2)  # fmt: skip
     left = 1
     dots.onto(cells, left, top)
     for letter, at_deg in (("N", 0), ("E", 90), ("S", 180), ("W", 270)):
-        _mark(cells, left, top, _at(x0, y0, radius + 3, at_deg), letter, "dim")
+        _mark(cells, left, top, _at(x0, y0, tall, radius + 3, at_deg), letter, "dim")
     if place is not None:
         az_deg, el_deg = sun(view.utc, place.latitude_deg, place.longitude_deg)
-        _mark(cells, left, top, _at(x0, y0, radius, az_deg), "☼", "target-strong" if el_deg > 0 else "dim")
+        _mark(cells, left, top, _at(x0, y0, tall, radius, az_deg), "☼", "target-strong" if el_deg > 0 else "dim")
     if position is not None:
-        _mark(cells, left, top, _at(x0, y0, radius - 4, position.az_deg), "◉", "accent-strong")
+        _mark(cells, left, top, _at(x0, y0, tall, radius - 4, position.az_deg), "◉", "accent-strong")
     _readings(cells, left + width + 2, top + 1, view, place)
 
 
-def _at(x0: float, y0: float, reach: float, az_deg: float) -> tuple[float, float]:
+def _at(x0: float, y0: float, tall: float, reach: float, az_deg: float) -> tuple[float, float]:
     angle = math.radians(az_deg)
-    return x0 + reach * math.sin(angle), y0 - reach * math.cos(angle)
+    return x0 + reach * math.sin(angle), y0 - reach * math.cos(angle) / tall
 
 
 def _mark(cells: Cells, left: int, top: int, dot: tuple[float, float], glyph: str, ink: str) -> None:

@@ -32,14 +32,15 @@ def draw_bullseye(cells: Cells, x: int, width: int, view: View) -> bool:
     top = next((step for step in STEPS_DEG if step >= max(math.hypot(*spot) for spot in spots)), STEPS_DEG[-1])
     canvas = Braille(width, cells.height)
     middle_x, middle_y = float(width // 2 * 2), float(cells.height * 2)
-    radius = min(middle_x, middle_y) - 1.0
-    canvas.circle(middle_x, middle_y, radius, "line")
-    canvas.circle(middle_x, middle_y, radius / 2, "line", 3.0)
+    dot_aspect = view.settings.cell_aspect / 2.0
+    radius = min(middle_x, middle_y * dot_aspect) - 1.0
+    canvas.circle(middle_x, middle_y, radius, "line", dot_aspect=dot_aspect)
+    canvas.circle(middle_x, middle_y, radius / 2, "line", 3.0, dot_aspect)
     beam = beam_of(view)
     if beam is not None and beam.narrow_deg / 2 < top:
         across, up = (radius * width / 2 / top for width in (beam.az_deg, beam.el_deg))
-        canvas.ellipse(middle_x, middle_y, across, up, "dim")
-    dots = [(middle_x + across / top * radius, middle_y - up / top * radius) for across, up in spots]
+        canvas.ellipse(middle_x, middle_y, across, up / dot_aspect, "dim")
+    dots = [(middle_x + across / top * radius, middle_y - up / top * radius / dot_aspect) for across, up in spots]
     for dot in dots:
         canvas.dot(*dot, "accent")
     canvas.onto(cells, x, 0)

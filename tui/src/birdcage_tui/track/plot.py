@@ -63,7 +63,7 @@ class TrackSky(Pane):
         title = next(words for words in TITLES if len(words) <= cells.width - 2 or words == TITLES[-1])
         if title != self.border_title:
             self.border_title = title
-        polar = Polar(cells.width, cells.height)
+        polar = Polar(cells.width, cells.height, view.settings.cell_aspect)
         if polar.width < 10 or polar.height < 5:
             return
         canvas = self._ground.draw(polar, view)

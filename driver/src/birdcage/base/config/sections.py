@@ -167,6 +167,9 @@ class AppSettings(Section):
     glyphs: Literal["braille", "block", "ascii"] = setting(
         "braille", "What pictures are drawn with.", env="BIRDCAGE_GLYPHS"
     )
+    cell_aspect: float | None = setting(
+        None, "Height of a character over its width; unset: what the terminal tells, else 2.", minimum=1.0, maximum=4.0
+    )
     update_hz: float = setting(10.0, "How often moving pictures are drawn, at most.", minimum=0.5, maximum=30.0)
 
 
