@@ -168,3 +168,11 @@ def test_who_holds_a_pseudo_terminal_open_takes_nothing_away(proc, tmp_path):
     link.symlink_to("/dev/pts/7")
     run(proc, 900, "birdcage", opened="/dev/pts/7")
     assert other_program(str(link), proc) is None
+
+
+@pytest.mark.parametrize("name", ["", "/"])
+def test_an_empty_name_or_a_folder_has_no_remedy(name, proc, tmp_path, monkeypatch):
+    monkeypatch.setattr("birdcage.link.system.os.access", lambda path, mode: False)
+    facts = look_at_system(name, proc=proc, sys=tmp_path)
+    assert (facts.group, facts.may_open, facts.enrolled) == (None, None, None)
+    assert facts.hindrances == ()

@@ -29,13 +29,14 @@ ADAPTER = PortInfo("/dev/ttyUSB0", None, "FT232R USB UART", "0403:6001", "A5", "
 class House:
     """A dish in the garden, and a person who runs the setup on a laptop, maybe twice."""
 
-    def __init__(self, folder, address="g2?seed=1", utc=NOON, firmware=None):
+    def __init__(self, folder, address="g2?seed=1", utc=NOON, firmware=None, port="/dev/ttyUSB0"):
         self.clock = VirtualClock(utc)
         self.firmware = firmware or address.partition("?")[0]
         self.device = open_device(address, clock=self.clock)
         self.paths = Paths.in_folder(folder)
         self.environ = {}
         self.plugged = [ADAPTER]
+        self.first_port = port
         self.receivers, self.asked = {}, []
         self.start()
 
@@ -45,7 +46,7 @@ class House:
         self.opened = []
         rules = rules_from(settings)
         wanted = StationSettings(
-            port=settings.dish.port or "/dev/ttyUSB0", firmware=self.firmware, baud=settings.dish.baud,
+            port=settings.dish.port or self.first_port, firmware=self.firmware, baud=settings.dish.baud,
             open_link=self._open,
             backup_folder=self.paths.backups,
             **{each.name: getattr(rules, each.name) for each in fields(rules)},

@@ -6,6 +6,7 @@ import pytest
 from birdcage.base.config import edit
 from birdcage.base.errors import BirdcageError
 from birdcage.setup.step import NoSuchChoice
+from birdcage.station.known import PortInfo
 
 PLACE = {"latitude_deg": "39.1", "longitude_deg": "-95.7", "height_m": "250"}
 
@@ -36,6 +37,26 @@ class TestLink:
         assert house.marks()["link"] == "failed"
         assert "/dev/ttyUSB7" in house.view("link").evidence
         assert house.file().dish.port is None
+
+    def test_without_a_port_it_says_what_to_plug_in_and_offers_no_remedy(self, build):
+        house = build(port="")
+        house.plugged = []
+        house.run(3)
+        view = house.view("link")
+        assert (view.mark.value, view.evidence) == ("todo", "no port is chosen yet")
+        told = " ".join(view.words)
+        assert "No serial port found. Plug the adapter into a USB port" in told
+        assert "The list refreshes every 2 seconds." in told
+        assert "four signal wires" in told
+        assert house.setup.causes() == ()
+        for remedy in ("sudo", "chmod", "Choose the port"):
+            assert remedy not in told
+        house.plugged = [PortInfo("/dev/ttyUSB0", None, "FT232R USB UART", "0403:6001", "A5", "1-1")]
+        house.run(2.5)
+        view = house.view("link")
+        assert "/dev/ttyUSB0, FTDI" in [choice.label for choice in view.choices]
+        assert " ".join(view.words).startswith("Choose the port of the RS-422 adapter.")
+        assert "sudo" not in " ".join(view.words)
 
     def test_no_speed_answers(self, house):
         house.device.power_off()

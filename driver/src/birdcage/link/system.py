@@ -6,6 +6,7 @@ Read from /proc, /sys and the user's groups: no program is run, no port is opene
 from __future__ import annotations
 
 import os
+import stat
 import sys as python
 from collections.abc import Collection
 from dataclasses import dataclass
@@ -113,8 +114,11 @@ class SystemFacts:
 
 
 def look_at_system(device: str, *, proc: Path = PROC, sys: Path = SYS) -> SystemFacts:
-    """Look at what this machine may hold against `device` (a path or a URL). Some milliseconds; never raises."""
-    if not python.platform.startswith("linux"):
+    """Look at what this machine may hold against `device` (a path or a URL). Some milliseconds; never raises.
+
+    Nothing is known of an empty name.
+    """
+    if not device or not python.platform.startswith("linux"):
         return SystemFacts(device)
     running = _running(proc)
     group, may_open, enrolled = _permission(device)
@@ -147,9 +151,12 @@ def _permission(device: str) -> tuple[str | None, bool | None, bool | None]:
     import pwd
 
     try:
-        gid = Path(device).stat().st_gid
+        found = Path(device).stat()
     except OSError:
         return None, None, None
+    if stat.S_ISDIR(found.st_mode):
+        return None, None, None  # no rights to a folder make it a port
+    gid = found.st_gid
     may_open = os.access(device, os.R_OK | os.W_OK)
     try:
         group = grp.getgrgid(gid)

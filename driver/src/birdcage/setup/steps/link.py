@@ -59,7 +59,7 @@ class LinkStep(Step):
         link, kept = self.bench.state.link.state, self.bench.kept(self.name)
         if kept is not None and kept.skipped and link is not Link.UP:
             return Mark.SKIPPED
-        if link in (Link.SILENT, Link.LOST) and not self.busy and not self._boots:
+        if self.bench.state.port and link in (Link.SILENT, Link.LOST) and not self.busy and not self._boots:
             return Mark.FAILED
         return super().mark
 
@@ -90,6 +90,8 @@ class LinkStep(Step):
             return state.link.detail
         if state.link.state is Link.SILENT:
             return f"{_short(state.port)} opens, and at {self._rate} baud no dish answers"
+        if not state.port:
+            return "no port is chosen yet"
         if state.link.state in (Link.LOST, Link.OPENING):
             return state.link.detail
         return super().evidence()
@@ -119,7 +121,10 @@ class LinkStep(Step):
             return (f"A dish answers on {_short(state.port)}.",)
         if self._another:
             return ("The wires are right: a dish answers, and it is another one than was thought. Say which.",)
-        words = ["Choose the port that the RS-422/485 adapter has. Nothing is sent to the others."]
+        refreshes = f"The list refreshes every {LIST_S:.0f} seconds."
+        words = [f"Choose the port of the RS-422 adapter. Nothing is sent to the others. {refreshes}"]
+        if not self._ports and not state.port:
+            words = []
         if self.busy:
             words = ["Nothing moves by this."]
         elif state.link.state is Link.SILENT:
@@ -129,7 +134,10 @@ class LinkStep(Step):
             elif self._answering() is not None:
                 words = [f"A dish was heard at {self._answering()} baud: connect at that speed."]
         if not self._ports:
-            words += ["This machine has no serial port now: plug the adapter in.", FOUR_WIRES]
+            words += [
+                f"No serial port found. Plug the adapter into a USB port of this computer. {refreshes}",
+                FOUR_WIRES,
+            ]
         if self.findings:
             words.append(f"Seen: {describe(self.findings)}.")
         words += [f"{each.title}: {each.what_to_do}" for each in self.causes()[:MOST_CAUSES]]
@@ -140,6 +148,8 @@ class LinkStep(Step):
         state = self.bench.state
         if state.link.state not in (Link.SILENT, Link.LOST) or self._boots or self._another:
             return ()
+        if not state.port:
+            return ()  # nothing was tried, so nothing was seen
         baud = state.dish.baud if state.dish else None
         boot_s = state.dish.boot_s if state.dish else None
         return find_causes(
@@ -258,7 +268,7 @@ class LinkStep(Step):
         if changed or (not self.bench.is_up and self.bench.now - self._listed_at >= LIST_S):
             self._list()
         if changed and state.link.state in (Link.SILENT, Link.LOST):
-            self._system = self.bench.system(state.port)
+            self._system = self.bench.system(state.port) if state.port else None
 
     def _list(self) -> None:
         self._ports, self._listed_at = self.bench.ports(), self.bench.now
