@@ -132,9 +132,9 @@ def test_the_place_of_the_signal_is_not_left_empty(size):
 
 
 @pytest.mark.parametrize("size", SIZES, ids=str)
-def test_the_cable_is_hatched_between_its_ends(size):
+def test_the_cable_of_an_unknown_turn_is_shaded_not_hatched(size):
     row = row_with(run(read, "travler", size), "turn unknown")
-    assert re.search(r"cable 0°▕▨+▏455° turn unknown", row)
+    assert re.search(r"cable 0°▕░+▏455° turn unknown", row)
     control = run(read, "travler", size, key="f2")
     assert "turn unknown: this dish does not tell it" in control
     assert "+455°" in control

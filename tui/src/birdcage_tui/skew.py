@@ -9,6 +9,7 @@ from birdcage_tui.commands import BY_NAME
 from birdcage_tui.control.needle import draw_needle
 from birdcage_tui.digits import angle_text, put_big, width_of
 from birdcage_tui.pane import Pane
+from birdcage_tui.panes.sky_ground import UNKNOWN_SIGN
 from birdcage_tui.view import View
 
 LEAST_GAUGE = 8
@@ -60,7 +61,7 @@ def skew_gauge(cells: Cells, x: int, y: int, width: int, view: View) -> None:
     def column(angle_deg: float) -> int:
         return x + 1 + min(track - 1, max(0, round((angle_deg - low) / (high - low) * (track - 1))))
 
-    cells.put(x, y, "▕" + ("─" if here is not None else "▨") * track + "▏", "line" if here is None else "dim")
+    cells.put(x, y, "▕" + ("─" if here is not None else UNKNOWN_SIGN) * track + "▏", "line" if here is None else "dim")
     if target is not None:
         if here is not None:
             left, right = sorted((column(here), column(target)))

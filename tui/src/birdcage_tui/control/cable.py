@@ -10,6 +10,7 @@ from birdcage.station.turning import cable_limits
 from birdcage_tui.canvas import Cells
 from birdcage_tui.control.reach import turns_to
 from birdcage_tui.pane import Pane
+from birdcage_tui.panes.sky_ground import UNKNOWN_SIGN
 from birdcage_tui.view import View
 
 ROOM_TO_SAY = 78
@@ -92,7 +93,7 @@ class CablePane(Pane):
         start = 1 if framed else 7
         if not framed:
             cells.put(1, 0, "cable", "dim")
-        cells.put(start, 0, "▕" + "▨" * max(cells.width - start - 3, 0) + "▏", "line")
+        cells.put(start, 0, "▕" + UNKNOWN_SIGN * max(cells.width - start - 3, 0) + "▏", "line")
         low, high = (f"{limit:+.0f}°" if limit else "0°" for limit in limits)
         cells.put(start, 1, low, "dim")
         cells.right(cells.width - 1, 1, high, "dim")

@@ -18,6 +18,7 @@ from birdcage_tui.control.tape import ROWS, draw_tape
 from birdcage_tui.control.unknown import why_unknown
 from birdcage_tui.host import Host
 from birdcage_tui.pane import Pane
+from birdcage_tui.panes.sky_ground import STOP_SIGN
 from birdcage_tui.view import View
 
 STOP_WEDGE_DEG = 7.0
@@ -128,13 +129,13 @@ class RosePane(Pane, can_focus=True):
         """Write presets, stops and the Sun on the rim."""
         place = view.settings.place
         for preset in view.presets:
-            cells.put(*compass.cell(preset.az_deg, 1 - 5.0 / compass.radius), "◆", "target")
+            cells.put(*compass.cell(preset.az_deg, 1 - 5.0 / compass.radius), "◆", "text")
         for az_deg, _ in _stops(view):
-            cells.put(*compass.cell(az_deg), "▨", "warn")
+            cells.put(*compass.cell(az_deg), STOP_SIGN, "warn")
         if place is not None:
             az_deg, el_deg = sun(view.utc, place.latitude_deg, place.longitude_deg)
             if el_deg > 0:
-                cells.put(*compass.cell(az_deg), "☼", "target-strong")
+                cells.put(*compass.cell(az_deg), "☼", "strong")
 
     @staticmethod
     def _sectors(cells: Cells, compass: Compass, view: View) -> None:
@@ -182,7 +183,7 @@ class RosePane(Pane, can_focus=True):
             cells.put(0, 0, "modelled", "text")
         named = next((p.name for p in view.presets if abs(shortest_turn(p.az_deg, position.az_deg)) < 0.5), "")
         if named and cells.free(cells.width - cell_len(named) - 1, 0, cell_len(named) + 1, *QUIET):
-            cells.right(cells.width, 0, named, "target")
+            cells.right(cells.width, 0, named, "text")
 
     def on_click(self, event: events.Click) -> None:
         """Open the go-to line with the azimuth under the mouse; Enter is still to be pressed."""

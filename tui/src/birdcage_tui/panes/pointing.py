@@ -8,6 +8,7 @@ from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import cut, fit, pad
 from birdcage_tui.digits import angle_text, put_big, width_of
 from birdcage_tui.pane import Pane
+from birdcage_tui.panes.sky_ground import UNKNOWN_SIGN
 from birdcage_tui.skew import has_skew, skew_row
 from birdcage_tui.stop_words import stop_text
 from birdcage_tui.track.pursuing import pursuit_of
@@ -42,7 +43,7 @@ def cable_gauge(cells: Cells, y: int, view: View) -> None:
         low, high = ("", "") if cable is None else (f"{cable.min_deg:.0f}°", f"{cable.max_deg:.0f}°")
         x = cells.put(cells.put(1, y, "cable ", "dim"), y, low, "dim")
         width = cells.width - 3 - x - len(high) - len(words)
-        x = cells.put(x, y, "▕" + "▨" * max(width, 0) + "▏", "line")
+        x = cells.put(x, y, "▕" + UNKNOWN_SIGN * max(width, 0) + "▏", "line")
         cells.put(x, y, high, "dim")
         cells.put(cells.width - 1 - len(words), y, words, ink)
         return

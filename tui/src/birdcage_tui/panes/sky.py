@@ -9,7 +9,7 @@ from textual import events
 from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.polar import Polar
-from birdcage_tui.panes.sky_ground import QUIET, Ground, label, rim
+from birdcage_tui.panes.sky_ground import QUIET, Ground, has_stops, label, name_target, rim, sky_titles, title_for
 from birdcage_tui.panes.sky_up import draw_trails, draw_up
 from birdcage_tui.track.path import Points
 from birdcage_tui.track.plot import draw_pursuit, draw_times
@@ -18,6 +18,7 @@ from birdcage_tui.view import View
 
 ON_SLOT_DEG = 0.75
 """A target closer to a slot than this points at it."""
+TITLES = sky_titles("Sky")
 PATH = 120
 """Pieces that the path of a motion is drawn in."""
 
@@ -25,11 +26,9 @@ PATH = 120
 class SkyPane(Pane):
     """A map of the sky, N up and E right (looking up, east would be left)."""
 
-    TITLE = "Sky  N up, E right  ▨ cannot reach"
-
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
-        self.border_title = self.TITLE
+        self.border_title = TITLES[0]
         self._ground = Ground()
         self._points = Points()
         self._named: dict[tuple[int, int], str] = {}
@@ -40,6 +39,9 @@ class SkyPane(Pane):
         polar = Polar(cells.width, cells.height, view.settings.cell_aspect)
         if polar.width < 10 or polar.height < 5:
             return
+        title = title_for(TITLES, cells.width, stops=has_stops(view))
+        if title != self.border_title:  # setting it repaints, equal or not
+            self.border_title = title
         canvas = self._ground.draw(polar, view)
         draw_trails(canvas, polar, view)
         pursued = pursuit_of(view) is not None
@@ -49,10 +51,11 @@ class SkyPane(Pane):
         canvas.onto(cells, 0, 0)
         rim(cells, polar, view)
         self._marks(cells, polar, view)
+        target = self._target(cells, polar, view)
         if pursued:
             draw_times(cells, polar, view, self._points)
         self._slots(cells, polar, view)
-        self._named = draw_up(cells, polar, view)
+        self._named = draw_up(cells, polar, view, target)
 
     @staticmethod
     def _path(canvas: Braille, polar: Polar, view: View) -> None:
@@ -98,6 +101,28 @@ class SkyPane(Pane):
             cells.put(polar.width // 2 - len(words) // 2, polar.height // 2, words, "dim")
 
     @staticmethod
+    def _target(cells: Cells, polar: Polar, view: View) -> str:
+        """Mark the target of a pursuit, and name it, or the preset that the dish was sent to; return the name."""
+        pursuit, state = pursuit_of(view), view.state
+        t_s = view.utc.timestamp()
+        if pursuit is not None and pursuit.plan.sky.start_s <= t_s <= pursuit.plan.sky.end_s:
+            az_deg, el_deg = pursuit.plan.sky.at(t_s)
+            if el_deg > -1.0:
+                x, y = polar.cell(az_deg, max(el_deg, 0.0))
+                here = state.position
+                x += here is not None and polar.cell(here.az_deg, here.el_deg) == (x, y)
+                cells.put(x, y, "✕", "target-strong")
+                name_target(cells, polar, pursuit.plan.aim.name, x, y)
+                return pursuit.plan.aim.name
+        if state.target_az_deg is None or state.target_el_deg is None:
+            return ""
+        sent = state.target_az_deg, state.target_el_deg
+        preset = next((one.name for one in view.presets if separation(one.az_deg, one.el_deg, *sent) < ON_SLOT_DEG), "")
+        if preset:
+            name_target(cells, polar, preset, *polar.cell(*sent))
+        return preset
+
+    @staticmethod
     def _slots(cells: Cells, polar: Polar, view: View) -> None:
         place, state = view.settings.place, view.state
         if place is None:
@@ -107,8 +132,8 @@ class SkyPane(Pane):
         slots = []
         for slot, az_deg, el_deg in slots_in_sight(place.latitude_deg, place.longitude_deg, low, high):
             x, y = polar.cell(az_deg, el_deg)
-            if cells.free(x, y, 1, *QUIET, "target"):
-                cells.put(x, y, "•", "target")
+            if cells.free(x, y, 1, *QUIET):
+                cells.put(x, y, "•", "dim")
             aimed = (
                 state.target_az_deg is not None
                 and state.target_el_deg is not None
@@ -119,7 +144,8 @@ class SkyPane(Pane):
         middle = polar.width // 2
         # The slot that is pointed at is named first, then the ends of the arc, which have the most room.
         for names, x, y, aimed in sorted(slots, key=lambda slot: (not slot[3], -abs(slot[1] - middle))):
-            label(cells, names, x, y, x - middle, "target" if aimed else "dim")
+            if not label(cells, names, x, y, x - middle, "target-strong" if aimed else "dim") and aimed:
+                name_target(cells, polar, names[-1], x, y)
 
     def on_mouse_move(self, event: events.MouseMove) -> None:
         """Read out the direction under the mouse."""

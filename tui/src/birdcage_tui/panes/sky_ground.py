@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from birdcage.sky.geostationary import arc
 
 from birdcage_tui.canvas import Braille, Cells
-from birdcage_tui.cell_text import cell_len
+from birdcage_tui.cell_text import cell_len, fit
 from birdcage_tui.panes.polar import Polar
 from birdcage_tui.view import View
 
@@ -19,7 +19,38 @@ QUIET = ("faint", "line", "dim")
 LABELS_DEG = (0.0, 20.0, -20.0, 270.0, 290.0, 250.0)
 """Where along a circle its elevation is written, off the usual place: the first that lies on nothing."""
 MASK_STEP_DEG = 2
-ARC_INK = "target"
+LONGEST_TARGET = 18
+"""Columns of the target's name on a map."""
+STOP_SIGN = "║"
+"""Where the cable ends: no hatching, which says what cannot be reached."""
+UNKNOWN_SIGN = "░"
+"""Fills a scale on which it is not known where the dish stands."""
+
+
+def sky_titles(name: str) -> tuple[str, ...]:
+    """Return the titles of a map with its legend, from all of it to the least."""
+    return (
+        f"{name}  N up, E right  ▨ cannot reach  {STOP_SIGN} cable stop",
+        f"{name}  ▨ cannot reach  {STOP_SIGN} cable stop",
+        f"{name}  ▨ cannot reach  {STOP_SIGN} stop",
+        f"{name}  ▨ cannot reach",
+    )
+
+
+def title_for(titles: tuple[str, ...], width: int, *, stops: bool) -> str:
+    """Return the longest title that a pane of so many cells inside has room for; stops only where there are some."""
+    fits = [words for words in titles if len(words) <= width - 2 and (stops or STOP_SIGN not in words)]
+    return fits[0] if fits else titles[-1]
+
+
+def has_stops(view: View) -> bool:
+    """Return whether the marks of the cable's ends stand on the map."""
+    dish, position = view.state.dish, view.state.position
+    return dish is not None and dish.cable is not None and position is not None and position.cable_deg is not None
+
+
+ARC_INK = "dim"
+"""Of the geostationary arc: quiet, for the target alone is in its colour."""
 
 
 class Ground:
@@ -110,7 +141,17 @@ def rim(cells: Cells, polar: Polar, view: View) -> None:
     position, dish = state.position, state.dish
     if position is not None and position.cable_deg is not None and dish is not None and dish.cable is not None:
         for end in (dish.cable.min_deg, dish.cable.max_deg):
-            cells.put(*polar.cell(position.az_deg + end - position.cable_deg, 0.0), "▨", "warn")
+            cells.put(*polar.cell(position.az_deg + end - position.cable_deg, 0.0), STOP_SIGN, "warn")
+
+
+def name_target(cells: Cells, polar: Polar, name: str, x: int, y: int) -> None:
+    """Write the target's name beside its mark: where it lies on nothing, else over what is there."""
+    name = fit(name, LONGEST_TARGET)
+    if label(cells, (name,), x, y, x - polar.width // 2, "target-strong"):
+        return
+    left, right = x - 2 - cell_len(name), x + 2
+    start = right if right + cell_len(name) < cells.width and (x < polar.width // 2 or left < 0) else max(left, 0)
+    cells.put(start, y, name, "target-strong")
 
 
 def label(cells: Cells, names: tuple[str, ...], x: int, y: int, off: int, ink: str) -> bool:

@@ -26,8 +26,8 @@ def draw_trails(canvas: Braille, polar: Polar, view: View) -> None:
                 canvas.dot(*polar.dot(az_deg, el_deg), "text" if one.favourite else "dim")
 
 
-def draw_up(cells: Cells, polar: Polar, view: View) -> dict[tuple[int, int], str]:
-    """Draw what is up, and return what stands in which cell."""
+def draw_up(cells: Cells, polar: Polar, view: View, target: str = "") -> dict[tuple[int, int], str]:
+    """Draw what is up, and return what stands in which cell. The target has its name already."""
     sky = view.sky
     named: dict[tuple[int, int], str] = {}
     if sky is None:
@@ -44,7 +44,7 @@ def draw_up(cells: Cells, polar: Polar, view: View) -> dict[tuple[int, int], str
         named[cell] = f"{one.name}, {named[cell]}" if cell in named else one.name
         if cells.free(*cell, 1, *OVER):
             cells.put(*cell, "•", "strong" if one.favourite else "text")
-        if not one.fixed:
+        if not one.fixed and one.name != target:
             marks.append((one, cell))
     wanted = [pair for pair in marks if pair[0].favourite or len(marks) <= CROWD]
     # Tens of degrees, then the name: a satellite that creeps past another does not take its name away.

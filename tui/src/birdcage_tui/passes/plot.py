@@ -8,7 +8,7 @@ from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.cell_text import cell_len, cut, wrap
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.polar import Polar
-from birdcage_tui.panes.sky_ground import QUIET, Ground, rim
+from birdcage_tui.panes.sky_ground import QUIET, Ground, has_stops, name_target, rim, sky_titles, title_for
 from birdcage_tui.passes.desk import Desk
 from birdcage_tui.passes.figures import brief
 from birdcage_tui.passes.model import Row
@@ -19,7 +19,7 @@ WORDS = 25
 """Columns that the figures need beside the disc."""
 LINES = 4
 """Rows that they need under it."""
-TITLES = ("Path  N up, E right  ▨ cannot reach", "Path  ▨ cannot reach")
+TITLES = sky_titles("Path")
 STEPS = 160
 """Pieces that a path is drawn in."""
 
@@ -45,7 +45,7 @@ class PassSky(Pane):
 
     def draw(self, cells: Cells, view: View) -> None:
         """Draw the ground, the path, what moves on it, and the figures."""
-        title = next(words for words in TITLES if len(words) <= cells.width - 2 or words == TITLES[-1])
+        title = title_for(TITLES, cells.width, stops=has_stops(view))
         if title != self.border_title:
             self.border_title = title
         polar, beside = self.disc(Size(cells.width, cells.height), view.settings.cell_aspect)
@@ -138,7 +138,9 @@ class PassSky(Pane):
             return
         place = row.path.at(t_s)
         if place is not None:
-            cells.put(*polar.cell(*place), "✕", "target-strong")
+            x, y = polar.cell(*place)
+            cells.put(x, y, "✕", "target-strong")
+            name_target(cells, polar, row.name, x, y)
 
 
 def _who(row: Row, t_s: float, width: int) -> list[tuple[str, str]]:

@@ -7,13 +7,13 @@ from birdcage.station.pursuit import Phase
 from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.polar import Polar
-from birdcage_tui.panes.sky_ground import QUIET, Ground, rim
+from birdcage_tui.panes.sky_ground import QUIET, Ground, has_stops, name_target, rim, sky_titles, title_for
 from birdcage_tui.passes.words import clock_text
 from birdcage_tui.track.path import Points, draw_path, ticks
 from birdcage_tui.track.pursuing import plan_of, pursuit_of, sample_of, shown_is_followed, target_place
 from birdcage_tui.view import View
 
-TITLES = ("Sky  N up, E right  ▨ cannot reach", "Sky  ▨ cannot reach")
+TITLES = sky_titles("Sky")
 PATHS = ("target", "accent", "text", "strong", "warn", "target-strong", "accent-strong")
 """Inks of dots that a tick may cover."""
 TRAIL = 120
@@ -60,7 +60,7 @@ class TrackSky(Pane):
 
     def draw(self, cells: Cells, view: View) -> None:
         """Draw the ground, the plan, what moves, and the times."""
-        title = next(words for words in TITLES if len(words) <= cells.width - 2 or words == TITLES[-1])
+        title = title_for(TITLES, cells.width, stops=has_stops(view))
         if title != self.border_title:
             self.border_title = title
         polar = Polar(cells.width, cells.height, view.settings.cell_aspect)
@@ -131,6 +131,9 @@ class TrackSky(Pane):
         target = target_place(view)
         if target is not None and target[1] > -1.0:
             x, y = polar.cell(target[0], max(target[1], 0.0))
-            cells.put(x + 1 if (x, y) == here else x, y, "✕", "target-strong")
+            x += (x, y) == here
+            cells.put(x, y, "✕", "target-strong")
+            if (plan := plan_of(view)) is not None:
+                name_target(cells, polar, plan.aim.name, x, y)
         if position is not None and here is not None:
             cells.put(*here, view.pointer, "dim" if view.stale else "accent-strong")

@@ -1,0 +1,60 @@
+"""The target alone is in its colour, named at its mark; hatching says what cannot be reached, and nothing else."""
+
+import asyncio
+
+import pytest
+import sky_stand_in
+import track_stand_in
+from birdcage_tui.panes.sky import SkyPane
+from birdcage_tui.track.plot import TrackSky
+from stage import run
+
+SIZES = [(80, 24), (120, 36), (160, 48), (240, 70)]
+IN_ITS_COLOUR = ("target", "target-strong")
+
+
+def cells_of(app, kind):
+    cells = app.query_one(kind)._cells
+    return ["".join(row) for row in cells._chars], cells._inks
+
+
+def shown(scene, size, kind, *keys):
+    async def play():
+        app = track_stand_in.app_in(scene, sky=sky_stand_in.make())
+        async with app.run_test(size=size) as pilot:
+            await pilot.pause()
+            await pilot.press(*keys)
+            await pilot.pause()
+            app.paint()
+            await pilot.pause()
+            return cells_of(app, kind), app.query_one(kind).border_title
+
+    return asyncio.run(play())
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_the_arc_is_quiet_while_nothing_is_the_target(size):
+    async def inks(app, _pilot):
+        return {ink for row in cells_of(app, SkyPane)[1] for ink in row}
+
+    found = run(inks, "idle", size, sky=sky_stand_in.make(), state={"target_az_deg": None, "target_el_deg": None})
+    assert not found & set(IN_ITS_COLOUR)
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+@pytest.mark.parametrize(("kind", "keys"), [(SkyPane, ("1",)), (TrackSky, ("2", "c"))], ids=("sky", "track"))
+def test_the_target_is_named_beside_its_mark_at_every_size(size, kind, keys):
+    (rows, inks), title = shown("craft-following", size, kind, *keys)
+    mark = next(
+        (x, y) for y, row in enumerate(rows) for x, char in enumerate(row) if char == "✕" and "✕ target" not in row
+    )
+    named = [(row.index("METEOR-M2 4"), y) for y, row in enumerate(rows) if "METEOR-M2 4" in row]
+    assert len(named) == 1, "\n".join(rows)
+    x, y = named[0]
+    assert abs(y - mark[1]) <= 1, "\n".join(rows)
+    assert -14 <= mark[0] - x <= 24, "\n".join(rows)
+    assert inks[y][x] == "target-strong"
+    assert "▨ cannot reach" in title
+    assert "▨" not in "".join(rows), "the ends of the cable have a sign of their own"
+    assert sum(row.count("║") for row in rows) >= 1
+    assert "║ cable stop" in title or "║ stop" in title
