@@ -72,7 +72,7 @@ SCENES = {
     "no-place": CalibrateNow(replace(view(0), proposals=()), wrong="No place is set, so nobody knows where anything "
                              "stands: see Setup, or `birdcage place`."),
     "first": CalibrateNow(view(0)),
-    "one": CalibrateNow(on_object(1), told="Peak 1 is taken, good to 0.10°."),
+    "one": CalibrateNow(on_object(1), told="Peak 1 saved, ±0.10°."),
     "five": CalibrateNow(on_object(5), SETS, removed=1, enough=True),
     "odd": CalibrateNow(on_object(5, odd=3), SETS),
 }  # fmt: skip

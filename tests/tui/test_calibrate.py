@@ -90,10 +90,16 @@ def test_what_a_person_needs_is_inside_the_screen_and_over_nothing_else(scene, s
 @pytest.mark.parametrize("size", SIZES, ids=str)
 def test_the_first_question_and_its_controls_at_every_size(size):
     first = run(read, "first", size)
-    for words in ("How does the dish really stand?", "Next best: 82°W Nimiq 4", "n go there", "▼ Calibrate", "8 Setup"):
+    for words in (
+        "Measure the alignment of the dish",
+        "Next best: 82°W Nimiq 4",
+        "n go there",
+        "▼ Calibrate",
+        "8 Setup",
+    ):
         assert words in first
     on_it = run(read, "five", size)
-    for words in ("82°W Nimiq 4", "159.00° 43.00°", "0.42° right, 0.10° down", "Enter peaked here", "n go to the next"):
+    for words in ("82°W Nimiq 4", "159.00° 43.00°", "0.42° right, 0.10° down", "Enter save peak", "n next object"):
         assert words in on_it
 
 
@@ -207,7 +213,7 @@ def test_a_peak_is_forgotten_and_all_of_them_only_after_a_yes():
 def test_a_fit_is_kept_under_a_name_and_a_kept_set_is_used():
     async def play(app, pilot, source):
         await press(app, pilot, "a")
-        assert "Kept already: Roof, Van" in " ".join(stand_in.text_of(app).replace("│", " ").split())
+        assert "Saved: Roof, Van" in " ".join(stand_in.text_of(app).replace("│", " ").split())
         await press(app, pilot, *["backspace"] * 4)
         await press(app, pilot, "enter")
         assert "A name, please" in stand_in.text_of(app)
@@ -246,12 +252,12 @@ def test_enter_releases_first_while_stop_is_latched():
 
 def test_v_turns_the_picture_over_where_there_is_room_for_one():
     async def play(app, pilot, _source):
-        assert "What is left" in stand_in.text_of(app)
+        assert "Residuals" in stand_in.text_of(app)
         await press(app, pilot, "v")
         await settle(app, pilot)
         text = stand_in.text_of(app)
         assert "On the sky" in text
-        assert "What is left" not in text
+        assert "Residuals" not in text
 
     run(play)
 
@@ -283,7 +289,7 @@ def test_without_a_guide_the_tab_says_so():
             await settle(app, pilot)
             return await play(app, pilot, None)
 
-    assert "This app was started without a place to keep a calibration in." in flat(asyncio.run(body()))
+    assert "This app has no file for calibrations." in flat(asyncio.run(body()))
 
 
 def test_the_highest_signal_is_told_with_its_place():
@@ -305,7 +311,7 @@ def test_the_highest_signal_is_told_with_its_place():
         return stand_in.text_of(app)
 
     text = run(play, size=(120, 36))
-    assert "590 counts, highest 640, 0.73° right of here" in text, "a degree of azimuth at 43° up"
+    assert "590 counts, max 640, 0.73° right of here" in text, "a degree of azimuth at 43° up"
 
 
 def test_no_place_is_told_and_what_to_do():

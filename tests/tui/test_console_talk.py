@@ -264,5 +264,5 @@ def test_a_line_that_prints_on_says_so_and_enter_ends_it():
         return text, at.raw()
 
     text, raw = desk(stream)
-    assert "`agc` running 3 s, Enter ends it." in text
+    assert "`agc` running 3 s. Enter ends it." in text
     assert raw == [("agc", Grade.HARMLESS), ("", Grade.HARMLESS)]

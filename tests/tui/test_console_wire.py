@@ -204,7 +204,7 @@ async def test_a_motion_while_held_is_refused_in_words_and_comes_back(at):
     since = len(at.wire)
     await at.send("r", 0.4)
     assert "# STOP is latched: `r` may move the dish and is not sent." in at.text()
-    assert "To take the current off the motors even so: F5 closes the console, then F2 and R." in at.words()
+    assert "To release the motors now: F5 closes the console, then F2 and R." in at.words()
     assert at.line == "r"
     assert b"r\r" not in at.went_out(since)
 

@@ -106,7 +106,7 @@ async def test_after_the_motors_were_released_nothing_is_pretended(house):
         since = house.clock.monotonic()
         await press(house, "l", "n", "up", "g", *"90", "space", *"40", "enter")
         assert house.app.query_one("GotoLine").is_open, "it stays, and says why nothing is sent"
-        assert "home it first" in house.text()
+        assert "Home it first" in house.text()
         await house.step(2)
         assert house.moves(since) == []
 

@@ -65,7 +65,7 @@ def test_one_point_hides_nothing_and_says_so():
         return await settled(app, pilot)
 
     text = run(mark, size=(160, 48), file=File(HorizonMask()))
-    assert "1 point. Mark another azimuth to make it a line." in text
+    assert "1 point. It applies to all azimuths until you add more." in text
     assert "horizon 1 point, no line yet" in text
     assert "horizon  42.9°" not in text
 
@@ -74,7 +74,7 @@ def test_one_point_hides_nothing_and_says_so():
     ("name", "change", "says"),
     [
         ("lost", {}, "does not answer"),
-        ("not-homed", {}, "is not known"),
+        ("not-homed", {}, "position is unknown"),
         ("slewing", {}, "moves"),
         ("travler-slew", {}, "computed and was not read"),
         ("late", {}, "was read 2 s ago"),
@@ -161,7 +161,7 @@ def test_a_point_is_typed_and_a_wrong_one_says_why():
 
     file = File()
     wrong, text = run(enter, file=file)
-    assert "Type two numbers of degrees" in wrong
+    assert "Type two numbers in degrees" in wrong
     assert "Horizon 12.3° at 231.0° recorded, 5 points." in text
     assert (231.0, 12.3) in file.mask.points
 
@@ -206,10 +206,10 @@ def test_changes_are_taken_back_one_by_one():
     marked, cleared, back, flat, words, nothing = run(undo, file=file)
     assert len(marked.points) == 5
     assert cleared == HorizonMask()
-    assert "The horizon is flat now. z brings its points back." in flat
+    assert "The horizon is flat now. z: undo." in flat
     assert back == marked
-    assert "Horizon: took back 42.9° at 189.2°, 4 points." in words
-    assert "there is nothing to take back" in nothing
+    assert "Horizon: undid 42.9° at 189.2°, 4 points." in words
+    assert "No horizon changes to undo" in nothing
     assert file.mask == TREES
 
 
@@ -258,7 +258,7 @@ def test_without_a_file_the_keys_say_so():
         return found
 
     for row in stage.run(keys, "idle", (120, 36), key="f2"):
-        assert "There is no file for the horizon here." in row
+        assert "This app has no horizon file." in row
 
 
 @pytest.mark.parametrize("size", SIZES, ids=str)
@@ -361,5 +361,5 @@ def test_points_that_cannot_be_read_are_not_overwritten(paths):
         await pilot.press("m")
         return await settled(app, pilot)
 
-    assert "The horizon was not kept" in run(mark, file=horizon_of(paths))
+    assert "The horizon was not saved" in run(mark, file=horizon_of(paths))
     assert paths.config_file.read_text() == '[place]\nhorizon = [[10, "four"]]\n'

@@ -84,7 +84,7 @@ def test_the_geostationary_arc_names_its_slots_and_only_with_a_place():
             ),
         ),
         ("silent", ("◍ SILENT 00:04", "power off", "AZ ---.--°", "EL --.--°")),
-        ("not-homed", ("▲ NOT HOMED", "H home it", "AZ ---.--°", "NOT HOMED  nobody")),
+        ("not-homed", ("▲ NOT HOMED", "H home it", "AZ ---.--°", "NOT HOMED  free")),
         ("fault", ("✖ FAULT Azimuth stalled at 203.1°.", "its steps", "Clear its swing", "Enter", "acknowledge")),
         ("opening", ("Opening /dev/ttyUSB0", "AZ ---.--°")),
     ],
@@ -99,7 +99,7 @@ def test_a_bad_day_is_told_in_words(name, words, size):
 def test_what_is_unknown_is_dashes_and_never_a_number():
     text = run(read, "not-homed", (120, 36))
     assert "╶─╴╶─╴ ╶─╴╶─╴" in text
-    assert "azimuth  not known" in text
+    assert "azimuth  unknown" in text
     assert "turn unknown" in text
     assert "189" not in text
     assert "STOP holds" in text

@@ -76,7 +76,7 @@ def test_where_it_points_is_kept_under_a_name(path):
 
     text = run(keep, path)
     assert load_presets(path).entries[-1] == Preset("Roof", 189.16, 42.87, "by hand")
-    assert 'Kept "Roof" at 189.16°/42.87°.' in text
+    assert 'Saved "Roof" at 189.16°/42.87°.' in text
     assert "Roof" in text.split("Presets")[1]
 
 
@@ -84,11 +84,11 @@ def test_where_it_points_is_kept_under_a_name(path):
     ("values", "says"),
     [
         (("", "1", "20", ""), "A name has 1 to 40 characters"),
-        (("WALL", "1", "20", ""), 'There is a preset "WALL" already.'),
+        (("WALL", "1", "20", ""), 'A preset "WALL" exists.'),
         (("180 45", "1", "20", ""), '"180 45" reads as a direction'),
         (("S", "1", "20", ""), "reads as a direction"),
-        (("Roof", "north", "20", ""), "Azimuth and elevation are numbers"),
-        (("Roof", "nan", "20", ""), "Azimuth and elevation are numbers"),
+        (("Roof", "north", "20", ""), "Type azimuth and elevation in degrees"),
+        (("Roof", "nan", "20", ""), "Type azimuth and elevation in degrees"),
         (("Roof", "1", "999", ""), "The elevation lies from"),
     ],
 )
@@ -138,11 +138,11 @@ def test_a_deleted_one_is_told_and_u_brings_it_back_where_it_was(path):
         return gone, kept, back, await settled(app, pilot)
 
     gone, kept, back, again = run(delete, path)
-    assert 'Deleted "Astra 28.2E". u brings it back.' in gone.splitlines()[-2]
+    assert 'Deleted "Astra 28.2E". u restores it.' in gone.splitlines()[-2]
     assert kept == (WALL, PARK)
-    assert 'Brought back "Astra 28.2E".' in back
+    assert 'Restored "Astra 28.2E".' in back
     assert load_presets(path).entries == (WALL, ASTRA, PARK)
-    assert "No preset was deleted" in again
+    assert "No deleted presets." in again
 
 
 @BOTH
@@ -175,7 +175,7 @@ def test_a_filter_that_finds_nothing_says_so(path):
         return text, app.station.asked_for(Goto), len(app.screen_stack)
 
     text, asked, screens = run(find, path)
-    assert 'has "zzz" in it' in text
+    assert 'No preset matches "zzz".' in text
     assert (asked, screens) == ([], 1)
     assert len(load_presets(path).entries) == 3
 

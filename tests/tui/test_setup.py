@@ -129,7 +129,7 @@ def test_arrows_look_at_other_steps_and_enter_goes_there():
         await press(app, pilot, "down", "down")
         text = stand_in.text_of(app)
         assert "Does your coax, a wall or the tripod" in text
-        assert "Make this the present step" in text
+        assert "Go to this step" in text
         assert "Homing cannot be stopped" not in text
         assert engine.asked == []
         await press(app, pilot, "enter")
@@ -164,7 +164,7 @@ def test_o_opens_the_page_of_the_step_or_says_that_there_is_none():
 
     where, text = run(none, "limits")
     assert where == "setup"
-    assert "no page of its own" in text
+    assert "no separate page" in text
 
 
 @pytest.mark.parametrize(("state", "kind"), [("held", Release), ("fault", AcknowledgeFault)])

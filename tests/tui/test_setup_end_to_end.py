@@ -134,7 +134,7 @@ def played(play):
 
 async def wires_to_feed(garden):
     setup = garden.setup
-    assert "No port is chosen" in garden.text()
+    assert "No port set" in garden.text()
     await garden.press("1")
     await garden.until(lambda: setup.current == "search")
     assert "✓ 1  Link" in garden.text()

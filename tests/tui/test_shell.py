@@ -124,7 +124,7 @@ def test_the_demo_says_that_it_moves_by_itself():
         assert app.view().may_move
         return stand_in.text_of(app)
 
-    assert "Demo: it follows pass after pass. Space stops it" in run(tour, tour=True).splitlines()[1]
+    assert "Demo: tracks pass after pass. Space stops" in run(tour, tour=True).splitlines()[1]
 
 
 @pytest.mark.parametrize("key", ["space", "escape", "left"])
@@ -298,7 +298,7 @@ def test_the_dishs_own_limits_are_accepted_by_name_only(key, asked):
         await pilot.pause()
         text = stand_in.text_of(app)
         assert "birdcage.toml line 7" in text
-        assert "not known and not kept" in text
+        assert "a wall or a low roof does not stop a motion" in text
         await pilot.press(key)
         await pilot.pause()
         return app.station.asked_for(AcceptLimits)

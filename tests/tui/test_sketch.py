@@ -72,7 +72,7 @@ def test_a_drag_of_the_mouse_draws_the_tree_line(size):
 
     file = File(HorizonMask())
     text, mask, asked = run(drag, size, file)
-    assert "The horizon is as drawn" in text
+    assert "Saved the drawn horizon" in text
     assert mask.at(135.0) == pytest.approx(20.0, abs=2.0)
     assert mask.at(300.0) == mask.at(30.0) == 0.0
     assert file.mask == mask

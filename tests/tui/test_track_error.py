@@ -31,7 +31,7 @@ def test_with_elements_of_two_days_the_number_is_that_of_the_elements(size):
     assert over > 0.1
     assert "○" in text
     assert "2 d old" in text
-    assert "dish rms 0.0" in text or size == NARROW
+    assert "dish RMS 0.0" in text or size == NARROW
 
 
 def test_the_remedy_is_named_where_the_elements_are_what_matters():

@@ -136,7 +136,7 @@ def test_the_cable_of_an_unknown_turn_is_shaded_not_hatched(size):
     row = row_with(run(read, "travler", size), "turn unknown")
     assert re.search(r"cable 0°▕░+▏455° turn unknown", row)
     control = run(read, "travler", size, key="f2")
-    assert "turn unknown: this dish does not tell it" in control
+    assert "turn unknown: this dish doesn't report it" in control
     assert "+455°" in control
     assert "H homes" not in control
 

@@ -21,4 +21,4 @@ def test_a_dish_that_does_not_answer_a_motor_command_is_busy_with_the_last_move(
 def test_a_move_that_was_not_taken_is_told_with_where_the_dish_stands():
     position = view_of("idle").state.position
     told = ended_text(MoveEnded(0.0, datetime.now(UTC), End.NOT_TAKEN, "not taken", position))
-    assert told == f"The dish did not take the move: it stands still at {position.az_deg:.2f}°/{position.el_deg:.2f}°."
+    assert told == f"The dish ignored the move and stands still at {position.az_deg:.2f}°/{position.el_deg:.2f}°."

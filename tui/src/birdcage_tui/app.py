@@ -156,7 +156,7 @@ class BirdcageApp(Shell):
         sent = self._skew_sent if any(not each.done() for each in self._skew_turns) else state.target_skew_deg
         start = here if sent is None else sent
         if start is None or state.dish is None or state.dish.skew is None:
-            self.say("Where the skew stands is not known: S turns it to an angle.")
+            self.say("The skew is unknown. S turns it to an angle.")
             return
         low, high = state.dish.skew.min_deg, state.dish.skew.max_deg
         self.turn_skew(min(max(start + steps * self.step_deg, low), high))
@@ -171,8 +171,8 @@ class BirdcageApp(Shell):
     def ask_end_search(self) -> None:
         """Ask in words, then end the firmware's TV search."""
         words = (
-            "The firmware's own TV search is ended now, and the dish stays where it is then. "
-            "It begins again at each power-up: no setting of this dish keeps it off."
+            "This ends the firmware's TV search, and the dish stays in place. "
+            "The search starts again at each power-up. This dish has no setting to disable it."
         )
 
         def answered(yes: bool | None) -> None:
@@ -207,8 +207,8 @@ class BirdcageApp(Shell):
     def ask_limits(self, because: str) -> None:
         """Ask in words, then move within the dish's own limits although yours could not be read."""
         words = (
-            f"{because}\n\nUntil the file is mended, the dish would move within its own limits only: yours, "
-            "such as a wall or a low roof that you had told it of, are not known and not kept. Nothing moves by this."
+            f"{because}\n\nUntil you fix the file, only the dish's own limits apply. Your limits are unknown: "
+            "a wall or a low roof does not stop a motion. Nothing moves now."
         )
 
         def answered(yes: bool | None) -> None:

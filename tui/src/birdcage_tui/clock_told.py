@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from birdcage.gps.verdict import ClockVerdict
 
-BY = {"gps": "GPS", "watch": "by your watch", "network": "NTP"}
+BY = {"gps": "GPS", "watch": "your watch", "network": "NTP"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,7 +33,7 @@ def clock_told(verdict: ClockVerdict) -> ClockTold:
         return ClockTold(_good(verdict), "●", "good")
     cost = cost_sentence(verdict, OVERHEAD_DEG_S)
     if verdict.kind == "unknown":
-        return ClockTold("not known", "·", "dim", verdict.doubt, cost)
+        return ClockTold("unknown", "·", "dim", verdict.doubt, cost)
     return ClockTold(
         "doubtful" if verdict.worst_s is None else f"doubtful: {_wrong(verdict, verdict.worst_s)}",
         "▲",
@@ -53,7 +53,7 @@ def _wrong(verdict: ClockVerdict, worst_s: float) -> str:
     else:
         off = f"±{_span(worst_s)}"
     worst_deg = cost_deg(worst_s, OVERHEAD_DEG_S)
-    return f"{off}, nothing is found" if worst_deg > LOST_DEG else f"{off}, ±{worst_deg:.1f}° overhead"
+    return f"{off}, targets can't be found" if worst_deg > LOST_DEG else f"{off}, ±{worst_deg:.1f}° overhead"
 
 
 def _span(seconds: float) -> str:

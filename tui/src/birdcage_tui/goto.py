@@ -28,17 +28,17 @@ from birdcage_tui.view import View
 def held_back(view: View) -> str | None:
     """Return why nothing can be sent anywhere now, and what to do from inside the line; None when it can."""
     reason = can_move(view)
-    if reason is None or ": Enter " not in reason:
+    if reason is None or ". Enter " not in reason:
         return reason
-    first = "once it rests, Esc closes" if view.may_move else "Esc closes"
-    return reason.replace(": Enter ", f": {first} this line, then Enter ")
+    first = "Once it rests, Esc closes" if view.may_move else "Esc closes"
+    return reason.replace(". Enter ", f". {first} this line, then Enter ")
 
 
 def foretell(text: str, view: View) -> tuple[str, str]:
     """Return the ink and the words for what Enter would do with `text`."""
     if not text.strip():
         more = " skew 45 turns the feed." if has_skew(view) else ""
-        return "dim", f"Type {EXAMPLES}. A sign counts from the last target.{more}"
+        return "dim", f"Type {EXAMPLES}. A sign adds to the last target.{more}"
     if is_skew(text):
         return _foretell_skew(text, view)
     try:

@@ -26,18 +26,18 @@ def skew_of(text: str, view: View) -> float:
         raise ValueError(f"The {dish.name} has no skew axis.")
     found = _WHOLE.fullmatch(text.replace("−", "-"))
     if dish is None or found is None:
-        raise ValueError("Type the skew: skew 45, or skew +5 from where it was sent.")
+        raise ValueError("Type the skew: skew 45, or skew +5 from the last target.")
     number = found.group(1).replace(",", ".")
     angle_deg = float(number)
     if number[0] in "+-":
         sent = view.state.target_skew_deg
         start = skew_deg(view) if sent is None else sent
         if start is None:
-            raise ValueError("Where the skew stands is not known: type an angle without a sign.")
+            raise ValueError("The skew is unknown. Type an angle without a sign.")
         angle_deg += start
     low, high = skew_limits(view)
     if not low <= angle_deg <= high:
-        raise ValueError(f"Skew {angle_deg:.2f}° is beyond its range: type {low:.0f} to {high:.0f}.")
+        raise ValueError(f"Skew {angle_deg:.2f}° is out of range. Type {low:.0f} to {high:.0f}.")
     return angle_deg
 
 

@@ -36,14 +36,14 @@ def aim_of(text: str, view: View) -> Aim:
         return preset
     if view.track is None:
         if preset is None:
-            raise ValueError(f"{text.strip()[:24]} is no direction and no preset: type {EXAMPLES}.")
+            raise ValueError(f"{text.strip()[:24]} is no direction or preset. Type {EXAMPLES}.")
         return preset
     located = located_of(text, view)
     if located is None:
         raise StillLooking(f"Looking for {text.strip()} …")
     if preset is not None and (located.several or (located.name and not located.exact)):
         other = located.name or "one of several targets"
-        raise ValueError(f"{text.strip()} may be the preset {preset.name} or {other}: type the whole name.")
+        raise ValueError(f"{text.strip()} matches the preset {preset.name} and {other}. Type the whole name.")
     if preset is not None and not located.name:
         return preset
     if located.az_deg is None or located.el_deg is None:

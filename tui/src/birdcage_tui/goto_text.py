@@ -79,7 +79,7 @@ def resolve(wish: Wish, state: StationState) -> Aim:
     el_from = state.target_el_deg if state.target_el_deg is not None else position.el_deg if position else None
     az_deg, el_deg = _whole(wish.az, az_from), _whole(wish.el, el_from)
     if az_deg is None or el_deg is None:
-        raise ValueError("Where the dish points is not known: type both, such as 180 45.")
+        raise ValueError("The dish position is unknown. Type both angles: 180 45.")
     return Aim(wrap_360(az_deg), el_deg)
 
 

@@ -17,8 +17,8 @@ from birdcage_tui.view import View
 
 WIDTH = 70
 ALWAYS = (
-    "Ctrl+C stops in text fields and dialogs too. Esc stops while the dish moves or may move by itself. "
-    "At rest it closes a layer."
+    "Ctrl+C also stops in text fields and dialogs. Esc stops while the dish moves or may move by itself. "
+    "At rest Esc closes a layer."
 )
 
 

@@ -15,9 +15,8 @@ if TYPE_CHECKING:
     import argparse
 
 EPILOG = (
-    "Exit status: 0 left by a person; 1 not begun, for the reason that is printed; 2 wrong command line; 70 a fault of "
-    "birdcage; 128 + n ended by signal n (129: the terminal was closed). Whatever ends it, STOP goes out first if the "
-    "dish moves."
+    "Exit status: 0 normal end, 1 could not start (the reason is printed), 2 wrong command line, 70 internal error. "
+    "128 + n: ended by signal n (129: the terminal was closed). If the dish moves, STOP goes out before the app ends."
 )
 
 
@@ -39,22 +38,22 @@ def parser() -> argparse.ArgumentParser:
         description="A ground station in a terminal: points, follows and listens with a dish.",
         epilog=EPILOG,
     )
-    parse.add_argument("--demo", action="store_true", help="drive a simulated dish; nothing of yours is touched")
+    parse.add_argument("--demo", action="store_true", help="use a simulated dish; your files stay untouched")
     parse.add_argument("--port", help="serial port or URL: /dev/ttyUSB0, COM4, socket://host:port, sim:g2")
     parse.add_argument(
         "--firmware",
-        help="the dish's console: g2 (Carryout G2) or hal205 (Trav'ler with HAL 2.05); by default it is asked",
+        help="the dish's console: g2 (Carryout G2) or hal205 (Trav'ler with HAL 2.05); default: ask the dish",
     )
-    parse.add_argument("--baud", type=int, help="baud rate, when it is not the dialect's own")
+    parse.add_argument("--baud", type=int, help="baud rate; default: that of the dish")
     parse.add_argument("--speed", type=float, help="run the simulated dish this many times faster; only with --demo")
-    parse.add_argument("--theme", choices=("dusk", "daylight", "night"), help="the look; T changes it")
+    parse.add_argument("--theme", choices=("dusk", "daylight", "night"), help="theme; T changes it in the app")
     parse.add_argument(
-        "--glyphs", choices=("braille", "block", "ascii"), help="what is drawn with; by default what the terminal takes"
+        "--glyphs", choices=("braille", "block", "ascii"), help="glyph set; default: what the terminal supports"
     )
-    parse.add_argument("--skip-init", action="store_true", help="do not wait for the dish to boot, and change nothing")
-    parse.add_argument("--config", help="another birdcage.toml")
+    parse.add_argument("--skip-init", action="store_true", help="don't wait for the dish to boot; change no settings")
+    parse.add_argument("--config", help="use another birdcage.toml")
     parse.add_argument("--log", metavar="FILE", help="write decisions and every exchange to FILE; older files are kept")
-    parse.add_argument("--version", action=Version, nargs=0, help="print the version and leave")
+    parse.add_argument("--version", action=Version, nargs=0, help="print the version and exit")
     return parse
 
 
@@ -91,11 +90,11 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     parse = parser()
     options = parse.parse_args(arguments)
     if options.speed is not None and not options.demo:
-        parse.error("--speed goes with --demo only: a real dish has its own speed")
+        parse.error("--speed needs --demo. A real dish has its own speed.")
     if options.demo and options.port:
-        parse.error("--demo has its own dish: leave --port out")
+        parse.error("--demo brings its own dish. Leave out --port.")
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
-        parse.error("birdcage-tui needs a terminal; `birdcage status --json` is for scripts")
+        parse.error("birdcage-tui needs a terminal. Scripts can use `birdcage status --json`.")
     return options
 
 

@@ -154,7 +154,7 @@ def _status(app: BirdcageApp) -> int:
     """Return the exit status of an app that has ended without a signal."""
     crash = app.session.crash
     if crash is not None:
-        say_last(f"birdcage-tui: a fault of birdcage: {type(crash).__name__}: {crash}", sys.stderr)
+        say_last(f"birdcage-tui: internal error: {type(crash).__name__}: {crash}", sys.stderr)
         return EXIT_FAULT
     # Textual leaves no status where its own threads ended it, and 1 after an error of ours, which it has printed.
     return EXIT_FAULT if app.fault is not None or app.return_code is None else app.return_code
@@ -176,7 +176,7 @@ def _paths(options: argparse.Namespace, stack: ExitStack) -> Paths:
     paths = stack.enter_context(throw_away_paths()) if options.demo else Paths.default()
     if options.config is not None:
         if not Path(options.config).is_file():
-            raise BirdcageError(f"{options.config} (--config) is no file.")
+            raise BirdcageError(f"{options.config} (--config) is not a file.")
         return paths.with_config(Path(options.config))
     return paths
 
@@ -267,7 +267,7 @@ def _known(named: str) -> str:
     """Return the firmware. BirdcageError for one that this version does not speak; the console proves the others."""
     known = list_firmwares()
     if named not in known:
-        raise BirdcageError(f"This version does not speak {named}: --firmware, one of {', '.join(known)}.")
+        raise BirdcageError(f"This version does not support {named}. Use --firmware with one of {', '.join(known)}.")
     return named
 
 

@@ -78,7 +78,7 @@ def skew_row(cells: Cells, x: int, y: int, view: View) -> None:
     x = cells.put(x, y, skew_text(view), "dim" if view.stale else "strong") + 1
     target = skew_target(view)
     low, high = skew_limits(view)
-    words = f" to {target:.2f}°" if target is not None else f" {low:.0f}..{high:.0f}°"
+    words = f" to {target:.2f}°" if target is not None else f" {low:.0f} to {high:.0f}°"
     room = cells.width - 1 - x - len(words)
     if room >= LEAST_GAUGE:
         skew_gauge(cells, x, y, room, view)
@@ -147,7 +147,7 @@ class SkewPane(Pane):
 def _word(view: View) -> str:
     position = view.state.position
     if position is None or position.skew_deg is None:
-        return "not known"
+        return "unknown"
     return "modelled, not read" if position.modelled else "about the beam"
 
 

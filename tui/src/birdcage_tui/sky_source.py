@@ -225,7 +225,7 @@ class WatchedSky:
         except BirdcageError as problem:
             self._converter.favourites.pop(satellite, None)
             self._show_again()
-            self._say(f"That favourite could not be kept: {problem}")
+            self._say(f"The favourite was not saved. {problem}")
             return
         self._watch.refresh()
 
@@ -241,14 +241,14 @@ class WatchedSky:
         found = [row.origin for row in rows if row.origin is not None]
         sky = self._sky
         if sky is None or sky.observer is None or not found:
-            self._say("No pass is listed, so no file was written.")
+            self._say("No passes to export. No file was written.")
             return
         note = "DEMO: these orbits are made up." if self._setup.demo else sky.note
         try:
             heard = None if self._setup.heard is None else self._setup.heard()
             words = write_passes(found, sky.observer, self._setup.clock.utc(), self._setup.exports, note, heard)
         except OSError as problem:
-            words = f"No file was written in {self._setup.exports}: {problem.strerror or problem}."
+            words = f"Cannot write to {self._setup.exports}: {problem.strerror or problem}."
         self._say(words)
 
 

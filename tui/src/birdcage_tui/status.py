@@ -87,7 +87,7 @@ class StatusLine(Pane):
             activity = LINK[state.link.state][1].upper()
         elif state.homed is False and not view.moving and state.held is None:
             activity = "NOT HOMED"
-        holder = cut(state.holder or "nobody", 16)
+        holder = cut(state.holder or "free", 16)
         fields = [
             (f"{name} {glyph} {age:<4}", link_ink),
             (f"AZ{mark}{az}°", ink),

@@ -49,4 +49,4 @@ class Tour:
             return ""
         if desk is None or not desk.autotrack:
             return ""
-        return "Demo: it follows pass after pass. Space stops it, an arrow takes over by hand."
+        return "Demo: tracks pass after pass. Space stops, an arrow takes over."

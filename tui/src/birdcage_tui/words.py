@@ -88,7 +88,7 @@ def motion_text(view: View) -> str:
         if state.activity_text:
             return f"{word}: {state.activity_text}"
         if state.motion.az_way_deg is None:
-            return f"{word}  which way round shows in a moment"
+            return f"{word}  direction shows in a moment"
         return f"{word}{going} {left_s:.1f} s" if left_s > 0 else f"{word}{going} overdue {-left_s:.1f} s"
     word = ACTIVITY[state.activity]
     if view.crash:
@@ -115,8 +115,8 @@ def bad_day(view: View) -> tuple[str, str] | None:
     """Return the ink and the words of the row under the status line when something is wrong, else None."""
     state, link = view.state, view.state.link
     if view.crash:
-        words = f"✖ BIRDCAGE FAILED  {view.crash}  What is shown is old, and nothing more is sent to the dish."
-        return "fault-row", f"{words} Ctrl+Q, then start again; in an emergency use the {power_switch(view)}."
+        words = f"✖ BIRDCAGE FAILED  {view.crash}  The values are old. birdcage sends nothing more to the dish."
+        return "fault-row", f"{words} Press Ctrl+Q and start again. In an emergency use the {power_switch(view)}."
     if state.fault is not None:
         fault = state.fault
         words = f"✖ FAULT {fault.what} {fault.utc:%H:%M:%S}. {fault.meaning} {fault.remedy}"
@@ -140,12 +140,12 @@ def bad_day(view: View) -> tuple[str, str] | None:
     if state.position_lost == "unreadable" and state.activity is not Activity.HOMING:
         how = home_hint(view).replace("H homes it", "H home it")
         how = f"{how[:1].upper()}{how[1:]}"
-        return "warn-row", f"▲ POSITION UNREADABLE  What the dish prints is no position: see F5.  {how}"
+        return "warn-row", f"▲ POSITION UNREADABLE  The position reply is unreadable: see F5.  {how}"
     pursued = trouble(view)
     if pursued is not None:
         return pursued
     if searching(view):
-        return "warn-row", "▲ TV SEARCH RUNNING  It moves the dish.  K ends it until the next power-up"
+        return "warn-row", "▲ TV SEARCH RUNNING  It moves the dish.  K: end it until the next power-up"
     if view.late:
         return (
             "warn",
@@ -168,7 +168,7 @@ def _held(view: View) -> str:
     why = "" if held.reason == "stop" else f" ({held.reason})"
     words = f"■ HELD by {held.by}{why}{_since(view, held.utc)}"
     if held.damage:
-        words = f"■ HELD, by whom is not known{_since(view, held.utc)}"
+        words = f"■ HELD by unknown{_since(view, held.utc)}"
     if held.next_holder is not None:
         aim = ""
         if held.next_az_deg is not None and held.next_el_deg is not None:
@@ -233,9 +233,9 @@ def next_steps(view: View) -> list[tuple[str, str]]:
     link = state.link.state
     if view.crash:
         return [
-            ("fault-strong", "birdcage has failed. What is shown is old."),
-            ("text", f"Nothing more is sent to the dish: in an emergency use the {power_switch(view)}."),
-            ("text", "Ctrl+Q, then start again."),
+            ("fault-strong", "birdcage has failed. The values are old."),
+            ("text", f"birdcage sends nothing more to the dish. In an emergency use the {power_switch(view)}."),
+            ("text", "Press Ctrl+Q and start again."),
         ]
     if state.fault is not None:
         return [
@@ -247,14 +247,14 @@ def next_steps(view: View) -> list[tuple[str, str]]:
     if link in (Link.CLOSED, Link.OPENING):
         return [
             ("text", f"Opening {state.port.split('?')[0] or 'the port'} and listening for the dish."),
-            ("dim", "Nothing is sent that moves it. Its position shows as soon as it has told it."),
+            ("dim", "birdcage sends no motion. The position shows once the dish reports it."),
         ]
     if link is Link.LOST and not state.port:
-        return [("warn-strong", "No port is chosen."), ("text", state.link.detail)]
+        return [("warn-strong", "No port set."), ("text", state.link.detail)]
     if link in (Link.LOST, Link.SILENT):
-        back = "The port is looked for again by itself." if link is Link.LOST else "It is asked again by itself."
+        back = "birdcage looks for the port again by itself." if link is Link.LOST else "birdcage asks again by itself."
         return [
-            ("warn-strong", "The adapter is gone." if link is Link.LOST else "The port is there, the dish is silent."),
+            ("warn-strong", "The adapter is gone." if link is Link.LOST else "The port is open, the dish is silent."),
             *_unconfirmed_stop(view),
             ("text", state.link.detail or back),
             ("dim", f"Check the cable, then the dish's {power_switch(view).removesuffix(' switch')}. {back}"),
@@ -271,14 +271,14 @@ def next_steps(view: View) -> list[tuple[str, str]]:
     elif state.homed is False and state.activity is not Activity.HOMING:
         dish = state.dish
         if dish is not None and dish.homing_s is None:
-            steps.append(("text", "Next: switch it off and on, and wait: it homes by itself."))
+            steps.append(("text", "Next: switch the dish off and on. It homes by itself."))
         else:
             steps.append(("text", "Next: H homes it. It turns through its whole range and runs into its end stops."))
     elif searching(view):
-        steps.append(("text", "The search begins again at each power-up."))
+        steps.append(("text", "The search starts again at each power-up."))
     elif state.motion_refused_because:
         steps.append(
-            ("text", "birdcage sends no motion: fix the file, or press Enter to accept the dish's own limits.")
+            ("text", "birdcage sends no motion. Fix the file, or press Enter to accept the dish's own limits.")
         )
     elif view.tour:
         steps.append(("text", "2, c: details. Space: stop. Arrows: take over."))
@@ -316,7 +316,7 @@ def _doing(view: View) -> tuple[str, str]:
         who = state.holder or "somebody"
         return "accent-strong", f"{who.capitalize()} {'move' if who == 'you' else 'moves'} it to {aim}."
     if searching(view):
-        return "fault-strong", "The TV search moves the dish: K ends it."
+        return "fault-strong", "The TV search moves the dish. K ends it."
     if state.activity is Activity.MOVING_UNASKED:
         return "fault-strong", "The dish moves without a command: TV search, wind, or a hand."
     plain = _unplanned(view)
@@ -355,7 +355,7 @@ def ended_text(event: MoveEnded) -> str:
     reason = f"{event.reason[:1].upper()}{event.reason[1:]}"
     position = event.position
     if event.end is End.NOT_TAKEN:
-        reason = "The dish did not take the move: it stands still"
+        reason = "The dish ignored the move and stands still"
         return reason if position is None else f"{reason} at {position.az_deg:.2f}°/{position.el_deg:.2f}°."
     if event.end is not End.ARRIVED or position is None:
         return reason

@@ -25,15 +25,15 @@ HERE_DEG = 0.03
 """Nearer than this is here: the gears step in as much."""
 COUNTS = Heard().unit
 ARROWS = (("calibrate-left", "←"), ("calibrate-right", "→"), ("calibrate-up", "↑"), ("calibrate-down", "↓"))
-WAIT = "The guide is opening: it looks what is up."
+WAIT = "Opening the guide. It finds what is up."
 
 
 class AimPane(Pane, can_focus=True):
     """Expected and read directions, how far it was nudged, what is heard; buttons below."""
 
     HELP = (
-        "Go to an object, nudge with the arrows until its signal is highest, then Enter. The steps are degrees on the "
-        "sky. The dish aims by the peaks so far: after the first one the next object is near."
+        "Go to an object, nudge with the arrows until its signal is highest, then press Enter. Steps are degrees on "
+        "the sky. The dish uses the peaks so far, so each next object starts nearer."
     )
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
@@ -68,8 +68,8 @@ class AimPane(Pane, can_focus=True):
                 self.button(cells, x + 2, buttons, "calibrate-again", view)
         x = 1
         if guide.target:
-            x = self.button(cells, x, buttons + 1, "calibrate-take", view, "peaked here")
-        self.button(cells, x, buttons + 1, "calibrate-next", view, "go to the next" if guide.target else "go there")
+            x = self.button(cells, x, buttons + 1, "calibrate-take", view, "save peak")
+        self.button(cells, x, buttons + 1, "calibrate-next", view, "next object" if guide.target else "go there")
 
     def _arrow(self, cells: Cells, x: int, y: int, command: str, sign: str) -> int:
         cells.put(x, y, f" {sign} ", "key")
@@ -79,7 +79,7 @@ class AimPane(Pane, can_focus=True):
     @staticmethod
     def _none(cells: Cells, now: CalibrateNow, guide: GuideView) -> int:
         if not guide.proposals:
-            words = "Looking what is up …" if now.searching else "Nothing that this dish hears is in reach now."
+            words = "Finding what is up …" if now.searching else "This dish can hear nothing that is in reach now."
             cells.put(1, 0, words, "dim")
             return 1
         best = guide.proposals[0]
@@ -94,7 +94,7 @@ class AimPane(Pane, can_focus=True):
         stands = "--" if guide.expected is None else direction(*guide.expected)
         position = guide.position
         reads = "--" if position is None else direction(position.dish_az_deg, position.dish_el_deg)
-        rows = [("stands at", "target", stands + "  true"), ("dish reads", "text", reads + "  its own")]
+        rows = [("object at", "target", stands + "  true"), ("dish reads", "text", reads + "  dish frame")]
         if guide.busy.startswith("going"):
             rows.append(("to go", "accent", "--" if guide.nudged is None else f"{math.hypot(*guide.nudged):.1f}°"))
         else:
@@ -113,7 +113,7 @@ class AimPane(Pane, can_focus=True):
         elif now.told:
             ink, words = "good", now.told
         elif guide.target and not guide.busy and not view.moving:
-            ink, words = "dim", guide.may_not_take or "Nudge to the highest signal, then Enter."
+            ink, words = "dim", guide.may_not_take or "Nudge to the highest signal, then press Enter."
         else:
             return
         if y + 1 < end and cells.height >= 10:
@@ -129,12 +129,12 @@ def _signal(view: View, since: float, width: int) -> str:
     recent = [sample for sample in view.signal if sample.at >= max(since, view.now - HEARD_S)]
     if not recent:
         dish = view.state.dish
-        return "your own meter tells" if dish is not None and not dish.has_rssi else "--"
+        return "use your own meter" if dish is not None and not dish.has_rssi else "--"
     unit = view.heard.unit
     digits = 0 if unit == COUNTS else 1
     best = max(recent, key=lambda sample: sample.value)
     last, most = f"{recent[-1].value:.{digits}f}", f"{best.value:.{digits}f}"
-    words = f"{last} {unit}, highest {most}"
+    words = f"{last} {unit}, max {most}"
     here = view.state.position
     if here is None or best.az_deg is None or best.el_deg is None:
         return words

@@ -15,10 +15,10 @@ LONGEST = 40
 def begin() -> tuple[str, str, str]:
     """Return title, words and consent of forgetting all peaks."""
     words = (
-        "All peaks are forgotten: right when the base was moved, for they told how it stood. The dish is pointed as "
-        "before, the sets stay, and nothing moves. u brings the peaks back while the app runs."
+        "Do this after you move the base: the old peaks no longer apply. This deletes all peaks. The alignment in use "
+        "and the saved sets stay, and nothing moves. u restores the peaks while the app runs."
     )
-    return "Forget all peaks", words, "forget them"
+    return "Delete all peaks", words, "delete them"
 
 
 def name(now: CalibrateNow | None) -> FieldsScreen:
@@ -26,14 +26,15 @@ def name(now: CalibrateNow | None) -> FieldsScreen:
     active = "" if now is None or now.guide is None else now.guide.active
     known = [] if now is None else [each.entry.name for each in now.sets]
     words = (
-        "The fit is kept under this name, and all that points goes by it from now on. Nothing moves, but directions "
-        "of before are others now." + (f" Kept already: {', '.join(known)}; the same name replaces." if known else "")
+        "Save the fit under this name and use it for all pointing. Nothing moves now. "
+        "The same direction will point elsewhere than before."
+        + (f" Saved: {', '.join(known)}; the same name replaces." if known else "")
     )
 
     def check(values: Values) -> str:
         text = " ".join(values[0].split())
         if not text or len(text) > LONGEST or not text.isprintable():
-            return "A name, please: one for this way to put the dish up, such as Roof."
+            return "Type a name for this setup of the dish: Roof."
         return ""
 
-    return FieldsScreen("Point by this fit", words, (Field("name", active, "Roof"),), check)
+    return FieldsScreen("Use this fit", words, (Field("name", active, "Roof"),), check)

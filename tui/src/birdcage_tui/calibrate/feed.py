@@ -40,9 +40,7 @@ class CalibrateNow:
     """Whether nothing that is up would tell much more."""
 
 
-ABSENT = (
-    "This app was started without a place to keep a calibration in. `birdcage calibrate` does the same in a terminal."
-)
+ABSENT = "This app has no file for calibrations. Use `birdcage calibrate` in a terminal."
 Show = Callable[[CalibrateNow], object]
 """Takes what is to be shown, on whichever thread made it."""
 

@@ -24,9 +24,9 @@ class FiguresPane(Pane):
     """Errors before, after and left out, the condition in words, the warning; where there is room, the terms."""
 
     HELP = (
-        "rms: how far these peaks lie from where the dish points, before by the alignment in force, after by the fit. "
-        "Left out: how far each lies by a fit to the others alone. To expect: over all of the sky that this dish "
-        "reaches. Condition: whether the peaks are spread well enough to tell the terms apart."
+        "RMS: pointing error at these peaks, before with the alignment in use, after with the fit. Left out: error "
+        "of each peak with a fit to the others. Whole sky: expected error over all that this dish reaches. Condition: "
+        "low means that the peaks are spread well enough to tell the terms apart."
     )
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002

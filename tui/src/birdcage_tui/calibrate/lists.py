@@ -98,11 +98,11 @@ class ListPane(Pane):
 class ObjectsPane(ListPane, can_focus=True):
     """What is up and in reach, best first, and what the error over the sky would be after a peak on it."""
 
-    TITLE = "Objects: sky error then"
-    EMPTY = "Nothing that this dish hears is in reach now. r looks again."
+    TITLE = "Objects: error after"
+    EMPTY = "This dish can hear nothing that is in reach now. r: look again."
     HELP = (
-        "What can be peaked on now, the best first: that after which the error to expect over the sky is least. The "
-        "last column is that error. What lies beside a peak already taken is left out."
+        "Objects that you can peak on now, the best first. The last column is the error to expect over the sky after "
+        "that peak. Objects beside a saved peak are left out."
     )
     scope = "calibrate-objects"
 
@@ -125,18 +125,18 @@ class ObjectsPane(ListPane, can_focus=True):
         one = chosen[0]
         falls = f"{error_text(one.error_now_deg)} to {error_text(one.error_then_deg)}"
         rise = "" if one.candidate.rise_db is None else f", {one.candidate.rise_db:.1f} dB over the sky"
-        found = f"Its middle can be found to {one.candidate.sigma_deg:.2f}°{rise}."
-        return f"The error over the sky falls from {falls}. {found}"
+        found = f"Centre accuracy {one.candidate.sigma_deg:.2f}°{rise}."
+        return f"Sky error: {falls}. {found}"
 
 
 class PeaksPane(ListPane, can_focus=True):
     """Peaks with what is left of each, and what the others alone say of it."""
 
-    TITLE = "Peaks: left, by the others"
-    EMPTY = "None yet. Each one is on the disk as it is taken."
+    TITLE = "Peaks: residual, leave-one-out"
+    EMPTY = "No peaks yet. Each peak is saved at once."
     HELP = (
-        "What was taken: where the object stood, how far it lies from the fit, and how far by the others alone. d "
-        "forgets one, u brings it back. Who moves the base begins anew: X."
+        "Saved peaks: direction of the object, residual of the fit, and residual of a fit to the others. d deletes a "
+        "peak, u restores it. After you move the base press X to start anew."
     )
     scope = "calibrate-peaks"
 
@@ -169,15 +169,15 @@ class PeaksPane(ListPane, can_focus=True):
             return ""
         peak = chosen[0]
         dish = f"dish {peak.dish_az_deg:.2f}° {peak.dish_el_deg:.2f}°"
-        return f"{peak.utc:%d %b %H:%MZ}, {dish}, good to {peak.sigma_deg:.2f}°."
+        return f"{peak.utc:%d %b %H:%MZ}, {dish}, ±{peak.sigma_deg:.2f}°."
 
 
 class SetsPane(ListPane, can_focus=True):
     """Alignments with names, the one in force marked."""
 
     TITLE = "Sets"
-    EMPTY = "None kept yet. a keeps the fit under a name: one for each way to put the dish up."
-    HELP = "Alignments that were kept. Enter points by the one under the cursor; nothing moves by it."
+    EMPTY = "No saved sets. Press a to save the fit under a name, one for each setup of the dish."
+    HELP = "Saved alignments. Enter uses the one under the cursor. Nothing moves."
     scope = "calibrate-sets"
 
     def rows(self, now: CalibrateNow) -> list[tuple[str, str]]:

@@ -21,9 +21,9 @@ class OverSkyPane(Pane):
     """A map of the sky, N up and E right: peaks by number, each with what is left of it as a line."""
 
     HELP = (
-        "A map of the sky, N up and E right. Numbers are peaks, the line at each which way its object lay from the "
-        "beam, enlarged as the frame says. Dots are objects that can be peaked on, the triangle the one under the "
-        "cursor. Peaks all over the sky tell more than many in one place."
+        "A map of the sky, N up and E right. Numbers are peaks. The line at each shows its residual, enlarged as the "
+        "frame says. Dots are objects that you can peak on, the triangle marks the one under the cursor. Peaks all "
+        "over the sky tell more than many in one place."
     )
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
@@ -64,7 +64,7 @@ class OverSkyPane(Pane):
         if fit is not None:
             most = max(each.off_deg for each in fit.residuals)
             top = next((nice for nice in NICE_DEG if nice >= most), NICE_DEG[-1])
-            words = f"a line as long as 20° is {top:g}°"
+            words = f"20° of line = {top:g}°"
             for each in fit.residuals:
                 az, el = each.peak.true_az_deg, each.peak.true_el_deg
                 x0, y0 = polar.dot(az, el)

@@ -36,9 +36,9 @@ class ScatterPane(Pane):
     """Right of and above the middle, each peak by its number; a ring where it lies by the others alone."""
 
     HELP = (
-        "Each number is a peak: how far its object lay right of and above where the fitted model has the beam. A ring "
-        "is the same by a fit without that peak: what to expect of a direction that was not measured. A ring far from "
-        "its number: only that peak says so."
+        "Each number is the residual of a peak, right and up from the fitted model. A ring is its residual with a fit "
+        "to the other peaks: the error to expect where you did not measure. A ring far from its number means that only "
+        "this peak supports that part of the fit."
     )
 
     def draw(self, cells: Cells, view: View) -> None:
@@ -46,7 +46,7 @@ class ScatterPane(Pane):
         now = view.calibrate
         guide = None if now is None else now.guide
         fit = None if guide is None else guide.fit
-        self._told(*(("Calibrate", "") if fit is None else ("What is left", f"half width {reach_of(fit):g}°")))
+        self._told(*(("Calibrate", "") if fit is None else ("Residuals", f"half width {reach_of(fit):g}°")))
         if fit is None:
             y = 0
             for ink, words in BEGIN:

@@ -113,7 +113,7 @@ class GuideDesk:
         def deed(guide: Guide) -> str:
             peak = guide.take()
             self._stale = True
-            return f"Peak {peak.number} is taken, good to {peak.sigma_deg:.2f}°."
+            return f"Peak {peak.number} saved, ±{peak.sigma_deg:.2f}°."
 
         self._order(deed)
 
@@ -125,8 +125,8 @@ class GuideDesk:
             guide.remove(*numbers)
             self._removed.append(gone)
             self._stale = True
-            what = f"Peak {gone[0].number} ({gone[0].target}) is" if len(gone) == 1 else f"{len(gone)} peaks are"
-            return f"{what} forgotten. u brings back."
+            what = f"peak {gone[0].number} ({gone[0].target})" if len(gone) == 1 else f"{len(gone)} peaks"
+            return f"Deleted {what}. u: restore."
 
         self._order(deed)
 
@@ -135,21 +135,21 @@ class GuideDesk:
 
         def deed(guide: Guide) -> str:
             if not self._removed:
-                return "Nothing was forgotten."
+                return "No deleted peaks."
             kept = [guide.put_back(peak) for peak in self._removed[-1]]
             self._removed.pop()
             self._stale = True
-            return f"Brought back as {', '.join(str(peak.number) for peak in kept)}."
+            return f"Restored as {', '.join(str(peak.number) for peak in kept)}."
 
         self._order(deed)
 
     def apply(self, name: str) -> None:
         """Keep the fit under a name, and point by it."""
-        self._order(lambda guide: f"{guide.apply(name).name} is kept, and the dish is pointed by it.")
+        self._order(lambda guide: f"Saved {guide.apply(name).name}. The dish uses it now.")
 
     def use(self, name: str) -> None:
         """Point by a set that was kept before."""
-        self._order(lambda guide: f"The dish is pointed by {guide.use(name).name}.")
+        self._order(lambda guide: f"The dish uses {guide.use(name).name} now.")
 
     def refresh(self) -> None:
         """Find out again what is best to peak on."""

@@ -11,17 +11,17 @@ if TYPE_CHECKING:
     from birdcage.calibration.fit import Fit
     from birdcage.calibration.guide import GuideView
 
-ENOUGH = "More peaks tell little now: a puts the fit into force. Come back when the Sun stands elsewhere."
+ENOUGH = "More peaks add little now. a: use the fit. Add more when the Sun is elsewhere."
 WHY = (
-    "Put up by hand, a dish points some degrees off, differently all over the sky. Where the signal of known objects "
-    "is highest shows how its base is turned, how it leans, and where the beam looks."
+    "A dish set up by hand points some degrees off, by different amounts over the sky. Peaks on known objects show how "
+    "its base is turned, how it leans, and where the beam looks."
 )
-HOW = "n goes to the next best object. The arrows nudge until the signal is highest. Enter says: peaked here."
+HOW = "n goes to the next best object. Nudge with the arrows until the signal is highest, then press Enter."
 THEN = (
-    "Two objects show the offsets, three the tilt, four or more the collimation. Then a keeps what was found, and all "
-    "that points goes by it."
+    "Two objects give the offsets, three the tilt, four or more the collimation. Then press a to save the fit and use "
+    "it for all pointing."
 )
-BEGIN = (("strong", "How does the dish really stand?"), ("text", WHY), ("text", HOW), ("dim", THEN))
+BEGIN = (("strong", "Measure the alignment of the dish"), ("text", WHY), ("text", HOW), ("dim", THEN))
 TERMS = (
     ("az_offset_deg", "azimuth offset"),
     ("el_offset_deg", "elevation offset"),
@@ -65,9 +65,9 @@ def condition_words(fit: Fit) -> tuple[str, str]:
     """Return ink and words for how well the peaks tell the terms apart."""
     value = fit.condition
     if value is None:
-        return "warn", "-- not told apart"
+        return "warn", "-- undetermined"
     if value > POOR:
-        return "warn", f"{value:.0f} hardly told apart"
+        return "warn", f"{value:.0f} poorly spread"
     return ("text", f"{value:.0f} fairly spread") if value > FAIR else ("good", f"{value:.0f} well spread")
 
 
@@ -80,15 +80,15 @@ def figure_rows(guide: GuideView, *, short: bool) -> list[tuple[str, str, str]]:
     sky = guide.sky_error_deg
     if short:
         return [
-            ("rms", "text", f"{maybe(fit.rms_before_deg)} → {maybe(fit.rms_deg)}"),
+            ("RMS", "text", f"{maybe(fit.rms_before_deg)} → {maybe(fit.rms_deg)}"),
             ("left out", "text", f"{maybe(fit.leave_one_out_rms_deg)}, sky {maybe(sky)}"),
             ("condition", ink, words),
         ]
     return [
         ("fitted to", "text", fitted_words(fit)),
-        ("rms", "text", f"{maybe(fit.rms_before_deg)} before, {maybe(fit.rms_deg)} after"),
-        ("left out", "text", f"{maybe(fit.leave_one_out_rms_deg)} for each by the others"),
-        ("to expect", "text", f"{maybe(sky)} all over the sky"),
+        ("RMS", "text", f"{maybe(fit.rms_before_deg)} before, {maybe(fit.rms_deg)} after"),
+        ("left out", "text", f"{maybe(fit.leave_one_out_rms_deg)} (leave-one-out)"),
+        ("whole sky", "text", f"{maybe(sky)} expected"),
         ("condition", ink, words),
     ]
 

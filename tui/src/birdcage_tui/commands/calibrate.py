@@ -22,7 +22,7 @@ def can_calibrate(view: View) -> str | None:
     """Return why nothing can be calibrated."""
     now = view.calibrate
     if now is None or now.guide is None:
-        return (now.wrong if now is not None else "") or "The calibration is not open yet."
+        return (now.wrong if now is not None else "") or "The calibration is still opening."
     return None
 
 
@@ -30,7 +30,7 @@ def can_go(view: View) -> str | None:
     """Return why the dish cannot be sent to an object."""
     now = view.calibrate
     if now is not None and now.guide is not None and not (now.guide.proposals or now.guide.target):
-        return now.wrong or "Nothing that this dish hears is in reach now."
+        return now.wrong or "This dish can hear nothing that is in reach now."
     return can_calibrate(view) or can_move(view)
 
 
@@ -47,7 +47,7 @@ def can_take(view: View) -> str | None:
     if now is None or now.guide is None:
         return can_calibrate(view)
     if not now.guide.target:
-        return "No object is chosen: n goes to the next best one."
+        return "No object selected. n: go to the next best one."
     return now.guide.may_not_take or _taken(now.guide)
 
 
@@ -58,7 +58,7 @@ def _taken(guide: GuideView) -> str | None:
         if position is not None and peak.target == guide.target:
             turn = abs(shortest_turn(peak.dish_az_deg, position.dish_az_deg))
             if max(turn, abs(peak.dish_el_deg - position.dish_el_deg)) < SAME_DEG:
-                return f"That is peak {peak.number} already: n goes on to the next object."
+                return f"Already saved as peak {peak.number}. n: go to the next object."
     return None
 
 
@@ -66,7 +66,7 @@ def can_apply(view: View) -> str | None:
     """Return why there is nothing to keep."""
     now = view.calibrate
     if now is not None and now.guide is not None and now.guide.fit is None:
-        return "There is no peak yet, so there is nothing to apply."
+        return "No peaks yet."
     return can_calibrate(view)
 
 
@@ -74,14 +74,14 @@ def can_forget(view: View) -> str | None:
     """Return why there is nothing to forget."""
     now = view.calibrate
     if now is not None and now.guide is not None and not now.guide.peaks:
-        return "There is no peak yet."
+        return "No peaks yet."
     return can_calibrate(view)
 
 
 def can_undo(view: View) -> str | None:
     """Return why nothing can be brought back."""
     now = view.calibrate
-    return can_calibrate(view) or (None if now is not None and now.removed else "Nothing was forgotten.")
+    return can_calibrate(view) or (None if now is not None and now.removed else "No deleted peaks.")
 
 
 def can_use(view: View) -> str | None:
@@ -89,7 +89,7 @@ def can_use(view: View) -> str | None:
     if can_release(view) is None:
         return None
     now = view.calibrate
-    return can_calibrate(view) or (None if now is not None and now.sets else "No set was kept yet: a keeps one.")
+    return can_calibrate(view) or (None if now is not None and now.sets else "No saved sets. a: save one.")
 
 
 def can_go_or_release(view: View) -> str | None:
@@ -103,39 +103,40 @@ def _at(name: str, keys: tuple[str, ...], shown: str, title: str, text: str, gro
 
 
 CALIBRATE = (
-    Command("tab-calibrate", ("C",), "C", "Calibrate", "Find how the dish really stands, from peaks on what is up.",
+    Command("tab-calibrate", ("C",), "C", "Calibrate", "Measure the alignment of the dish with peaks on known objects.",
             "Tabs", where=("setup",), page=PAGE),
-    _at("take", ("enter",), "Enter", "Peaked here", "The signal is highest here: keep where the dish is and where the "
-        "object stands.", refused=can_take, footer="peaked"),
-    _at("next", ("n",), "n", "Go to the object", "Turn to the object under the cursor: at first the next best one.",
+    _at("take", ("enter",), "Enter", "Save peak",
+        "The signal is highest here. Save the direction of dish and object.", refused=can_take, footer="peaked"),
+    _at("next", ("n",), "n", "Go to the object", "Turn to the object under the cursor, at first the next best one.",
         refused=can_go, footer="go"),
-    _at("again", ("m",), "m", "Back to its middle", "Turn again to where the present object is expected, as it moves "
-        "on.", refused=can_go),
+    _at("again", ("m",), "m", "Return to the object",
+        "Turn again to the predicted position of the object.", refused=can_go),
     _at("left", ("left", "h"), "← h", "Nudge left", "One step on the sky, as seen from the dish.", "Nudge", can_nudge),
     _at("right", ("right", "l"), "→ l", "Nudge right", "One step on the sky.", "Nudge", can_nudge, "nudge"),
     _at("up", ("up", "k"), "↑ k", "Nudge up", "One step on the sky.", "Nudge", can_nudge),
     _at("down", ("down", "j"), "↓ j", "Nudge down", "One step on the sky.", "Nudge", can_nudge),
-    _at("apply", ("a",), "a", "Point by this fit …", "Keep the fit under a name, and point by it from now on.",
+    _at("apply", ("a",), "a", "Use this fit …", "Save the fit under a name and use it for all pointing.",
         "Results", can_apply, "apply"),
-    _at("view", ("v",), "v", "Next picture", "What is left beside each object, or where on the sky.", "Results",
+    _at("view", ("v",), "v", "Next picture", "Residuals, or peaks on the sky.", "Results",
         footer="picture"),
-    _at("objects", ("o",), "o", "Objects", "Choose another object.", "Lists", footer="objects"),
-    _at("peaks", ("p",), "p", "Peaks", "Those that were taken.", "Lists", footer="peaks"),
-    _at("sets", ("s",), "s", "Sets", "Alignments that were kept, by their names.", "Lists", footer="sets"),
-    _at("undo", ("u",), "u", "Bring back", "The peaks that were forgotten last.", "Lists", can_undo),
-    _at("refresh", ("r",), "r", "Look again", "Find out anew what is up and best to peak on.", "Lists",
+    _at("objects", ("o",), "o", "Objects", "Select another object.", "Lists", footer="objects"),
+    _at("peaks", ("p",), "p", "Peaks", "Saved peaks.", "Lists", footer="peaks"),
+    _at("sets", ("s",), "s", "Sets", "Saved alignments.", "Lists", footer="sets"),
+    _at("undo", ("u",), "u", "Restore peaks", "Restore the last deleted peaks.", "Lists", can_undo),
+    _at("refresh", ("r",), "r", "Look again", "Find again what is up and best to peak on.", "Lists",
         can_calibrate),
-    _at("begin", ("X",), "X", "Forget all peaks …", "The base was moved: begin anew. Asks first.", "Lists", can_forget),
-    _at("object-up", ("up", "k"), "↑ k", "Object above", "Choose the one above.", "Objects", where=OBJECTS),
-    _at("object-down", ("down", "j"), "↓ j", "Object below", "Choose the one below.", "Objects", where=OBJECTS),
+    _at("begin", ("X",), "X", "Delete all peaks …", "Start anew after you move the base. Asks first.", "Lists",
+        can_forget),
+    _at("object-up", ("up", "k"), "↑ k", "Object above", "Select the row above.", "Objects", where=OBJECTS),
+    _at("object-down", ("down", "j"), "↓ j", "Object below", "Select the row below.", "Objects", where=OBJECTS),
     _at("object-go", ("enter",), "Enter", "Go there", "Turn the dish to the one under the cursor.", "Objects",
         can_go_or_release, "go there", OBJECTS),
-    _at("peak-up", ("up", "k"), "↑ k", "Peak above", "Choose the one above.", "Peaks", where=PEAKS),
-    _at("peak-down", ("down", "j"), "↓ j", "Peak below", "Choose the one below.", "Peaks", where=PEAKS),
-    _at("peak-forget", ("d", "delete"), "d", "Forget the peak", "u brings it back.", "Peaks", can_forget, "forget",
+    _at("peak-up", ("up", "k"), "↑ k", "Peak above", "Select the row above.", "Peaks", where=PEAKS),
+    _at("peak-down", ("down", "j"), "↓ j", "Peak below", "Select the row below.", "Peaks", where=PEAKS),
+    _at("peak-forget", ("d", "delete"), "d", "Delete peak", "u restores it.", "Peaks", can_forget, "forget",
         PEAKS),
-    _at("set-up", ("up", "k"), "↑ k", "Set above", "Choose the one above.", "Sets", where=SETS),
-    _at("set-down", ("down", "j"), "↓ j", "Set below", "Choose the one below.", "Sets", where=SETS),
-    _at("set-use", ("enter",), "Enter", "Point by it", "Put the set under the cursor into force. Nothing moves.",
-        "Sets", can_use, "point by it", SETS),
+    _at("set-up", ("up", "k"), "↑ k", "Set above", "Select the row above.", "Sets", where=SETS),
+    _at("set-down", ("down", "j"), "↓ j", "Set below", "Select the row below.", "Sets", where=SETS),
+    _at("set-use", ("enter",), "Enter", "Use this set", "Use the alignment under the cursor. Nothing moves.",
+        "Sets", can_use, "use it", SETS),
 )  # fmt: skip

@@ -15,14 +15,14 @@ def can_power(view: View) -> str | None:
     if not view.link_up:
         return "The dish does not answer."
     if dish is not None and not dish.has_motor_power:
-        return f"The {dish.name} has no command for the current of its motors."
+        return f"The {dish.name} has no motor current command."
     return None
 
 
 def can_engage(view: View) -> str | None:
     """Return why the current cannot be put on now: the dish may jerk, so that is a motion."""
     if view.link_up and view.state.held is not None:
-        return "STOP is latched: Enter releases it."
+        return "STOP is latched. Enter releases it."
     return can_power(view)
 
 
@@ -53,57 +53,57 @@ def can_go(view: View) -> str | None:
 
 CONTROL = (
     Command(
-        "digits", ("n",), "n", "Nudge digits", "Go to the digits of the target: choose one, step it up or down.",
+        "digits", ("n",), "n", "Nudge digits", "Step one digit of the target up or down.",
         "Control", where=HERE, footer="digits",
     ),
     Command(
-        "presets", ("p",), "p", "Presets", "Go to the list of directions with names.", "Control", where=HERE,
+        "presets", ("p",), "p", "Presets", "Show the saved directions.", "Control", where=HERE,
         footer="presets",
     ),
     Command(
-        "engage", ("E",), "E", "Engage the motors …", "Put the current back on. Asks first.", "Control", can_engage,
+        "engage", ("E",), "E", "Engage the motors …", "Switch the motor current on. Asks first.", "Control", can_engage,
         where=HERE,
     ),
     Command(
-        "release-motors", ("R",), "R", "Release the motors …", "Take the current off: the dish may fall. Asks first.",
+        "release-motors", ("R",), "R", "Release the motors …", "Current off: the dish may fall. Asks first.",
         "Control", can_power, where=HERE,
     ),
     Command("stow", ("W",), "W", "Stow …", "Fold the dish flat. Asks first.", "Control", can_stow, where=HERE),
     Command(
-        "speeds", ("v",), "v", "Greatest speeds …", "Until the dish restarts, in degrees a second.", "Control",
+        "speeds", ("v",), "v", "Maximum speeds …", "In degrees a second, until the dish restarts.", "Control",
         can_set_speed, where=HERE,
     ),
     Command(
-        "preset-add", ("a",), "a", "Keep as preset …", "Give where the dish points a name.", "Presets", where=HERE,
+        "preset-add", ("a",), "a", "Save as preset …", "Save the current direction.", "Presets", where=HERE,
     ),
-    Command("preset-undo", ("u",), "u", "Undo deletion", "Bring back the preset deleted last.", "Presets", where=HERE),
-    Command("preset-filter", ("slash",), "/", "Filter presets", "Type a part of name or note.", "Presets", where=HERE),
+    Command("preset-undo", ("u",), "u", "Undo deletion", "Restore the last deleted preset.", "Presets", where=HERE),
+    Command("preset-filter", ("slash",), "/", "Filter presets", "Type part of a name or note.", "Presets", where=HERE),
     Command(
-        "digit-left", ("left", "h"), "← h", "Digit to the left", "Choose a coarser digit.", "Digits", where=DIGITS,
+        "digit-left", ("left", "h"), "← h", "Digit to the left", "Select a coarser digit.", "Digits", where=DIGITS,
         page=PAGE,
     ),
     Command(
-        "digit-right", ("right", "l"), "→ l", "Digit to the right", "Choose a finer digit.", "Digits", where=DIGITS,
+        "digit-right", ("right", "l"), "→ l", "Digit to the right", "Select a finer digit.", "Digits", where=DIGITS,
         page=PAGE, footer="digit",
     ),
     Command(
-        "digit-up", ("up", "k"), "↑ k", "Digit up", "One step of this digit, from the target.", "Digits", can_move,
+        "digit-up", ("up", "k"), "↑ k", "Digit up", "Step this digit of the target up.", "Digits", can_move,
         where=DIGITS, page=PAGE, footer="nudge",
     ),
     Command(
-        "digit-down", ("down", "j"), "↓ j", "Digit down", "One step back of this digit, from the target.", "Digits",
+        "digit-down", ("down", "j"), "↓ j", "Digit down", "Step this digit of the target down.", "Digits",
         can_move, where=DIGITS, page=PAGE,
     ),
     Command(
-        "preset-go", ("enter",), "Enter", "Go to the preset", "Turn the dish to the one chosen in the list.",
+        "preset-go", ("enter",), "Enter", "Go to the preset", "Turn the dish to the selected preset.",
         "Presets", can_go, "go", where=PRESETS, page=PAGE,
     ),
-    Command("preset-up", ("up", "k"), "↑ k", "Preset above", "Choose the one above.", "Presets", where=PRESETS,
+    Command("preset-up", ("up", "k"), "↑ k", "Preset above", "Select the row above.", "Presets", where=PRESETS,
             page=PAGE),
-    Command("preset-down", ("down", "j"), "↓ j", "Preset below", "Choose the one below.", "Presets", where=PRESETS,
+    Command("preset-down", ("down", "j"), "↓ j", "Preset below", "Select the row below.", "Presets", where=PRESETS,
             page=PAGE),
     Command("preset-edit", ("e",), "e", "Edit the preset …", "Name, azimuth, elevation, note.", "Presets",
             where=PRESETS, page=PAGE, footer="edit"),
-    Command("preset-delete", ("d", "delete"), "d", "Delete the preset", "u brings it back.", "Presets", where=PRESETS,
+    Command("preset-delete", ("d", "delete"), "d", "Delete the preset", "u restores it.", "Presets", where=PRESETS,
             page=PAGE, footer="delete"),
 )  # fmt: skip

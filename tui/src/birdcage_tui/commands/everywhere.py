@@ -17,21 +17,21 @@ def can_end_search(view: View) -> str | None:
     if dish.search_switch is not SearchSwitch.UNTIL_POWER_UP:
         return "This dish's TV search is switched off by a setting: Setup (8), step 3."
     if search is Search.OFF_UNTIL_POWER_UP:
-        return "It is ended already. It begins again at the next power-up."
+        return "The search has ended. It starts again at the next power-up."
     return None
 
 
 PAGES = (
-    ("dashboard", "Dashboard", "What it does, what stops it, what comes next."),
-    ("control", "Control", "Move it by hand, to presets, or along a pass."),
+    ("dashboard", "Dashboard", "Position, motion, what STOP can do, what to do next."),
+    ("control", "Control", "Move the dish by hand, go to presets, track a pass."),
     ("signal", "Signal", "Signal strength, sweeps and the sky map."),
     ("system", "System", "Hardware, motors, NVS, receiver and health."),
     ("console", "Console", "Every byte on the wire, and the dish's own prompt."),
     ("camera", "Camera", "Pictures by the clock, or at events of a pass."),
-    ("passes", "Passes", "What will be in reach, and when."),
+    ("passes", "Passes", "Upcoming passes, and when each is in reach."),
     ("setup", "Setup", "From wires to the first satellite."),
     ("motor", "Motor", "A DiSEqC positioner: one axis along the arc."),
-    ("survey", "Survey", "What the dish says about itself, command by command."),
+    ("survey", "Survey", "Find the carriers in a band and identify them."),
 )
 
 SAFETY = (
@@ -49,7 +49,7 @@ SAFETY = (
         ("enter",),
         "Enter",
         "Release or acknowledge",
-        "Acknowledge a fault, let go of HELD, or accept the dish's own limits. Nothing moves by it.",
+        "Acknowledge a fault, release HELD, or accept the dish's own limits. Nothing moves.",
         "Safety",
         can_release,
     ),
@@ -70,7 +70,7 @@ MOTION = (
         ("H",),
         "H",
         "Home the dish …",
-        "Find the references by running into the stops. Asks first.",
+        "Run into the end stops to find the position. Asks first.",
         "Motion",
         can_home,
         "home",
@@ -80,7 +80,7 @@ MOTION = (
 SEARCH = (
     Command(
         "search", ("K",), "K", "End the TV search …",
-        "End the firmware's own search, which moves the dish by itself. Asks first.", "Motion", can_end_search,
+        "End the firmware's TV search, which moves the dish. Asks first.", "Motion", can_end_search,
     ),
 )  # fmt: skip
 
@@ -90,7 +90,7 @@ APP = (
         ("question_mark",),
         "?",
         "Help",
-        "What can be done here, key by key; Enter or a click does it.",
+        "Keys of this page. Enter or a click runs one.",
         "App",
         footer="help",
     ),
@@ -100,11 +100,11 @@ APP = (
         ("semicolon", "ctrl+o"),
         ";",
         "Jump to a control",
-        "Puts a letter on everything that can be reached; that letter goes there.",
+        "Put a letter on every control. Type the letter to go there.",
         "App",
         footer="jump",
     ),
-    Command("theme", ("T",), "T", "Next theme", "dusk, daylight, night.", "App"),
+    Command("theme", ("T",), "T", "Next theme", "Dusk, daylight, night. Your choice is saved.", "App"),
     Command(
         "quit",
         ("ctrl+q",),

@@ -26,25 +26,25 @@ def can_turn_skew(view: View) -> str | None:
 
 JOG = (
     Command(
-        "left", ("left", "h"), "← h", "Step counterclockwise", "Azimuth by one step.", "Jog",
+        "left", ("left", "h"), "← h", "Step counterclockwise", "One azimuth step.", "Jog",
         can_move, where=WHERE,
     ),
     Command(
-        "right", ("right", "l"), "→ l", "Step clockwise", "Azimuth by one step.", "Jog", can_move,
+        "right", ("right", "l"), "→ l", "Step clockwise", "One azimuth step.", "Jog", can_move,
         where=WHERE,
     ),
-    Command("up", ("up", "k"), "↑ k", "Step up", "Elevation by one step.", "Jog", can_move, where=WHERE),
-    Command("down", ("down", "j"), "↓ j", "Step down", "Elevation by one step.", "Jog", can_move, where=WHERE),
+    Command("up", ("up", "k"), "↑ k", "Step up", "One elevation step.", "Jog", can_move, where=WHERE),
+    Command("down", ("down", "j"), "↓ j", "Step down", "One elevation step.", "Jog", can_move, where=WHERE),
     Command(
-        "skew-down", ("less_than_sign",), "<", "Skew down a step", "The third axis of a dish that has one.", "Jog",
+        "skew-down", ("less_than_sign",), "<", "Skew down a step", "One skew step, on a dish with a skew axis.", "Jog",
         can_turn_skew, where=WHERE,
     ),
     Command(
-        "skew-up", ("greater_than_sign",), ">", "Skew up a step", "The third axis of a dish that has one.", "Jog",
+        "skew-up", ("greater_than_sign",), ">", "Skew up a step", "One skew step, on a dish with a skew axis.", "Jog",
         can_turn_skew, where=WHERE,
     ),
     Command(
-        "skew", ("S",), "S", "Turn the skew to …", "Type an angle into the go-to line; Enter turns the feed.", "Jog",
+        "skew", ("S",), "S", "Turn the skew to …", "Type an angle. Enter turns the feed.", "Jog",
         can_turn_skew, where=WHERE,
     ),
     Command(

@@ -22,17 +22,17 @@ def can_move(view: View) -> str | None:
     """Return why the dish cannot be moved now; the station checks again, and its word counts."""
     state = view.state
     if state.fault is not None:
-        return "A fault waits: Enter acknowledges it."
+        return "A fault waits. Enter acknowledges it."
     if not view.link_up:
         return "The dish does not answer."
     if state.held is not None:
-        return "STOP is latched: Enter releases it."
+        return "STOP is latched. Enter releases it."
     if state.motion_refused_because:
         return state.motion_refused_because
     if state.homed is False or state.position is None:
         if state.dish is not None and state.dish.homing_s is None:
-            return "The dish does not know where it points: switch it off and on, so that it homes."
-        return "The dish does not know where it points: home it first."
+            return "The dish does not know where it points. Switch it off and on: it homes by itself."
+        return "The dish does not know where it points. Home it first."
     return None
 
 
@@ -42,17 +42,17 @@ def can_home(view: View) -> str | None:
     if not view.link_up:
         return "The dish does not answer."
     if state.dish is not None and state.dish.homing_s is None:
-        return f"The {state.dish.name} homes only by itself, at power-up: switch it off and on."
+        return f"The {state.dish.name} homes only at power-up. Switch it off and on."
     if state.held is not None:
-        return "STOP is latched: Enter releases it."
-    return "It is homing already." if state.activity is Activity.HOMING else None
+        return "STOP is latched. Enter releases it."
+    return "The dish is already homing." if state.activity is Activity.HOMING else None
 
 
 def can_release(view: View) -> str | None:
     """Return why there is nothing to release, acknowledge or accept."""
     state = view.state
     if state.fault is None and state.held is None and not state.motion_refused_because:
-        return "Nothing is held, and there is no fault."
+        return "No STOP and no fault to release."
     return None
 
 

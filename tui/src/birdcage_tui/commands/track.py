@@ -12,14 +12,14 @@ TABS = ("control", "craft", "network")
 
 def can_search(view: View) -> str | None:
     """Return why no target can be searched for."""
-    return "The pursuit desk is not open yet." if view.track is None else None
+    return "The tracker is still loading." if view.track is None else None
 
 
 def can_watch(view: View) -> str | None:
     """Return why there is no target to do something with."""
     if view.track is None:
         return can_search(view)
-    return "No target is chosen: / searches for one." if view.track.choice is None else None
+    return "No target selected. / searches." if view.track.choice is None else None
 
 
 def can_follow(view: View) -> str | None:
@@ -29,7 +29,7 @@ def can_follow(view: View) -> str | None:
 
 def can_leave(view: View) -> str | None:
     """Return why there is nothing to leave."""
-    return None if pursuit_of(view) is not None else "Nothing is followed."
+    return None if pursuit_of(view) is not None else "No target is being followed."
 
 
 def can_take(view: View) -> str | None:
@@ -40,13 +40,13 @@ def can_take(view: View) -> str | None:
 def can_resume(view: View) -> str | None:
     """Return why nothing that was left in mid-pass can be taken up again."""
     if view.track is None or view.track.unfinished is None:
-        return "Nothing was left in mid-pass."
+        return "No interrupted pass."
     return can_move(view)
 
 
 def can_forget(view: View) -> str | None:
     """Return why there is nothing to forget."""
-    return "Nothing was left in mid-pass." if view.track is None or view.track.unfinished is None else None
+    return "No interrupted pass." if view.track is None or view.track.unfinished is None else None
 
 
 def can_take_offer(view: View) -> str | None:
@@ -72,41 +72,41 @@ def _craft(name: str, keys: tuple[str, ...], shown: str, title: str, text: str, 
 
 TRACK = (
     _tab("manual", "b", "Manual", "Move the dish by hand."),
-    _tab("presets", "P", "Presets", "Directions with names, over the whole width."),
+    _tab("presets", "P", "Presets", "Saved directions, over the whole width."),
     _tab("craft", "c", "Craft", "Find a target, see its pass, and follow it."),
-    _tab("network", "N", "Network", "Who may move the dish, and over what."),
+    _tab("network", "N", "Network", "Who may move the dish, and how."),
     Command(
-        "open-craft", ("f",), "f", "Follow a target", "Go to the Craft tab: search, passes and following.", "Craft",
+        "open-craft", ("f",), "f", "Follow a target", "Open Track: search, passes, following.", "Craft",
         footer="follow", where=("dashboard",), page=PAGE,
     ),
-    _craft("search", ("slash",), "/", "Search", "Type a name, a number, a slot such as 19.2E, a body, or 180 45.",
+    _craft("search", ("slash",), "/", "Search", "Type a name, a number, a slot (19.2E), a body, or 180 45.",
            can_search, "search"),
-    _craft("watch", ("w",), "w", "Watch", "Show the target. Nothing moves by it, and what is followed is left."),
-    _craft("aim", ("a",), "a", "Aim once", "Point at where the target is, once.", can_follow),
-    _craft("follow", ("f",), "f", "Follow", "Keep the dish on the target, from the moment it comes into reach.",
+    _craft("watch", ("w",), "w", "Watch", "Show the target without moving. Ends following."),
+    _craft("aim", ("a",), "a", "Aim once", "Point at the target once.", can_follow),
+    _craft("follow", ("f",), "f", "Follow", "Keep the dish on the target once it is in reach.",
            can_follow, "follow"),
     _craft("leave", ("x",), "x", "Leave", "End following. The dish stays where it is.", can_leave, "leave"),
-    _craft("take", ("enter",), "Enter", "Choose", "Take the target or the pass under the cursor.", can_take, "choose"),
+    _craft("take", ("enter",), "Enter", "Choose", "Select the target or pass under the cursor.", can_take, "choose"),
     Command("offer-follow", ("enter",), "Enter", "Follow the picked pass",
-            "The pass that f on F7 has picked, as the row above says.", "Craft", can_take_offer, "follow it",
+            "Follow the pass that you picked on F7.", "Craft", can_take_offer, "follow it",
             where=("offer",), page=PAGE),
-    _craft("up", ("up", "k"), "↑ k", "Row above", "In the targets found, or in the passes.", can_search),
-    _craft("down", ("down", "j"), "↓ j", "Row below", "In the targets found, or in the passes.", can_search),
+    _craft("up", ("up", "k"), "↑ k", "Row above", "In the targets or the passes.", can_search),
+    _craft("down", ("down", "j"), "↓ j", "Row below", "In the targets or the passes.", can_search),
     _craft("earlier", ("left_square_bracket",), "[", "0.1 s earlier", "The target comes earlier than computed.",
            group="Time offset"),
     _craft("later", ("right_square_bracket",), "]", "0.1 s later", "The target comes later than computed.",
            footer="offset", group="Time offset"),
-    _craft("far-earlier", ("left_curly_bracket",), "{", "1 s earlier", "The same in steps of a second.",
+    _craft("far-earlier", ("left_curly_bracket",), "{", "1 s earlier", "In steps of a second.",
            group="Time offset"),
-    _craft("far-later", ("right_curly_bracket",), "}", "1 s later", "The same in steps of a second.",
+    _craft("far-later", ("right_curly_bracket",), "}", "1 s later", "In steps of a second.",
            group="Time offset"),
-    _craft("on-time", ("z",), "z", "No offset", "Take the target to come as computed.", group="Time offset"),
+    _craft("on-time", ("z",), "z", "No offset", "Reset the time offset.", group="Time offset"),
     _craft("view", ("v",), "v", "Next view", "Curves, passes, autotrack and radio take turns where there is no room "
            "for all.", can_search, "view"),
-    _craft("autotrack", ("A",), "A", "Autotrack", "Follow what the schedule says, one pass after another; or no "
-           "longer. The schedule shows what it would do.", can_autotrack),
-    _craft("frequency", ("F",), "F", "Frequency …", "Of the downlink, in MHz; empty takes the satellite's own."),
-    _craft("resume", ("u",), "u", "Take up again", "Follow what was being followed when the program ended.",
+    _craft("autotrack", ("A",), "A", "Autotrack", "Follow the scheduled passes one after another, or stop that. "
+           "The schedule shows them.", can_autotrack),
+    _craft("frequency", ("F",), "F", "Frequency …", "Downlink in MHz. Empty: the satellite's own."),
+    _craft("resume", ("u",), "u", "Resume", "Resume the pass that was interrupted.",
            can_resume),
-    _craft("forget", ("D",), "D", "Forget it", "Do not offer what was left in mid-pass any more.", can_forget),
+    _craft("forget", ("D",), "D", "Dismiss", "Stop offering the interrupted pass.", can_forget),
 )  # fmt: skip

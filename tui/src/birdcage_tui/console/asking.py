@@ -71,7 +71,7 @@ class Asking:
         elif holder in (None, YOU):
             take()
         else:
-            words = f"{holder} has control of the dish. Taking over ends what it does now, and polling pauses."
+            words = f"{holder} controls the dish. Taking over ends its motion and pauses polling."
             self._ask(f"Take over from {holder}", words, "take over", take)
 
     def _go(self, line: str, view: View, done: Callable[[], None]) -> None:
@@ -130,14 +130,14 @@ class Asking:
             return ((saying.held_words(self.text.strip(), verdict, may_move=view.may_move), "warn-row"),)
         if self.warns(view):
             again = "  Enter asks first." if saying.asks(verdict) else "  Enter twice sends it."
-            esc = esc_text(view, closes="takes it back")
+            esc = esc_text(view, closes="cancels")
             again = f"  Enter again sends it, {esc}." if self.armed else again
             hazard = (saying.verdict_words(verdict) + again, saying.GRADES[verdict.grade][0])
             return (hazard, (f"✖ LIMIT: {verdict.limit}", "fault-row")) if verdict.limit else (hazard, *usage)
         if self._sent.under_way:
             sent = self._sent.under_way[-1]
             what = f"`{sent.line}` " if sent.line else ""
-            return ((f"{what}running {view.now - sent.at:.0f} s, Enter ends it.", "accent-strong"),)
+            return ((f"{what}running {view.now - sent.at:.0f} s. Enter ends it.", "accent-strong"),)
         if usage:
             return usage
         if self.text.strip() and offered:

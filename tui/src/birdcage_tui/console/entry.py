@@ -16,10 +16,10 @@ class ConsoleInput(Input):
     """One line for the dish. Space types a space here; Ctrl+C stops."""
 
     HELP = (
-        "A line for the dish's own console. Its first Enter takes control and polling pauses (TALK); 30 s without a "
-        "line, or closing with F5, gives control back. A line that changes a setting wants Enter twice; one that moves "
-        "the dish or can ruin it asks. Limits do not hold here. Space types a space: Ctrl+C stops the dish. F-keys "
-        "change the page above; the console stays open."
+        "A line for the dish's own console. The first Enter takes control and pauses polling (TALK). 30 s idle, or F5, "
+        "returns control. A line that changes a setting needs Enter twice. One that moves the dish or can damage it "
+        "asks first. Your limits do not apply here. Space types a space. Ctrl+C stops the dish. F-keys change the "
+        "page above. The console stays open."
     )
     # Tab would leave the line: the screen's own binding comes before those of the app.
     BINDINGS = [Binding("tab", "complete", show=False)]  # noqa: RUF012
@@ -52,7 +52,7 @@ class Purpose(Enum):
 class FindInput(Input):
     """Searches the log, or the lines typed before, while one types."""
 
-    HELP = "Searches while you type. Enter keeps it, Esc leaves at rest. Space types a space: Ctrl+C stops the dish."
+    HELP = "Searches while you type. Enter accepts, Esc leaves at rest. Space types a space. Ctrl+C stops the dish."
 
     def __init__(self, do: Callable[[str], bool]) -> None:
         super().__init__(select_on_focus=False, disabled=True)

@@ -81,4 +81,4 @@ class History:
         return lines
 
     def _fail(self, error: OSError) -> None:
-        self.problem = f"Lines are not kept: {self._path}: {error.strerror or error}."
+        self.problem = f"Lines are not saved: {self._path}: {error.strerror or error}."

@@ -13,16 +13,16 @@ from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
 
 WHEEL_ROWS = 3
-EMPTY = ("Nothing has passed on the wire yet.", "As soon as the port is open, every line shows here with its time.")
+EMPTY = ("No traffic yet.", "Once the port is open, every line shows here with its time.")
 
 
 class LogView(Pane, can_focus=True):
     """Draws only the rows that are seen, and sends only those that changed."""
 
     HELP = (
-        "The log: everything that passes on the wire. > went to the dish, < came from it, # is a remark. Polling is "
-        "one row, and echoes are not repeated, until p shows every byte. Scrolling up stops it from following; End "
-        "follows again. Space stops the dish here; in the line below it types a space."
+        "The log shows all traffic on the wire. > is sent to the dish, < comes from it, # is a remark. Polling folds "
+        "into one row and echoes are hidden; p shows every byte. Scrolling up stops following; End follows again. "
+        "Space stops the dish here. In the line below it types a space."
     )
 
     def __init__(self, kept: int = KEPT) -> None:

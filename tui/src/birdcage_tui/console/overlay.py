@@ -34,10 +34,10 @@ FLUSH_S = 0.1
 HOW = "i or Enter: type a line for the dish. Sending it takes control."
 TYPE = "Enter sends, Tab completes, Esc back to the log. Ctrl+C stops the dish."
 MOVING = "Enter sends, Tab completes. Esc or Ctrl+C stops the dish, which may move."
-TAKE = "Enter takes it into the line and sends nothing. ^R an older one"
+TAKE = "Enter copies it to the line and sends nothing. ^R: an older one"
 PART = "Type a part of a line that you have sent."
-NONE = "No line that you have sent holds this."
-KEEP = "Enter keeps it: n and N then step through the matches"
+NONE = "No sent line contains this."
+KEEP = "Enter accepts. Then n and N step through the matches"
 
 
 class ConsoleOverlay(Container):
@@ -234,7 +234,7 @@ class ConsoleOverlay(Container):
     def _save(self) -> None:
         folder, view = self._shell.settings.logs_folder, self._shell.view()
         if folder is None:
-            self._remark("Not saved: there is no folder for it.")
+            self._remark("Not saved: this app has no log folder.")
             return
         title = f"birdcage console, port {view.state.port}" + (", DEMO (simulated dish)" if view.state.demo else "")
         try:

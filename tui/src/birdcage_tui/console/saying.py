@@ -25,13 +25,13 @@ def talking(view: View) -> bool:
 def mode_words(view: View, quiet_s: float) -> tuple[str, str, str]:
     """Return the mode, a sentence about it, and the ink of the mode."""
     if not view.link_up:
-        return "NO LINK", "the dish does not answer; what you type stays", "fault-row"
+        return "NO LINK", "the dish does not answer; your text stays", "fault-row"
     if not talking(view):
         return "WATCH", "live, polling goes on", "key"
     age_s = view.position_age_s
     known = "position unknown" if age_s is None else f"position {age_text(age_s)} old"
     left_s = max(IDLE_S - quiet_s, 0.0)
-    return "TALK", f"polling paused, {known}, {left_s:.0f} s idle gives it back", "accent-row"
+    return "TALK", f"polling paused, {known}, {left_s:.0f} s idle returns control", "accent-row"
 
 
 def prompt_words(view: View, prompt: str) -> str:
@@ -53,10 +53,8 @@ def verdict_words(verdict: Verdict) -> str:
 
 def held_words(line: str, verdict: Verdict, *, may_move: bool) -> str:
     """Return why a line that moves the dish is not sent while STOP is latched, and what to do."""
-    how = (
-        " To take the current off the motors even so: F5 closes the console, then F2 and R." if verdict.releases else ""
-    )
-    first = "Once the dish rests, Esc and then Enter release" if may_move else "Esc, then Enter, releases"
+    how = " To release the motors now: F5 closes the console, then F2 and R." if verdict.releases else ""
+    first = "Once the dish rests, Esc then Enter releases" if may_move else "Esc, then Enter, releases"
     return f"STOP is latched: `{line}` may move the dish and is not sent. {first} STOP.{how}"
 
 
@@ -78,7 +76,7 @@ def asks(verdict: Verdict) -> bool:
 
 def usage_words(command: MenuCommand) -> str:
     """Return how a command is used, and what it does."""
-    told = "" if command.told_by_dish else "  (by the reference)"
+    told = "" if command.told_by_dish else "  (from the reference)"
     return f"{command.usage}   {command.help}".rstrip() + told
 
 
@@ -97,7 +95,7 @@ def bytes_text(count: int) -> str:
 def question_words(verdict: Verdict) -> str:
     """Return what is asked before a line that moves the dish, or that can ruin it."""
     limit = f"\n\n✖ LIMIT: {verdict.limit}" if verdict.limit else ""
-    return f"{verdict_words(verdict)}{limit}\n\nNothing of birdcage holds it back once it is sent."
+    return f"{verdict_words(verdict)}{limit}\n\nbirdcage checks no limits for this line."
 
 
 def list_words(commands: tuple[MenuCommand, ...]) -> str:

@@ -80,9 +80,7 @@ class Scrollback:
             self._folding += 1
             stamp = stamp_of(line, self._before, self.stamps)
             lines = "1 line" if self._folding == 1 else f"{self._folding} lines"
-            self.rows.append(
-                Row(number, stamp, FOLD, f"{lines} of birdcage's own questions, p shows all"[: self.width], "dim")
-            )
+            self.rows.append(Row(number, stamp, FOLD, f"{lines} of polling, p shows all"[: self.width], "dim"))
             return False
         self.rows += rows_of(line, number, self._before, self.width, self.stamps, as_hex=self.as_hex)
         self._before, self._folding = line, 0

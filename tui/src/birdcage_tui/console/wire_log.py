@@ -36,7 +36,7 @@ class WireLog:
             joined += self._joiner.finish()  # quiet, or a prompt, which has no line end
         lines = []
         if missed:
-            words = f"{missed} events are not shown: nobody looked. The transcript file has them."
+            words = f"{missed} events are not shown here. The transcript file has them."
             lines.append(Line(found[0].utc if found else now, "#", words.encode(), Part.WARNING))
         for event in joined:
             line = Line(event.utc, event.direction, event.data)

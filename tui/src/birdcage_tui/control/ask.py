@@ -22,8 +22,8 @@ LEAST_DEG_S = 0.1
 def engage() -> tuple[str, str, str]:
     """Return title, words and consent of engaging the motors."""
     words = (
-        "The current is put back on the motors, and they hold the dish where it is now. It may jerk a little. "
-        "If they were released before, where it points stays unknown until it is homed."
+        "This switches the motor current on, and the motors hold the dish in place. The dish may jerk. "
+        "If the motors were released, its position stays unknown until you home it."
     )
     return "Engage the motors", words, "engage"
 
@@ -31,20 +31,20 @@ def engage() -> tuple[str, str, str]:
 def release() -> tuple[str, str, str]:
     """Return title, words and consent of releasing the motors."""
     words = (
-        "The current is taken off both motors. The dish may fall under its own weight: keep clear, or hold it. "
-        "Its position is unknown afterwards: birdcage moves it again only after homing."
+        "This switches the current of both motors off. The dish may fall under its own weight. Keep clear, or hold it. "
+        "Its position is unknown afterwards. birdcage moves it again only after homing."
     )
-    return "Release the motors", words, "let go of it"
+    return "Release the motors", words, "release the motors"
 
 
 def stow(view: View) -> tuple[str, str, str]:
     """Return title, words and consent of stowing."""
     words = (
-        "The firmware folds the dish flat, its own way and beyond the limits that hold here. Whatever is mounted in "
-        "place of the stock feed would be crushed. Nothing is known to stop it on its way: keep a hand on the "
+        "The firmware folds the dish flat by its own path, beyond your limits. This crushes whatever is mounted in "
+        "place of the stock feed. No STOP is documented for it. Keep a hand on the "
         f"{power_switch(view)}."
     )
-    return "Stow the dish", words, "it is clear: fold it flat"
+    return "Stow the dish", words, "area is clear: fold it flat"
 
 
 def _number(text: str) -> float | None:
@@ -80,18 +80,18 @@ def speeds(view: View) -> FieldsScreen:
         known = reading is not None and isinstance(reading.value, int | float)
         fields.append(
             Field(axis.name, f"{reading.value:g}" if reading is not None and known else "",
-                  f"{LEAST_DEG_S:g} to {axis.most_deg_s:g} °/s; empty leaves it")
+                  f"{LEAST_DEG_S:g} to {axis.most_deg_s:g} °/s; empty: unchanged")
         )  # fmt: skip
 
     def check(values: Values) -> str:
         for axis, text in zip(_limits(view), values, strict=True):
             value = _number(text)
             if text.strip() and (value is None or not LEAST_DEG_S <= value <= axis.most_deg_s):
-                return f"{axis.name}: type {LEAST_DEG_S:g} to {axis.most_deg_s:g} degrees a second, or nothing."
+                return f"{axis.name}: type {LEAST_DEG_S:g} to {axis.most_deg_s:g} degrees a second, or leave it empty."
         return ""
 
-    words = "The greatest speed of each axis, in degrees a second, until the dish restarts. Nothing moves by this."
-    return FieldsScreen("Greatest speeds", words, fields, check)
+    words = "Maximum speed of each axis in degrees a second, until the dish restarts. Nothing moves now."
+    return FieldsScreen("Maximum speeds", words, fields, check)
 
 
 def speeds_of(values: Values | None, view: View) -> Iterator[tuple[int, float]]:
@@ -110,10 +110,10 @@ def preset_fields(preset: Preset | None) -> tuple[Field, ...]:
     az, el = ("", "") if preset is None else (f"{preset.az_deg:.2f}", f"{preset.el_deg:.2f}")
     name, note = ("", "") if preset is None else (preset.name, preset.note)
     return (
-        Field("name", name, "what to call it"),
+        Field("name", name, "name of the direction"),
         Field("azimuth", az, "degrees, clockwise from true north"),
         Field("elevation", el, "degrees above the horizon"),
-        Field("note", note, "may stay empty"),
+        Field("note", note, "optional"),
     )
 
 
@@ -122,9 +122,9 @@ def preset_of(values: Values) -> Preset:
     name, az, el, note = values
     az_deg, el_deg = _number(az), _number(el)
     if az_deg is None or el_deg is None:
-        raise ValueError("azimuth and elevation are numbers of degrees, such as 180.5 and 45")
+        raise ValueError("Type azimuth and elevation in degrees: 180.5 and 45.")
     if is_direction(name):
-        raise ValueError(f'"{name.strip()}" reads as a direction: the go-to line would never find it')
+        raise ValueError(f'"{name.strip()}" reads as a direction. Type another name.')
     return checked(name, az_deg, el_deg, note)
 
 
@@ -137,7 +137,7 @@ def preset(title: str, fields: tuple[Field, ...], book: PresetBook, old: str | N
         except ValueError as wrong:
             return f"{str(wrong)[:1].upper()}{str(wrong)[1:]}."
         names = {entry.name.casefold() for entry in book.entries} - {(old or "").casefold()}
-        return f'There is a preset "{typed.name}" already.' if typed.name.casefold() in names else ""
+        return f'A preset "{typed.name}" exists.' if typed.name.casefold() in names else ""
 
-    words = "A direction with a name. Going there is another key: nothing moves by this."
+    words = "Save a direction under a name. Nothing moves now."
     return FieldsScreen(title, words, fields, check)

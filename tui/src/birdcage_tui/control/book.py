@@ -26,9 +26,9 @@ class PresetBook:
     def problem(self) -> str:
         """Why nothing can be changed, as a sentence; empty when it can."""
         if self._path is None:
-            return "There is no file for presets here."
+            return "This app has no presets file."
         problems = self._presets.problems
-        return f"{problems[0]} Mend that file, or move it away: it is not written before." if problems else ""
+        return f"{problems[0]} Fix or move that file. Until then presets can't be saved." if problems else ""
 
     @property
     def deleted(self) -> str:
@@ -43,7 +43,7 @@ class PresetBook:
     def add(self, preset: Preset) -> str:
         """Keep another one."""
         self._change(lambda path: add_preset(path, preset))
-        return f'Kept "{preset.name}" at {preset.az_deg:.2f}°/{preset.el_deg:.2f}°.'
+        return f'Saved "{preset.name}" at {preset.az_deg:.2f}°/{preset.el_deg:.2f}°.'
 
     def replace(self, name: str, preset: Preset) -> str:
         """Put it in the place of the one called `name`."""
@@ -55,16 +55,16 @@ class PresetBook:
         index, preset = next((i, p) for i, p in enumerate(self.entries) if p.name == name)
         self._change(lambda path: delete_preset(path, name))
         self._deleted = preset, index
-        return f'Deleted "{name}". u brings it back.'
+        return f'Deleted "{name}". u restores it.'
 
     def undo(self) -> str:
         """Bring back the one that was deleted last."""
         if self._deleted is None:
-            raise ConfigError("No preset was deleted: there is nothing to bring back.")
+            raise ConfigError("No deleted presets.")
         preset, index = self._deleted
         self._change(lambda path: add_preset(path, preset, index))
         self._deleted = None
-        return f'Brought back "{preset.name}".'
+        return f'Restored "{preset.name}".'
 
     def _change(self, change: Callable[[Path], Presets]) -> None:
         if self._path is None:

@@ -30,7 +30,7 @@ class CablePane(Pane):
         """Draw the gauge, hatched while the turn is not known."""
         state, limits = view.state, cable_limits(view.state)
         if limits is None:
-            words = "The cable is not known yet." if state.dish is None else "This dish's cable has no stop."
+            words = "Cable turn unknown." if state.dish is None else "This dish's cable has no stop."
             cells.put(1, 0, words, "dim")
             return
         turn = state.position.cable_deg if state.position is not None else None
@@ -86,7 +86,7 @@ class CablePane(Pane):
         """Hatch the whole track: the stops are known, where the cable stands between them is not."""
         waiting = view.waiting or not view.link_up
         by_itself = view.state.dish is not None and view.state.dish.homing_s is None
-        how = "this dish does not tell it" if by_itself else "H homes the dish and counts it"
+        how = "this dish doesn't report it" if by_itself else "H homes the dish and finds it"
         words = "turn unknown" if waiting else f"turn unknown: {how}"
         ink = "dim" if view.waiting or by_itself else "warn"
         framed = cells.height > 2
@@ -106,13 +106,13 @@ class CablePane(Pane):
     @staticmethod
     def _words(cells: Cells, view: View, turn: float, there: float | None, limits: tuple[float, float]) -> None:
         """Say where it stands, and what the target would leave."""
-        known = ", remembered from when it was last left" if view.state.turn is Turn.REMEMBERED else ""
-        x = cells.put(1, 2, f"stands at {turn:+.1f}° from home{known}", "dim")
+        known = ", from the last session" if view.state.turn is Turn.REMEMBERED else ""
+        x = cells.put(1, 2, f"{turn:+.1f}° from home{known}", "dim")
         if there is not None and abs(there - turn) >= 0.05:
             left = f"CCW {there - limits[0]:.0f}°, CW {limits[1] - there:.0f}° left"
-            cells.put(x, 2, f"   the target brings it to {there:+.1f}°: {left}", "target")
+            cells.put(x, 2, f"   at the target {there:+.1f}°: {left}", "target")
         elif view.state.target_az_deg is not None and there is None:
-            cells.put(x, 2, "   no turn of it reaches the target", "warn")
+            cells.put(x, 2, "   target is beyond the cable stops", "warn")
 
 
 class _Scale:

@@ -35,7 +35,7 @@ class FieldsScreen(Dialog[Values | None]):
     FieldsScreen #wrong { color: $warning; margin-top: 1; }
     FieldsScreen #words { margin-bottom: 1; }
     """
-    KEYS = "Enter keeps, Tab next line"
+    KEYS = "Enter saves, Tab next line"
     BINDINGS = [("escape", "leave", "close")]  # noqa: RUF012
 
     def __init__(self, title: str, words: str, fields: Sequence[Field], check: Callable[[Values], str]) -> None:

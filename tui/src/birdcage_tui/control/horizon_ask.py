@@ -10,7 +10,7 @@ from birdcage.sky.horizon import HorizonMask
 from birdcage_tui.control.fields import Field, FieldsScreen, Values
 from birdcage_tui.control.horizon_state import count_text
 
-EXAMPLE = "azimuth and elevation, such as 231 12.3"
+EXAMPLE = "azimuth and elevation: 231 12.3"
 _TIGHT_COMMA = re.compile(r"(?<=\d),(?=\d)")
 
 
@@ -23,13 +23,13 @@ def point_of(text: str) -> tuple[float, float]:
     try:
         az_deg, el_deg = (float(_TIGHT_COMMA.sub(".", word)) for word in words if word)
     except ValueError:
-        raise ValueError(f"Type two numbers of degrees: {EXAMPLE}.") from None
+        raise ValueError(f"Type two numbers in degrees, {EXAMPLE}.") from None
     if not (math.isfinite(az_deg) and math.isfinite(el_deg)):
-        raise ValueError(f"Type two numbers of degrees: {EXAMPLE}.")
+        raise ValueError(f"Type two numbers in degrees, {EXAMPLE}.")
     if abs(az_deg) > 360.0:
-        raise ValueError(f"Azimuth {az_deg:g} is more than a full turn: type one from 0 to 360.")
+        raise ValueError(f"Azimuth {az_deg:g}° is beyond a full turn. Type 0 to 360.")
     if abs(el_deg) > 90.0:
-        raise ValueError(f"Elevation {el_deg:g} is none: 0 is the horizon, 90 is straight up.")
+        raise ValueError(f"Elevation {el_deg:g}° is out of range. Type 0 (horizon) to 90 (zenith).")
     return az_deg % 360.0, el_deg
 
 
@@ -44,16 +44,16 @@ def point() -> FieldsScreen:
         return ""
 
     words = (
-        "Where a tree or a roof ends, in true degrees. The line runs straight from point to point. It says what can "
-        "be heard, and refuses no motion."
+        "The top of a tree or a roof, in true degrees. Straight lines join the points. The horizon limits passes, not "
+        "motion."
     )
-    return FieldsScreen("A point of the horizon", words, (Field("az el", "", EXAMPLE),), check)
+    return FieldsScreen("Horizon point", words, (Field("az el", "", EXAMPLE),), check)
 
 
 def clear(mask: HorizonMask) -> tuple[str, str, str]:
     """Return title, words and consent of clearing the horizon."""
     words = (
-        f"The horizon of {count_text(mask)} is taken out of the settings, and counts as flat: passes are in reach "
-        "where trees hide them. z brings the points back while this program runs. Nothing moves by this."
+        f"This deletes {count_text(mask)} and makes the horizon flat. Passes then count as in reach behind trees. "
+        "z restores the points while the app runs. Nothing moves."
     )
     return "Clear the horizon", words, "make it flat"

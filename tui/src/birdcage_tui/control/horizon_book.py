@@ -17,7 +17,7 @@ REST_S = 1.0
 SAME_DEG = 0.02
 """Two readings that differ by less are of a dish at rest."""
 KEPT_CHANGES = 64
-NO_FILE = "There is no file for the horizon here."
+NO_FILE = "This app has no horizon file."
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,30 +57,30 @@ class HorizonBook:
     def mark(self, az_deg: float, el_deg: float) -> str:
         """Keep a point; one at that azimuth was measured again and is replaced."""
         self._change(lambda mask: mask.insert(az_deg, el_deg))
-        more = "" if self.mask.is_line else " Mark another azimuth to make it a line."
-        return f"Horizon {el_deg:.1f}° at {az_deg % 360.0:.1f}° recorded, {count_text(self.mask)}.{more}"
+        more = "" if self.mask.is_line else " It applies to all azimuths until you add more."
+        return f"Horizon {el_deg:.1f}° at {az_deg % 360.0:.1f}° saved, {count_text(self.mask)}.{more}"
 
     def draw(self, mask: HorizonMask) -> str:
         """Keep a horizon that was drawn as a whole."""
         self._change(lambda _: mask)
-        return f"The horizon is as drawn, {count_text(self.mask)}. z takes it back."
+        return f"Saved the drawn horizon, {count_text(self.mask)}. z: undo."
 
     def clear(self) -> str:
         """Make it flat."""
         self._change(lambda _: HorizonMask())
-        return "The horizon is flat now. z brings its points back."
+        return "The horizon is flat now. z: undo."
 
     def undo(self) -> str:
         """Take back the last change."""
         if not self._before:
-            raise ConfigError("Nothing of the horizon was changed here: there is nothing to take back.")
+            raise ConfigError("No horizon changes to undo.")
         file, before = self._writable(), self._before[-1]
         gone = [point for point in self.mask.points if point not in before.points]
         file.write(before)
         self._before.pop()
         self.mask = before
         what = f"{gone[0][1]:.1f}° at {gone[0][0]:.1f}°" if len(gone) == 1 else "the last change"
-        return f"Horizon: took back {what}, {count_text(before)}."
+        return f"Horizon: undid {what}, {count_text(before)}."
 
     def _change(self, change: Callable[[HorizonMask], HorizonMask]) -> None:
         file = self._writable()
@@ -104,7 +104,7 @@ class HorizonBook:
         """Begin or end recording."""
         self.recording, self._jogged, self._rest = on, False, None
         if on:
-            return f"Recording the horizon: jog along the tree line. Each rest of {REST_S:g} s after a jog is a point."
+            return f"Recording the horizon: jog along the tree line. Each rest of {REST_S:g} s adds a point."
         return f"Recording ended: the horizon has {count_text(self.mask)}." if self.mask else "Recording ended: flat."
 
     def moved(self, *, jog: bool) -> None:

@@ -33,8 +33,8 @@ class ConfigHorizon:
         settings = self._load()
         wrong = next((problem for problem in settings.problems if problem.key in (None, "place", KEY)), None)
         if wrong is not None:
-            raise ConfigError(f"The horizon was not kept: {wrong.text}")
+            raise ConfigError(f"The horizon was not saved. {wrong.text}")
         source = settings.sources.get(KEY, "file")
         if source != "file":
-            raise ConfigError(f"The horizon comes from the {source}, which counts over the file: nothing was kept.")
+            raise ConfigError(f"The {source} sets the horizon and overrides the file. Nothing was saved.")
         return settings

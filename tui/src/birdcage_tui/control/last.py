@@ -12,7 +12,7 @@ from birdcage_tui.view import View
 TIME = 11
 """Columns that the time of a command takes, with the gap after it."""
 
-EMPTY = "What the last command did stands in the row at the bottom; what those before it did, here."
+EMPTY = "Results of earlier commands. The bottom row shows the last one."
 
 
 class LastLine(Pane):
@@ -32,12 +32,12 @@ class LastLine(Pane):
 def _hint(view: View) -> str:
     """Return what the arrows do where the focus is."""
     if "digits" in view.scopes:
-        return f"← → choose a digit of the target, ↑ ↓ step it, {esc_text(view, closes='goes back to the rose')}."
+        return f"← → select a digit of the target, ↑ ↓ step it, {esc_text(view, closes='goes back to the rose')}."
     if "presets" in view.scopes:
-        return f"↑ ↓ choose, Enter turns the dish there, {esc_text(view, closes='goes back to the rose')}."
+        return f"↑ ↓ select, Enter turns the dish there, {esc_text(view, closes='goes back to the rose')}."
     if view.horizon.recording:
-        return "Recording the horizon: jog along the tree line. A rest of 1 s is a point. M ends it."
-    return f"Arrows or hjkl step {view.step_deg:g}°, g goes to a direction, Tab goes on to the digits."
+        return "Recording the horizon: jog along the tree line. Each rest of 1 s adds a point. M ends it."
+    return f"Arrows or hjkl step {view.step_deg:g}°, g goes to a direction, Tab moves to the digits."
 
 
 class LogPane(Pane):

@@ -9,16 +9,16 @@ from birdcage_tui.track.pursuing import pursuit_of
 from birdcage_tui.view import YOU, View
 
 OTHERS = (
-    ("birdcage stop", "stops it at once, from any terminal of this machine, whoever has control."),
-    ("birdcage track", "follows a target without this app; not beside it, for the port has one owner."),
+    ("birdcage stop", "stops the dish from any terminal of this machine, whoever has control."),
+    ("birdcage track", "tracks a target without this app. Close the app first: only one program can use the port."),
 )
 TAKING = (
-    "A key that moves the dish by hand takes control where nobody has it, and from the tracker; from anybody else it "
-    "is refused. STOP is everybody's."
+    "A key that moves the dish takes control from the tracker, or when control is free. Otherwise it is refused. "
+    "Anyone can press STOP."
 )
 LATER = (
-    "This version has none. It is the server that Gpredict, Look4Sat and others connect to; a later version brings "
-    "it, with a list of who may connect."
+    "Not in this version. A later version brings the server for Gpredict, Look4Sat and others, with a list of who "
+    "may connect."
 )
 
 
@@ -26,24 +26,24 @@ def rows(view: View) -> list[tuple[str, str, str]]:
     """Return (label, ink, words) of what is known."""
     state = view.state
     holder = state.holder
-    control = "nobody" if holder is None else f"{holder}, at this terminal" if holder == YOU else holder
+    control = "free" if holder is None else f"{holder}, at this terminal" if holder == YOU else holder
     found = [("Control", "strong" if holder else "dim", f"{control}.")]
     held = state.held
     if held is not None:
-        ignored = f" {held.next_holder} was refused {held.ignored} times." if held.next_holder else ""
+        ignored = f" Refused {held.next_holder} {held.ignored} times." if held.next_holder else ""
         found.append(("Held", "warn", f"by {held.by} since {held.utc:%H:%M:%S}Z.{ignored} Enter releases it."))
     pursuit = pursuit_of(view)
     if pursuit is not None:
         found.append(("Following", "text", f"{pursuit.plan.aim.name}, for {pursuit.holder}."))
     found.append(("Taking it", "text", TAKING))
-    found.append(("Port", "text", f"{state.port.split('?')[0] or '--'}: one program at a time may have it open."))
+    found.append(("Port", "text", f"{state.port.split('?')[0] or '--'}: one program at a time can open it."))
     return found
 
 
 class NetworkPane(Pane):
     """Words in two columns; at the end what this version does not have."""
 
-    HELP = "Who has control of the dish, and what else may stop or move it."
+    HELP = "Who controls the dish, and what else can stop or move it."
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
@@ -58,7 +58,7 @@ class NetworkPane(Pane):
         cells.put(1, y, "In a shell", "dim")
         y += 1
         for name, words in OTHERS:
-            aside = " It does not reach a demo." if view.state.demo and name == "birdcage stop" else ""
+            aside = " Not for a demo." if view.state.demo and name == "birdcage stop" else ""
             y = self._row(cells, y, name, words + aside, "text", label_ink="strong")
         y += 1
         self._row(cells, y, "rotctld", LATER, "dim")

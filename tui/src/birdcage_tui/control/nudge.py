@@ -26,8 +26,8 @@ class DigitsPane(Pane, can_focus=True):
     """Three rows: up, the digits, down."""
 
     HELP = (
-        "Left and right choose a digit of the target, up and down step it. "
-        "Each step is a jog of that size, within the limits. "
+        "Left and right select a digit of the target, up and down step it. "
+        "Each step is a jog of that size. All limits apply. "
         "At rest, Esc goes back to the rose."
     )
 

@@ -25,14 +25,14 @@ KEYS = (("preset-go", "go"), ("preset-add", "add"), ("preset-edit", "edit"), ("p
         ("preset-filter", "find"), ("preset-undo", "undo"))  # fmt: skip
 LEAST_NAME, LEAST_NOTE = 4, 6
 """Columns that a name gets at least, and from which on a note is worth showing."""
-EMPTY = "No direction has a name yet. Press a to save the current direction."
+EMPTY = "No presets. Press a to save the current direction."
 
 
 class PresetsPane(Pane, can_focus=True):
     """Rows to choose from, and their keys."""
 
     HELP = (
-        "Up and down choose, Enter turns the dish there, e edits, d deletes and u brings back. "
+        "Up and down select, Enter turns the dish there, e edits, d deletes, u restores. "
         "At rest, Esc goes back to the rose."
     )
 
@@ -85,7 +85,7 @@ class PresetsPane(Pane, can_focus=True):
         if problem:
             y = self._words(cells, y, f"▲ {problem}", "warn", min(3, bottom - 1))
         if not shown:
-            self._words(cells, 0, f'No name or note has "{self.filter}" in it. / changes that.', "dim", bottom)
+            self._words(cells, 0, f'No preset matches "{self.filter}". / changes the filter.', "dim", bottom)
         room = max(bottom - y, 0)
         self._top = min(max(self._top, self.cursor - room + 1), self.cursor)
         for index in range(len(shown))[self._top : self._top + room]:
@@ -167,7 +167,7 @@ class PresetsBox(Vertical):
 
     def compose(self) -> ComposeResult:
         """A filter that is not seen before it is asked for, and the list."""
-        field = EscField("part of a name; Enter keeps it", closes="clears it", id="preset-filter")
+        field = EscField("part of a name; Enter applies it", closes="clears it", id="preset-filter")
         field.display = False
         yield field
         yield PresetsPane(id="presets")

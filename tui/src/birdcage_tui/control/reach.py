@@ -78,7 +78,7 @@ def _cable(state: StationState, az_deg: float) -> str | None:
     if position.cable_deg is None:
         to_deg = position.dish_az_deg + way.deg
         if not is_safe_at_any_turn(state.dish, position.dish_az_deg, to_deg, limits):
-            return "The turn of the cable is not known: home the dish first (H), so that it is counted."
+            return "The cable turn is unknown. Home the dish first (H)."
         return None
     if way.turns:
         return None
@@ -101,10 +101,10 @@ def _sector(state: StationState, az_deg: float, el_deg: float) -> str | None:
             met = (start - low_az) % 360.0 <= width or (low_az - start) % 360.0 <= abs(way)
             if lowest < below and met:
                 why = f" ({reason})" if reason else ""
-                does = "passes" if way == az.deg else "may pass, as the turn of the cable is not known,"
+                does = "passes" if way == az.deg else "may pass (cable turn unknown)"
                 return (
                     f"The way {does} the no-go sector {low_az:.0f}° to {high_az:.0f}°{why}, {below - lowest:.2f}° too "
-                    f"low: go above {below:.0f}° first."
+                    f"low. Go above {below:.0f}° first."
                 )
     return None
 
@@ -115,7 +115,7 @@ def way_words(view: View, aim: Aim) -> str:
     where = f"{name}az {aim.az_deg:.2f}° {wind_of(aim.az_deg)}, el {aim.el_deg:.2f}°"
     way = way_to(view, aim.az_deg, aim.el_deg)
     if way is None:
-        return f"{where}   how far is not known"
+        return f"{where}   distance unknown"
     el_way = (
         "elevation stays"
         if abs(way.el_deg) < TOUCH_DEG

@@ -23,15 +23,15 @@ SCALE = 4
 STEP_DEG = 1.0
 PARTS = " ▁▂▃▄▅▆▇█"
 WORDS = (
-    "Draw with the mouse where trees and roofs end; or go with ← → and set with ↑ ↓, Home makes it flat there. "
-    "Nothing moves by this."
+    "Draw the line of trees and roofs with the mouse. Or select with ← →, set with ↑ ↓; Home makes it flat there. "
+    "Nothing moves."
 )
 
 
 class SketchPane(Pane, can_focus=True):
     """Azimuth across, elevation up, from north round to north."""
 
-    HELP = "Drag to draw. ← → choose an azimuth, ↑ ↓ set its height by a degree; Enter keeps it."
+    HELP = "Drag to draw. ← → select an azimuth, ↑ ↓ change its height by a degree. Enter saves."
 
     def __init__(self, mask: HorizonMask) -> None:
         super().__init__(id="sketch")
@@ -128,7 +128,7 @@ class SketchScreen(Dialog[HorizonMask | None]):
     SketchScreen SketchPane { height: 1fr; }
     SketchScreen Static { height: auto; color: $dim; }
     """
-    KEYS = "Enter keeps"
+    KEYS = "Enter saves"
     BINDINGS = [("enter", "keep", "keep"), ("escape", "leave", "close")]  # noqa: RUF012
 
     def __init__(self, mask: HorizonMask) -> None:

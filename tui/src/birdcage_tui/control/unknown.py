@@ -32,4 +32,4 @@ def why_unknown(view: View) -> tuple[str, ...]:
         return "NOT HOMED", *home_hint(view).split(": ")
     if state.position_lost in _LOST:
         return _LOST[state.position_lost], *home_hint(view).split(": ")
-    return "NOT KNOWN", "not read yet"
+    return "UNKNOWN", "not read yet"

@@ -41,9 +41,8 @@ class CalibratePage(Page):
     """Pictures and figures at the left; at the right what is pointed at, objects, peaks and sets."""
 
     HELP = (
-        "Where known objects are found shows how the dish stands. n goes to the next best object, the arrows nudge "
-        "until its signal is highest, Enter says: peaked here. From three objects on the tilt is known. a points by "
-        "the fit. Every motion passes the limits, and STOP stops it, as everywhere."
+        "Peaks on known objects give the alignment of the dish. n goes to the next best object. Nudge with the arrows "
+        "until its signal is highest, then press Enter. Three objects give the tilt. a uses the fit. All limits apply."
     )
     DEFAULT_CSS = """
     CalibratePage { layout: vertical; }
@@ -145,7 +144,7 @@ class CalibratePage(Page):
             self.call_after_refresh(self.host.paint)
             return True
         if source is None:
-            self.host.say("There is no calibration here.")
+            self.host.say("This app has no calibration.")
             return True
         if name in ("take", "object-go", "set-use") and can_release(self.host.view()) is None:
             self.host.action_command("release")
@@ -193,7 +192,7 @@ class CalibratePage(Page):
     def _go(self, source: CalibrateSource) -> None:
         candidate = self._candidate(self.host.view())
         if candidate is None:
-            self.host.say("Nothing that this dish hears is in reach now.")
+            self.host.say("This dish can hear nothing that is in reach now.")
             return
         self.query_one(ObjectsPane).at = 0  # when this one is peaked, the best of the others comes first
         source.go(candidate, self.host.begin_way())

@@ -212,7 +212,7 @@ class ControlPage(Tabbed):
         if command == "preset-go" and can_release(self.host.view()) is None:
             self.host.action_command("release")
         elif preset is None:
-            self.host.say("No preset is chosen: a keeps the direction in which the dish points.")
+            self.host.say("No preset selected. a: save the current direction.")
         elif command == "preset-go":
             self.host.say(f'To "{preset.name}", {preset.az_deg:.2f}°/{preset.el_deg:.2f}°.')
             self.host.ask(Goto(preset.az_deg, preset.el_deg, YOU))
@@ -240,7 +240,7 @@ class ControlPage(Tabbed):
             if values is not None:
                 self._tell(lambda: book.add(ask.preset_of(values)))
 
-        self.app.push_screen(ask.preset("Keep as preset", fields, book, None), answered)
+        self.app.push_screen(ask.preset("Save as preset", fields, book, None), answered)
 
     def _edit(self, old: Preset) -> None:
         book = self.host.presets

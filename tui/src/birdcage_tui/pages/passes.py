@@ -64,7 +64,7 @@ class PassesPage(Page):
     def compose(self) -> ComposeResult:
         """The parts, from the top left."""
         yield PassHead(self.desk, id="pass-head")
-        field = EscField("names, numbers, groups; Enter keeps it", closes="clears it", id="pass-filter")
+        field = EscField("names, numbers, groups; Enter applies it", closes="clears it", id="pass-filter")
         field.display = False
         yield field
         with Horizontal(id="pass-upper"):
@@ -167,7 +167,7 @@ class PassesPage(Page):
         moments = sorted([row.tca_s, *(at_s for at_s, word in row.events() if word != "LOS")])
         later = next((at_s for at_s in moments if at_s > t_s + 0.5), None)
         if later is None:
-            self.host.say("Nothing more happens before it sets.")
+            self.host.say("No more events before it sets.")
             return
         self.desk.machine.to(view.utc.timestamp(), later)
         self.desk.choose(row)
@@ -208,13 +208,13 @@ class PassesPage(Page):
             case "pass-first":
                 self.desk.choose(None)
             case "pass-sort":
-                self.host.say(f"In order of {choice.next_sort()}.")
+                self.host.say(f"Sorted by {choice.next_sort()}.")
             case "pass-reachable":
                 choice.reachable_only = not choice.reachable_only
-                self._hidden(choice.reachable_only, "passes that this dish can follow")
+                self._hidden(choice.reachable_only, "passes in reach of this dish")
             case "pass-hearable":
                 choice.hearable_only = not self.desk.hearable(view)
-                self._hidden(choice.hearable_only, f"what the feed {self.desk.sky(view).feed} hears")
+                self._hidden(choice.hearable_only, f"satellites that the feed {self.desk.sky(view).feed} can hear")
             case "pass-favourites":
                 choice.favourites_only = not choice.favourites_only
                 self._hidden(choice.favourites_only, "favourites")
@@ -241,12 +241,12 @@ class PassesPage(Page):
         return True
 
     def _hidden(self, only: bool, what: str) -> None:
-        self.host.say(f"{'Only' if only else 'Not only'} {what}.")
+        self.host.say(f"Showing {'only ' if only else 'more than '}{what}.")
 
     def _favourite(self, command: str, view: View) -> None:
         if command == "pass-undo":
             if not self._toggled:
-                self.host.say("No favourite was changed here yet.")
+                self.host.say("No favourite change to undo.")
                 return
             number, name, wanted = self._toggled.pop()
         else:
@@ -256,8 +256,8 @@ class PassesPage(Page):
             number, name, wanted = row.norad_id, row.name, not row.favourite
             self._toggled.append((number, name, row.favourite))
         self.host.sky.set_favourite(number or name, wanted)
-        undo = "" if command == "pass-undo" else " u takes it back."
-        self.host.say(f"{name} is {'a favourite' if wanted else 'no favourite any more'}.{undo}")
+        undo = "" if command == "pass-undo" else " u: undo."
+        self.host.say(f"{name} is {'a favourite' if wanted else 'no longer a favourite'}.{undo}")
 
     def _follow(self, view: View) -> None:
         """Show the plan of the chosen pass on F2, where Enter follows it."""

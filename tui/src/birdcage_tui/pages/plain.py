@@ -23,7 +23,7 @@ WILL = {
         "Changes shown as a difference before anything is written.",
     ),
     "camera": (
-        "A picture every so often, or at the events of a pass.",
+        "Pictures by the clock, or at events of a pass.",
         "Files named by time, target and direction, never overwritten.",
     ),
     "motor": (
@@ -31,8 +31,8 @@ WILL = {
         "Its stored positions, limits, and the arc it can reach.",
     ),
     "survey": (
-        "What the firmware answers to each of its own commands.",
-        "Reading only, menu by menu, kept as a report to compare.",
+        "A sweep of the band with each carrier: frequency, width and level.",
+        "Carriers matched to known satellites, saved as a report.",
     ),
 }
 MEANWHILE = {

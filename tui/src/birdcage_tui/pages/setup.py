@@ -19,9 +19,9 @@ class SetupPage(SetupBody):
     """What the keys do. What is seen is in `SetupBody`."""
 
     HELP = (
-        "Eleven steps. Enter does what is most often right, the other answers have their letters. What moves the dish "
-        "is marked; before the first one it is asked whether the area is clear. Arrows do not jog here: o opens the "
-        "page of a step, where they do; F8 comes back."
+        "Eleven steps. Enter does the usual action, letters do the others. ▲ marks what moves the dish. The app first "
+        "asks whether the area is clear. The arrows don't move the dish here. o opens the page of a step, where they "
+        "do; F8 comes back."
     )
 
     def do(self, command: str) -> bool:
@@ -65,7 +65,7 @@ class SetupPage(SetupBody):
             self.remark(f"Wait: {self.step.busy}.")
         else:
             keys = " or ".join(choice.key for choice in self.answers())
-            self.remark(f"Enter does nothing here: press {keys}." if keys else "Nothing to do here now.")
+            self.remark(f"Press {keys}." if keys else "Nothing to do here now.")
 
     def look(self, by: int) -> None:
         """Look at another step; the wiring scrolls instead while it fills the page."""
@@ -89,7 +89,7 @@ class SetupPage(SetupBody):
         if page:
             self.host.show_page(page)
         else:
-            self.remark(f"Step {self.step.number} has no page of its own: all of it is here.")
+            self.remark(f"Step {self.step.number} has no separate page.")
 
     def show_wiring(self) -> None:
         """Show the plug, or hide it."""
@@ -164,7 +164,7 @@ class SetupPage(SetupBody):
                 self.engine.clear()
                 then()
             else:
-                self.remark("Nothing was moved: only y says that the area is clear.")
+                self.remark("Nothing moved. Press y when the area is clear.")
 
         question = clear_question(self.host.station.state.dish)
         self.app.push_screen(QuestionScreen("Is the area clear?", question, "it is clear: go on"), answered)

@@ -69,7 +69,7 @@ class HealthPane(Pane):
             offset += f"  {lean}"
         homed = {True: "yes", False: "NO", None: "--"}[state.homed]
         by_itself = state.dish is not None and state.dish.homing_s is None
-        homed += ", at power-up, by itself" if by_itself else ""
+        homed += ", at power-up" if by_itself else ""
         search = SEARCH[state.search].removeprefix("TV search ")
         clock = view.clock
         told = (_UNKNOWN, "clock", "--") if clock is None else ((clock.glyph, clock.ink), "clock", clock.words)

@@ -105,7 +105,7 @@ class PointingPane(Pane):
             for x in (left, start_el):
                 cells.put(x - 1, 1, "~", "strong")
         if position is None:
-            note, note_ink = "not known", "dim" if view.waiting else "warn"
+            note, note_ink = "unknown", "dim" if view.waiting else "warn"
         elif position.modelled and view.link_up:
             note, note_ink = f"~ modelled, read {age_text(age_s or 0.0)} ago", "text"
             if len(note) >= start_el - left - 9:

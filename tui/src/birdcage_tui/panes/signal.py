@@ -99,9 +99,9 @@ class SignalPane(Pane):
     def _empty(cells: Cells, view: View) -> None:
         dish = view.state.dish
         if dish is not None and not dish.has_rssi:
-            words = (f"The {dish.name} has no tuner to read.", "Its signal comes from a receiver of yours.")
+            words = (f"The {dish.name} has no tuner to read.", "Use your own receiver for the signal.")
         elif not view.link_up:
-            words = ("Nothing heard yet.", "The tuner is read once the dish answers.")
+            words = ("Nothing heard yet.", "The tuner reading starts once the dish answers.")
         else:
             words = ("Nothing heard yet.", "The tuner is read while the dish rests.")
         for row, line in enumerate(wrap(" ".join(words), max(cells.width - 2, 10))):

@@ -97,7 +97,7 @@ class SkyPane(Pane):
                 *polar.cell(position.az_deg, position.el_deg), view.pointer, "dim" if view.stale else "accent-strong"
             )
         elif cells.width >= 30:
-            words = " where it points is not known "
+            words = " position unknown "
             cells.put(polar.width // 2 - len(words) // 2, polar.height // 2, words, "dim")
 
     @staticmethod

@@ -5,10 +5,10 @@ from __future__ import annotations
 from birdcage_tui.passes.desk import Desk
 from birdcage_tui.view import View
 
-NO_PLACE = "No place is set, so nobody can say what rises there."
-SET_PLACE = "Setup (8), step 9 sets it; or, in a shell: birdcage place"
+NO_PLACE = "No location set, so passes can't be computed."
+SET_PLACE = "Set it in Setup (8), step 9. In a shell: birdcage place"
 NO_ELEMENTS = "The catalogue holds no satellites."
-GET_ELEMENTS = "In a shell: birdcage elements update fetches them, birdcage elements add FILE takes your own."
+GET_ELEMENTS = "In a shell: `birdcage elements update` fetches them, `birdcage elements add FILE` adds yours."
 
 
 def empty_words(view: View, desk: Desk) -> list[tuple[str, str]]:
@@ -18,7 +18,7 @@ def empty_words(view: View, desk: Desk) -> list[tuple[str, str]]:
         return [("text", NO_PLACE), ("dim", SET_PLACE)]
     if sky is None or sky.searched is None:
         problem = "" if sky is None else sky.problem
-        return [("warn", problem)] if problem else [("dim", "Looking at the sky …")]
+        return [("warn", problem)] if problem else [("dim", "Reading the catalogue …")]
     if sky.problem:
         return [("warn", sky.problem)]
     if not sky.satellites:
@@ -30,12 +30,12 @@ def empty_words(view: View, desk: Desk) -> list[tuple[str, str]]:
         located = None if view.track is None else view.track.located
         if located is not None and located.text == choice.filter and not located.name:
             return [("text", located.problem), ("dim", "/ changes the filter.")]
-        return [("text", f'No pass has "{choice.filter}" in name, number or group.'), ("dim", "/ changes that.")]
+        return [("text", f'No pass matches "{choice.filter}".'), ("dim", "/ changes the filter.")]
     if desk.hearable(view):
-        return [("text", f"Nothing that passes is known to send what the feed {sky.feed} hears."),
-                ("dim", "h shows what it cannot hear, too.")]  # fmt: skip
+        return [("text", f"No passing satellite sends what the feed {sky.feed} can hear."),
+                ("dim", "h shows the other satellites too.")]  # fmt: skip
     if choice.favourites_only:
-        return [("text", "None of your favourites passes."), ("dim", "F shows all satellites again.")]
+        return [("text", "No passes of your favourites soon."), ("dim", "F shows all satellites again.")]
     if choice.reachable_only:
-        return [("text", "Nothing comes within reach of this dish."), ("dim", "r shows what it cannot reach, too.")]
-    return [("text", f"None of the {sky.satellites} satellites passes in the hours that were searched.")]
+        return [("text", "No passes in reach of this dish."), ("dim", "r shows passes out of reach too.")]
+    return [("text", f"No passes soon: {sky.satellites} satellites searched.")]

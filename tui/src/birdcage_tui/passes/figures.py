@@ -34,7 +34,7 @@ class PassFigures(Pane):
         """Write the table."""
         row, t_s = self._desk.chosen(view), self._desk.time(view)
         if row is None:
-            cells.put(1, 0, "No pass is chosen.", "dim")
+            cells.put(1, 0, "No pass selected.", "dim")
             return
         title = f"Figures  Doppler at {frequency_words(frequency_of(row))}"
         if title != self.border_title:
@@ -58,7 +58,7 @@ class PassFigures(Pane):
     @staticmethod
     def _line(row: Row, words: str, at_s: float) -> str:
         if (words == "AOS" and row.already_up) or (words == "LOS" and row.still_up):
-            return "up before" if words == "AOS" else "later than was searched"
+            return "already up" if words == "AOS" else "after the search ends"
         place = None if row.path is None else row.path.at(at_s)
         range_text, doppler = away(row, at_s)
         azimuth = "--" if place is None else f"{place[0]:.1f}°"

@@ -29,7 +29,7 @@ class PassHead(Pane):
             x = self.button(cells, x, 0, "time-forward", view, "later") + 1
         else:
             cells.put(0, 0, " " * cells.width, "warn-row")
-            pace = "stands still" if machine.paused else f"{machine.speed}x"
+            pace = "paused" if machine.paused else f"{machine.speed}x"
             x = cells.put(1, 0, f"▲ NOT NOW  {clock_text(t_s)}Z, {shift_text(t_s - now_s)}, {pace}", "warn-row") + 2
             x = self.button(cells, x, 0, "time-now", view, "back to now") + 1
         if machine.is_now or cells.width >= WIDE or self._desk.world:

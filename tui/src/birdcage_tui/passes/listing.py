@@ -30,9 +30,9 @@ class PassList(Pane, can_focus=True):
     """Rows to choose from. Only rows whose text has changed are drawn again."""
 
     HELP = (
-        "Each pass with what comes next: AOS and LOS count to the horizon, reach and out to what this dish can point "
-        "at. Then minutes in reach, the highest elevation, and its curve, bright where the dish can follow. "
-        "● it can be followed in one go, ◍ with losses, ○ not at all; and why."
+        "Each pass with its next event: AOS and LOS at the horizon, reach and out at the limits of this dish. Then "
+        "time in reach, maximum elevation, and the elevation curve, bright where the dish can follow. "
+        "● in reach without gaps, ◍ with losses, ○ out of reach; and why."
     )
 
     def __init__(self, desk: Desk, *, id: str | None = None) -> None:  # noqa: A002
@@ -90,7 +90,7 @@ class PassList(Pane, can_focus=True):
         else:
             stay = 0 if self._desk.choice.filter else sum(row.stays for row in sky.rows)
             words = f"{count} of {len(sky.rows) - stay}" if sky.rows else ""
-            words += f", left out: {stay} up all the time" if stay else ""
+            words += f", {stay} always up left out" if stay else ""
         if words != (self.border_subtitle or ""):
             self.border_subtitle = words
 

@@ -63,7 +63,7 @@ class PassSky(Pane):
         self._marks(cells, polar, view, row, t_s)
         x, y = (polar.width + 1, 0) if beside else (1, polar.height)
         if row is None:
-            cells.put(x, y, "No pass is chosen.", "dim")
+            cells.put(x, y, "No pass selected.", "dim")
             return
         width, moment = cells.width - x, "now" if self._desk.machine.is_now else "then"
         lines = _tall(row, t_s, width, moment) if beside else _low(row, t_s, width)
@@ -155,7 +155,7 @@ def _who(row: Row, t_s: float, width: int) -> list[tuple[str, str]]:
 def _held(row: Row) -> str:
     """Return how much of it is in reach, or why nothing."""
     if row.reach is None:
-        return "reach not worked out yet"
+        return "computing the reach …"
     if not row.reach.intervals:
         return f"never in reach: {reach_sign(row.reach)[2]}"
     return f"{length_text(row.reach.total_s)} in reach, best {row.reach.best_el_deg or 0.0:.0f}°"
@@ -174,7 +174,7 @@ def _low(row: Row, t_s: float, width: int) -> list[tuple[str, str]]:
 def _tall(row: Row, t_s: float, width: int, moment: str) -> list[tuple[str, str]]:
     """Return (ink, words) for beside the picture: when and where it rises and sets, what is in reach."""
     place = None if row.path is None else row.path.at(t_s)
-    began = "up before" if row.already_up else f"{clock_text(row.aos_s)}  {row.aos_az_deg:5.1f}°"
+    began = "already up" if row.already_up else f"{clock_text(row.aos_s)}  {row.aos_az_deg:5.1f}°"
     ends = "later" if row.still_up else f"{clock_text(row.los_s)}  {row.los_az_deg:5.1f}°"
     lines = [
         *_who(row, t_s, width),
@@ -182,7 +182,7 @@ def _tall(row: Row, t_s: float, width: int, moment: str) -> list[tuple[str, str]
         ("dim", f"AOS  {began}"),
         ("dim", f"TCA  {clock_text(row.tca_s)}  {row.tca_az_deg:5.1f}°"),
         ("dim", f"LOS  {ends}"),
-        ("dim", f"highest {row.max_el_deg:.1f}°, {length_text(row.los_s - row.aos_s)} up"),
+        ("dim", f"max {row.max_el_deg:.1f}°, {length_text(row.los_s - row.aos_s)} up"),
         ("text", _held(row)),
     ]
     if row.reach is not None:

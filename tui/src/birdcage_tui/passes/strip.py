@@ -27,7 +27,7 @@ class PassStrip(Pane):
         """Draw limits, curve and the line of the moment shown."""
         row = self._desk.chosen(view)
         if row is None or row.path is None:
-            cells.put(1, 0, "No pass is chosen." if row is None else "Its path is worked out …", "dim")
+            cells.put(1, 0, "No pass selected." if row is None else "Computing its path …", "dim")
             return
         width, height = cells.width - AXIS - 1, cells.height - 2
         if width < 12 or height < 2:

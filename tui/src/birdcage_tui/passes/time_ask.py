@@ -20,6 +20,6 @@ def time_screen(shown: datetime) -> FieldsScreen:
 
     words = (
         f"Shown now is {shown:%Y-%m-%d %H:%M}Z. A time of day is the next one; a sign counts from what is shown. "
-        "It is only a view: it moves nothing and sets no clock."
+        "This changes only the view. Nothing moves, and the clock stays."
     )
     return FieldsScreen("Jump to a time", words, (Field("UTC", "", EXAMPLES),), check)

@@ -38,6 +38,6 @@ def moment_of(text: str, shown: datetime) -> datetime:
 
 def _next(shown: datetime, hour: int, minute: int, second: int) -> datetime:
     if hour > 23 or minute > 59 or second > 59:
-        raise ValueError("A day has 24 hours of 60 minutes: type one from 00:00 to 23:59.")
+        raise ValueError("Type a time from 00:00 to 23:59.")
     there = shown.astimezone(UTC).replace(hour=hour, minute=minute, second=second, microsecond=0)
     return there if there >= shown else there + timedelta(days=1)

@@ -80,7 +80,7 @@ class Timeline(Pane):
         """Return the rows: favourites; where there are none, satellites whose passes come next in reach."""
         sky, chosen = self._desk.sky(view), self._desk.chosen(view)
         any_favourite = any(row.favourite for row in sky.rows)
-        title = "Timeline of favourites" if any_favourite else "Timeline of what comes next   * makes a favourite"
+        title = "Timeline of favourites" if any_favourite else "Timeline of next passes   * marks a favourite"
         if title != self.border_title:
             self.border_title = title
         lanes: dict[tuple[int, str], list[Row]] = {}

@@ -21,17 +21,17 @@ LONGEST = 16
 """Letters of a name."""
 CELLS_A_NAME = 90
 """A name for so many cells of the map, at most."""
-NOTHING = "No pass is chosen, or its satellite has no position then."
-EMPTY = "The world comes with the first look at the sky."
+NOTHING = "No pass selected, or no position for its satellite."
+EMPTY = "Loading the map …"
 
 
 class WorldMapPane(Pane, can_focus=True):
     """Shows one `WorldView` after another."""
 
     HELP = (
-        "The world with the satellites of the listed passes. Of the chosen one, the orbit ahead is solid and the one "
-        "behind is dotted; from inside the ring it is in view. Dots are night; ☼ has the Sun overhead. Up and down "
-        "choose another pass, w goes back to the list."
+        "World map with the satellites of the listed passes. For the selected one the track ahead is solid, "
+        "behind dotted. The ring is its footprint. Dots are night, ☼ is under the Sun. Up and down select another "
+        "pass. w goes back to the list."
     )
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002

@@ -10,7 +10,7 @@ from birdcage.setup.step import Mark, StepView
 
 _ONLY = StepView(
     1, "link", "Setup", Mark.LATER, "not in this app",
-    ("This app was started without a place to keep a setup in. `birdcage setup` does the same steps in a terminal.",),
+    ("This app has no file for the setup. Use `birdcage setup` in a terminal.",),
 )  # fmt: skip
 
 

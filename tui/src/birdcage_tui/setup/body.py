@@ -26,12 +26,12 @@ from birdcage_tui.setup.steps import StepsPane
 from birdcage_tui.setup.words import StepWords, Telling
 from birdcage_tui.view import View
 
-HERE = Choice("here", "enter", "Make this the present step")
+HERE = Choice("here", "enter", "Go to this step")
 HAND_STEPS = ("north", "first")
 """Steps at which a person may want to move the dish by hand."""
 HIDDEN_S = 1.0
 """Between two looks at what is under way, whatever page is seen."""
-AGAIN = "Any step can be done again: look at it with the arrows, then Enter. After each power-up home the dish."
+AGAIN = "To repeat a step, select it with the arrows and press Enter. Home the dish after each power-up."
 
 
 class SetupBody(SetupLayout):
@@ -236,9 +236,9 @@ def _asides(answers: Sequence[Choice], step: StepView, view: View) -> tuple[str,
     if any(choice.name == "release" and choice.key == "enter" for choice in answers):
         return ()
     if state.fault is not None:
-        return ("Enter acknowledges the fault first; after that it does the step.",)
+        return ("Enter acknowledges the fault first. Press it again to do the step.",)
     if state.held is not None:
-        return ("Enter lets go of HELD first; after that it does the step.",)
+        return ("Enter releases HELD first. Press it again to do the step.",)
     if step.name in HAND_STEPS and step.choices:
-        return ("Arrows do not jog here: o opens Control, where they do; 8 comes back.",)
+        return ("The arrows don't move the dish here. o opens Control, where they do; 8 comes back.",)
     return ()

@@ -21,7 +21,7 @@ def told_apart(step: StepView, causes: Sequence[Cause], detail: str) -> tuple[tu
 def seen_lines(seen: str, width: int) -> list[Line]:
     """Return what was seen at each baud rate."""
     if not seen:
-        return [(("dim", cut("Only this speed was listened to so far.", width)),)]
+        return [(("dim", cut("birdcage has tried only this speed so far.", width)),)]
     return [(("accent", row),) for row in wrap(seen, max(width, 20))]
 
 

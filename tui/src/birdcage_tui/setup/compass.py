@@ -66,17 +66,17 @@ def _readings(cells: Cells, x: int, y: int, view: View, place: Place | None) -> 
         own, true, el = f"{position.dish_az_deg:6.2f}°", f"{position.az_deg:6.2f}°", f"{position.el_deg:5.2f}°"
     rows = [
         ("◉", "accent-strong", "dish, true", true),
-        (" ", "dim", "its own", own),
+        (" ", "dim", "dish frame", own),
         (" ", "dim", "elevation", f" {el}"),
         (" ", "dim", "offset", f"{state.az_offset_deg:+6.2f}°"),
     ]
     if place is None:
-        rows.append(("☼", "dim", "Sun", "no place"))
+        rows.append(("☼", "dim", "Sun", "no location"))
     else:
         az_deg, el_deg = sun(view.utc, place.latitude_deg, place.longitude_deg)
         rows += [
             ("☼", "target-strong" if el_deg > 0 else "dim", "Sun, true", f"{az_deg:6.2f}°"),
-            (" ", "dim", "its height", f"{el_deg:6.2f}°"),
+            (" ", "dim", "elevation", f"{el_deg:6.2f}°"),
         ]
     for index, (glyph, ink, name, value) in enumerate(rows):
         cells.put(x, y + index, glyph, ink)

@@ -28,7 +28,7 @@ class ChoiceButton(Pane, can_focus=True):
     """One answer: its key and its words. Enter or a click takes it."""
 
     BINDINGS = [("enter", "press", "take it")]  # noqa: RUF012
-    HELP = "An answer to this step: Enter or a click takes it, and so does its own key."
+    HELP = "An answer to this step. Choose it with Enter, a click, or its own key."
 
     class Pressed(Message):
         """A person took this answer."""
@@ -99,7 +99,7 @@ class AnswerForm(Vertical):
             super().__init__()
             self.choice = choice
 
-    HELP = "Type, then Enter. Tab and arrows go from field to field; at rest, Esc goes back to the steps. Ctrl+C stops."
+    HELP = "Type, then Enter. Tab and arrows change the field. At rest, Esc returns to the steps. Ctrl+C stops."
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)

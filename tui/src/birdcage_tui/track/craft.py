@@ -79,8 +79,8 @@ class CraftTab(Vertical):
         border-title-style: none; }
     """
     HELP = (
-        "Craft finds a target and follows it. / searches, Enter takes a target. w watches it, a aims at it once, f "
-        "follows it, x leaves. [ and ] shift the time at which it is expected, where it comes early or late."
+        "Track a target. / searches, Enter selects. w watches it, a aims at it once, f follows it, x stops following. "
+        "[ and ] shift its time when it comes early or late."
     )
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
@@ -95,7 +95,7 @@ class CraftTab(Vertical):
         offer.display = False
         yield offer
         yield TrackHead(id="craft-head")
-        field = EscField("name, number, 19.2E, moon, 180 45; Enter chooses", closes="closes", id="craft-search")
+        field = EscField("name, number, 19.2E, moon, 180 45; Enter selects", closes="closes", id="craft-search")
         field.display = False
         yield field
         with Horizontal(id="craft-upper"):
@@ -233,18 +233,18 @@ class CraftTab(Vertical):
         elif self.listing(view):
             chosen = self.query_one(FoundList).chosen(view)
             if self._searching and view.track is not None and view.track.query != self.query_one(Input).value:
-                self.host.say("Still looking. Enter again.")
+                self.host.say("Still searching. Press Enter again.")
                 return
             if chosen is None:
                 note = "" if view.track is None else view.track.found_note
-                self.host.say(note or "Nothing is found to choose.")
+                self.host.say(note or "No match.")
                 return
             self._close_search()
             source.choose(chosen.text)
         else:
             row = self.query_one(TrackPasses).chosen(view)
             if row is None:
-                self.host.say("There is no pass to choose.")
+                self.host.say("No passes.")
                 return
             source.choose_pass(row.passing.aos)
             self._shown = VIEWS[0]
@@ -264,8 +264,8 @@ class CraftTab(Vertical):
     def _ask_frequency(self, view: View) -> None:
         aim = None if view.track is None else view.track.aim
         hertz = None if aim is None else aim.frequency_hz
-        field = Field("MHz", "" if hertz is None else f"{hertz / 1e6:.6f}".rstrip("0").rstrip("."), "its own")
-        words = "Decibels and Doppler are told at it, and the receiver is tuned to it. Empty takes the satellite's own."
+        field = Field("MHz", "" if hertz is None else f"{hertz / 1e6:.6f}".rstrip("0").rstrip("."), "default")
+        words = "Sets the receiver, Doppler and pointing loss. Empty: the satellite's own downlink."
 
         def check(values: tuple[str, ...]) -> str:
             try:

@@ -14,7 +14,7 @@ from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
 
 MOST_UP = 40
-EMPTY = "Looking …"
+EMPTY = "Searching …"
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,8 +84,8 @@ class FoundList(Pane):
         rows = candidates(view)
         if not rows:
             note = "" if view.track is None else view.track.found_note or EMPTY
-            words = "The pursuit desk opens …" if view.track is None else note if view.track.query.strip() else \
-                "No favourite is marked, and nothing is up: / searches. On page 7, * marks favourites."  # fmt: skip
+            words = "Loading tracker …" if view.track is None else note if view.track.query.strip() else \
+                "No favourites, and nothing is up. / searches. On page 7, * marks favourites."  # fmt: skip
             for y, line in enumerate(wrap(words, max(cells.width - 2, 10))):
                 cells.put(1, y, line, "dim")
             return

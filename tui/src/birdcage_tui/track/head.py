@@ -14,9 +14,9 @@ from birdcage_tui.view import View
 
 SELECTOR = (("track-watch", Mode.WATCH, "Watch"), ("track-aim", Mode.AIM, "Aim once"),
             ("track-follow", Mode.FOLLOW, "Follow"))  # fmt: skip
-NO_PLACE = "Where the dish stands is not known yet, so nothing in the sky can be followed."
-SET_PLACE = "Setup (8), step 9 sets it; or, in a shell: birdcage place add home JO21jv --use"
-NOBODY = "No target is chosen. Enter takes the row under the cursor; / searches."
+NO_PLACE = "No location set, so targets in the sky can't be followed."
+SET_PLACE = "Set it in Setup (8), step 9. In a shell: birdcage place add home JO21jv --use"
+NO_TARGET = "No target selected. Enter selects the row under the cursor; / searches."
 
 HOW = "Then f follows it. / finds names and numbers; 19.2E is the slot there."
 
@@ -53,9 +53,9 @@ class TrackHead(Pane):
             cells.put(1, 0, NO_PLACE, "warn")
             cells.put(1, 1, SET_PLACE, "text")
         elif chosen is not None:
-            cells.put(1, 0, f"{chosen}: its pass is worked out …", "text")
+            cells.put(1, 0, f"{chosen}: computing the pass …", "text")
         else:
-            cells.put(1, 0, NOBODY, "text")
+            cells.put(1, 0, NO_TARGET, "text")
             cells.put(1, 1, HOW, "dim")
 
     def _selector(self, cells: Cells, y: int, view: View) -> None:

@@ -90,7 +90,7 @@ class TrackNow(Pane):
         if desk is not None and desk.unfinished is not None and pursuit is None:
             left = desk.unfinished
             words = f"{left.name} was left in mid-pass, in reach until {left.reach_end:%H:%M:%S}"
-            found.append(("warn-strong", f"{words}: u takes it up again, D forgets it."))
+            found.append(("warn-strong", f"{words}: u: resume. D: dismiss."))
         if desk is not None and desk.problem:
             found.append(("warn", f"▲ {desk.problem}"))
         if desk is not None and desk.note:
@@ -118,7 +118,7 @@ class TrackNow(Pane):
         if pursuit.why:
             found.append(("dim" if sample is not None else "text", pursuit.why))
         if pursuit.phase in (Phase.YIELDED, Phase.INTERRUPTED):
-            found.append(("text", "f follows it again, x leaves it."))
+            found.append(("text", "f: follow again. x: end."))
         found += [("dim", dish)] if whole and pursuit.rms_error_deg is not None else []
         steers = f"{pursuit.controller} controller" if pursuit.controller else ""
         if pursuit.latency_s is not None:
@@ -132,9 +132,9 @@ def _watched(view: View, width: int) -> list[tuple[str, str]]:
     plan, place, desk = plan_of(view), target_place(view), view.track
     if desk is None or desk.choice is None or plan is None:
         if desk is None:
-            return [("dim", "The pursuit desk opens …")]
+            return [("dim", "Loading tracker …")]
         waits = desk.choice is not None and view.settings.place is not None
-        return [("dim", "Its pass is worked out …")] if waits else []
+        return [("dim", "Computing the pass …")] if waits else []
     last = view.state.pursuit
     done = []
     if last is not None and last.phase is Phase.OVER and same_target(plan, last.plan):
@@ -151,7 +151,7 @@ def _watched(view: View, width: int) -> list[tuple[str, str]]:
     if plan.preposition is not None and plan.legs and plan.legs[0].start_s > t_s:
         point = plan.preposition
         where = f"{point.true_az_deg:.0f}°/{point.true_el_deg:.0f}°"
-        found.append(("dim", f"It would wait at {where}, {point.slew_s:.0f} s from here."))
+        found.append(("dim", f"It waits at {where}, {point.slew_s:.0f} s away."))
     return [*found, *(("dim", note) for note in plan.notes)]
 
 
@@ -162,12 +162,12 @@ def _expected(plan: Plan, width: int) -> list[tuple[str, str]]:
     pointing = plan.pointing
     if pointing is None:
         return []
-    own = f"rms {degrees(pointing.dish.rms_deg)}, max {degrees(pointing.dish.max_deg)}"
+    own = f"RMS {degrees(pointing.dish.rms_deg)}, max {degrees(pointing.dish.max_deg)}"
     if pointing.elements is None:
         return [("dim", f"Expected: {own}.")]
     ink, _ = expected_words(plan)
     helps = [(ink, f"{pointing.advice}.")] if pointing.advice and width < ROOMY else []
-    words = f"Expected: error {error_words(pointing)}, of the dish alone {own}."
+    words = f"Expected: error {error_words(pointing)}, dish alone {own}."
     return [*helps, (ink, words)]
 
 
@@ -192,7 +192,7 @@ def _chance(view: View, plan: Plan, t_s: float) -> str:
         does = "Enter releases the dish, then f follows it." if held else "f follows it now."
         return f"In reach for {count_text(heard[1] - t_s)}: {does}"
     if leg is not None and leg.start_s <= t_s and is_hidden(plan, t_s):
-        does = "Enter releases the dish, then f follows it." if held else "f follows it all the same."
+        does = "Enter releases the dish, then f follows it." if held else "f follows it anyway."
         return f"Behind the horizon mask: {does}"
     starts_s = [*([] if heard is None else [heard[0]]), *([] if leg is None else [leg.start_s])]
     if starts_s and (begins_s := min(starts_s)) > t_s:
@@ -201,4 +201,4 @@ def _chance(view: View, plan: Plan, t_s: float) -> str:
         return f"{what} in {count_text(begins_s - t_s)}: {does}"
     if plan.passing is None:
         return f"Out of reach for {ahead_words(plan)}."
-    return "This pass is not in reach any more." if spans or plan.legs else "Never in reach."
+    return "No longer in reach." if spans or plan.legs else "Never in reach."

@@ -48,7 +48,7 @@ class TrackPasses(Pane):
         rows = passes_of(view)
         if not rows:
             chosen = view.track is not None and view.track.choice is not None
-            cells.put(1, 0, "It does not pass, or not soon." if chosen else "No target is chosen.", "dim")
+            cells.put(1, 0, "No passes soon." if chosen else "No target selected.", "dim")
             return
         cells.put(2, 0, "AOS      from    max  to    in reach", "dim")
         self.cursor = min(self.cursor, len(rows) - 1)

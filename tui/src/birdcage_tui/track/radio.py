@@ -18,7 +18,7 @@ SIGNS = {
 }  # fmt: skip
 TWO_COLUMNS = 56
 """From this width on what is sent stands beside the rest, where it has no room below."""
-UNSET = 'No receiver is set. [radio] rigctld = "localhost:4532" in birdcage.toml tunes SDR++, gqrx or a radio.'
+UNSET = 'No receiver set. [radio] rigctld = "localhost:4532" in birdcage.toml tunes SDR++, gqrx or a radio.'
 
 
 def megahertz(hz: float | None) -> str:
@@ -58,13 +58,13 @@ class RadioPane(Pane):
         if radio.doppler_hz is not None:
             facts.append(("Doppler", f"{radio.doppler_hz / 1000:+.3f} kHz"))
         if radio.address:
-            facts += [("tuned", megahertz(radio.tuned_hz)), ("it says", megahertz(radio.read_back_hz))]
+            facts += [("tuned", megahertz(radio.tuned_hz)), ("reads", megahertz(radio.read_back_hz))]
             if radio.strength_db is not None:
                 facts.append(("strength", f"{radio.strength_db:.1f} dB"))
             elif radio.strength_refused is not None:
-                facts.append(("strength", f"none: it answers RPRT {radio.strength_refused}"))
+                facts.append(("strength", f"none (RPRT {radio.strength_refused})"))
             if radio.recording is not None:
-                facts.append(("recording", "told to begin" if radio.recording else "no"))
+                facts.append(("recording", "requested" if radio.recording else "no"))
         told = "dim" if not radio.address else "warn" if radio.state is RadioState.TUNED else ink
         sentence = wrap(radio.sentence or ("" if radio.address else UNSET), max(cells.width - 2, 10))
         sent = sent_facts(view)

@@ -11,7 +11,7 @@ from birdcage_tui.passes.words import clock_text, length_text
 from birdcage_tui.view import View
 
 SPANS_S = (3600.0, 2 * 3600.0, 3 * 3600.0, 6 * 3600.0, 12 * 3600.0, 24 * 3600.0)
-EMPTY = "No favourite comes into reach soon. On page 7, * marks favourites; their passes are scheduled here."
+EMPTY = "No favourite in reach soon. On page 7, * marks favourites; their passes show here."
 
 
 class SchedulePane(Pane):

@@ -33,8 +33,8 @@ class TrackStrips(Pane):
     """Three strips over one time axis: future is solid, past dotted, the dish in its own ink."""
 
     HELP = (
-        "Yellow is the target, blue the dish: where it is planned to stand, and where it was. Below, the angle between "
-        "them in degrees, with what that costs at the width of the beam at the right; dim is what the plan expects."
+        "Yellow is the target, blue the dish: plan and past. Below, the pointing error in degrees, with the loss in "
+        "decibels at the right. Dim is the error that the plan expects."
     )
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
@@ -48,7 +48,7 @@ class TrackStrips(Pane):
         width, axis = cells.width - LEFT - RIGHT, 2 if cells.height >= 14 else 1
         rows = cells.height - axis
         if plan is None or width < 12 or rows < 3:
-            cells.put(1, 0, "Curves of the target stand here once one is chosen."[: cells.width - 2], "dim")
+            cells.put(1, 0, "Select a target to see its curves."[: cells.width - 2], "dim")
             return
         heights = [rows // 3 + (extra < rows % 3) for extra in (2, 1, 0)]  # the error has what is left over
         start_s, end_s = window(plan, view)

@@ -101,7 +101,7 @@ def countdown_words(view: View) -> str | None:
         return None
     left_s = seconds_to(view, pursuit.next_at)
     when = "soon" if left_s is None else f"in {max(left_s, 0.0):.0f} s"
-    return f"▲ MOVES{_where_to(pursuit)} {when}   Space cancels it"
+    return f"▲ MOVES{_where_to(pursuit)} {when}   Space cancels"
 
 
 def _where_to(pursuit: Pursuit) -> str:
@@ -129,7 +129,7 @@ def trouble(view: View) -> tuple[str, str] | None:
     if left is not None:
         return (
             "warn-row",
-            f"▲ LEFT IN MID-PASS  {left.name}, in reach until {left.reach_end:%H:%M:%S}.  2, c: u resumes",
+            f"▲ LEFT IN MID-PASS  {left.name}, in reach until {left.reach_end:%H:%M:%S}.  2, c: u: resume",
         )
     return None
 
@@ -161,8 +161,8 @@ def pass_words(plan: Plan) -> str:
     """Return rise, highest point and set as one line: `AOS 301° 03:21:10  TCA 64° 03:27:02  LOS 121° 03:32:50`."""
     passing = plan.passing
     if passing is None:
-        return "does not pass: it can be followed for as long as it is up"
-    aos = "up before" if passing.already_up else f"AOS {passing.aos_azimuth_deg:.0f}° {passing.aos:%H:%M:%S}"
+        return "always trackable while up"
+    aos = "already up" if passing.already_up else f"AOS {passing.aos_azimuth_deg:.0f}° {passing.aos:%H:%M:%S}"
     los = "LOS later" if passing.still_up else f"LOS {passing.los_azimuth_deg:.0f}° {passing.los:%H:%M:%S}"
     return f"{aos}  TCA {passing.max_elevation_deg:.0f}° {passing.tca:%H:%M:%S}  {los}"
 
@@ -176,7 +176,7 @@ def reach_words(plan: Plan, room: int) -> str:
     """Return when it is in reach: as many intervals as there is room for, then how long in all."""
     intervals = plan.reach.intervals
     if not intervals and plan.legs:
-        return "behind the horizon mask all the way"
+        return "always behind the horizon mask"
     if not intervals:
         reasons = ", ".join(plan.reach.reasons)
         never = "never in reach" if plan.passing is not None else f"out of reach for {ahead_words(plan)}"
@@ -230,7 +230,7 @@ def followed_words(pursuit: Pursuit) -> tuple[str, str]:
     """
     from birdcage.sky.age_words import plus_minus
 
-    dish = f"rms {degrees(pursuit.rms_error_deg)}  max {degrees(pursuit.max_error_deg)}"
+    dish = f"RMS {degrees(pursuit.rms_error_deg)}  max {degrees(pursuit.max_error_deg)}"
     pointing = pursuit.plan.pointing
     if pointing is None or pointing.elements is None:
         return "", dish
