@@ -67,7 +67,7 @@ def test_the_offset_says_what_it_means_in_degrees():
 def test_what_was_left_in_mid_pass_is_offered_and_taken_up_or_forgotten():
     async def press(app, pilot, desk):
         text = stand_in.text_of(app)
-        await pilot.press("u", "D")
+        await pilot.press("U", "D")
         await pilot.pause()
         return text, desk.asked
 
@@ -79,7 +79,7 @@ def test_what_was_left_in_mid_pass_is_offered_and_taken_up_or_forgotten():
 @pytest.mark.parametrize("size", SIZES, ids=str)
 def test_what_was_left_in_mid_pass_is_offered_on_the_first_page_too(size):
     row = run(read, "craft-over", size=size, keys=("f1",)).splitlines()[1]
-    assert "LEFT IN MID-PASS  METEOR-M2 4, in reach until 12:05:00.  2, c: u: resume" in row
+    assert "LEFT IN MID-PASS  U resume METEOR-M2 4 (5:00 left): dish moves" in row
 
 
 def test_a_frequency_is_typed_in_megahertz():

@@ -290,6 +290,9 @@ class Source:
     def take_up(self):
         self.asked.append(("take_up",))
 
+    def resume(self):
+        self.asked.append(("resume",))
+
     def forget_unfinished(self):
         self.asked.append(("forget_unfinished",))
 

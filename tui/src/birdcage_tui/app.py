@@ -16,6 +16,7 @@ from birdcage.station.requests import (
     Home,
     Jog,
     Release,
+    ReleaseLease,
     Request,
     SetSearch,
     Stow,
@@ -97,6 +98,7 @@ class BirdcageApp(Shell):
             "step-up": lambda: self.change_step(1),
             "step-down": lambda: self.change_step(-1),
             "home": self.ask_home,
+            "resume": self.resume,
             "skew": lambda: self.open_goto("skew "),
             "search": self.ask_end_search,
             "help": self.show_help,
@@ -202,6 +204,30 @@ class BirdcageApp(Shell):
             self.ask(Release(YOU))
         elif state.motion_refused_because:
             self.ask_limits(state.motion_refused_because)
+        self.say("")
+
+    def resume(self) -> None:
+        """Follow again what was interrupted: release first what is held, and go on once that is done."""
+        if self.station.state.held is None:
+            self._resume()
+            return
+
+        def released(future: Future[object]) -> None:
+            error = None if future.cancelled() else future.exception()
+            self.soon(self._resume if error is None else partial(self.say, str(error)))
+
+        self.station.submit(Release(YOU)).add_done_callback(released)
+
+    def _resume(self) -> None:
+        source, now = self.track.source, self.track.now
+        if source is None or now is None:
+            return
+        if self.station.state.holder == YOU:
+            self.ask(ReleaseLease(YOU))
+        if now.resumable is not None:
+            source.resume()
+        else:
+            source.take_up()
         self.say("")
 
     def ask_limits(self, because: str) -> None:

@@ -65,6 +65,9 @@ class TrackSource(Protocol):
     def take_up(self) -> None:
         """Follow what was left unfinished."""
 
+    def resume(self) -> None:
+        """Follow again what STOP or a hand has ended or interrupted, autotrack included."""
+
     def forget_unfinished(self) -> None:
         """Do not offer it any more."""
 

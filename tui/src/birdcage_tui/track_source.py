@@ -150,6 +150,10 @@ class DeskSource:
         """Follow what was left unfinished."""
         self._ask(lambda desk: desk.take_up())
 
+    def resume(self) -> None:
+        """Follow what was stopped."""
+        self._ask(lambda desk: desk.resume())
+
     def forget_unfinished(self) -> None:
         """Do not offer it any more."""
         self._ask(lambda desk: desk.forget_unfinished())

@@ -7,8 +7,10 @@ from datetime import datetime
 from birdcage.station.events import End, MoveEnded
 from birdcage.station.state import Activity, Link, Search
 
+from birdcage_tui.commands.resume import KEY
 from birdcage_tui.stop_words import awaited_words, power_switch, searching, stop_text
 from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.track.resume import resume_words
 from birdcage_tui.track.words import PHASE, headline, live_words, trouble
 from birdcage_tui.view import View
 
@@ -180,7 +182,8 @@ def _held(view: View) -> str:
         awaited = f"  {awaited_words(stopped)}"
         words += {True: "", False: "  STOP NOT CONFIRMED", None: awaited}[stopped.confirmed]
     kept = "  NOT KEPT on disk" if view.state.held_trouble else ""
-    return f"{words}{kept}   Enter release"
+    resume = resume_words(view)
+    return f"{words}{kept}   Enter release{f'   {resume}' if resume else ''}"
 
 
 def _since(view: View, utc: datetime | None) -> str:
@@ -265,7 +268,10 @@ def next_steps(view: View) -> list[tuple[str, str]]:
     if view.moving and pursuit is None:  # what STOP does stands under the digits, which say whom it pursues
         steps.append(("text", f"Space: {stop_text(view)}."))
     if state.held is not None:
-        steps.append(("text", "birdcage sends no motion until you press Enter."))
+        resume = resume_words(view, sentence=True)
+        steps.append(("text", f"birdcage sends no motion until you press Enter{f' or {KEY}' if resume else ''}."))
+        if resume:
+            steps.append(("text", f"{resume}."))
         if told := state.held_trouble or state.held.damage:
             steps.append(("warn", told))
     elif state.homed is False and state.activity is not Activity.HOMING:

@@ -134,6 +134,13 @@ class PursuitDesk:
         """Follow what was left unfinished (`DeskNow.unfinished`): a person has asked for it."""
         self._orders.put(partial(self._work.take_up, asked=True))
 
+    def resume(self) -> None:
+        """Follow again what STOP or a hand has ended or interrupted (`DeskNow.resumable`), autotrack included.
+
+        Whoever asks has released the dish, and has given back what control he took.
+        """
+        self._orders.put(self._work.resume)
+
     def forget_unfinished(self) -> None:
         """Do not offer it any more."""
         self._orders.put(self._work.forget_unfinished)

@@ -17,12 +17,14 @@ from birdcage.pursuit.circumstances import Circumstances
 from birdcage.pursuit.desk_setup import DeskSetup
 from birdcage.pursuit.follower import Follower, Post, options_of, reach_end
 from birdcage.pursuit.memory import Memory
-from birdcage.pursuit.now import DeskNow, Found, Mode
+from birdcage.pursuit.now import DeskNow, Found, Mode, Resumable
 from birdcage.pursuit.pointer import NO_PLACE, BelowWords, Pointer
 from birdcage.pursuit.sheet import Sheet
+from birdcage.pursuit.stopped import Stopped
 from birdcage.pursuit.timetable import Timetable
 from birdcage.pursuit.unfinished import Keeper
 from birdcage.radio.now import RadioNow
+from birdcage.station.pursuit import Phase
 from birdcage.station.requests import Goto
 from birdcage.station.station import Station
 
@@ -52,6 +54,7 @@ class DeskWork:
         self._sheet = Sheet(station, clock, setup, self._follower, post, self.look_again, threads=threads)
         self._keeper = Keeper(None if setup.demo else Memory(setup.paths.state), takes_up=setup.takes_up)
         self._auto = Autotrack(Timetable(setup.paths.downlinks_file))
+        self._stopped = Stopped()
         self._by_autotrack = False
         """Whether autotrack has asked for what is followed, and not a person."""
         self._query = ""
@@ -138,6 +141,7 @@ class DeskWork:
 
     def leave(self) -> None:
         """Leave what is followed."""
+        self._stopped.forget()
         # Left on, it would begin anew at once what a person has just ended.
         self._auto.switch(False)
         self._mode, self._changed = Mode.WATCH, True
@@ -154,6 +158,29 @@ class DeskWork:
         if self.follow(asked=asked):
             self.forget_unfinished()
 
+    def resume(self) -> None:
+        """Follow again what STOP or a hand has ended or interrupted, autotrack included."""
+        live, found, by_autotrack = self._follower.live, self._resumable(), self._by_autotrack
+        # A hand that has just given control back: the pursuit counts down, which a person who asks need not wait for.
+        counts_down = live is not None and live.phase is Phase.COUNTDOWN
+        if found is None and not counts_down:
+            self._say("No interrupted pass.")
+            return
+        autotrack, row = self._stopped.autotrack, self._stopped.row
+        choice = self._sheet.followed if live is not None else self._stopped.choice
+        if autotrack:
+            self.set_autotrack(True)
+            if row is not None and choice is not None:
+                self._auto.asked_for(row, self._clock.monotonic())  # it is asked for here
+        if choice is not None:
+            plan = live.plan if live is not None else None if found is None else found.plan
+            if plan is not None and plan.passing is not None:
+                choice.wanted_at = plan.passing.tca
+            self._sheet.take(choice)
+            if self.follow():
+                self._by_autotrack = autotrack or by_autotrack
+        self._stopped.forget()
+
     def forget_unfinished(self) -> None:
         """Forget what was left unfinished."""
         self._keeper.forget()
@@ -162,6 +189,7 @@ class DeskWork:
     def set_autotrack(self, on: bool) -> None:
         """Switch autotrack."""
         self._auto.switch(on)
+        self._stopped.forget()
         self._sheet.finder.refresh()
         self._say(NO_FAVOURITES if on and not self._sheet.finder.favourites else "")
 
@@ -212,6 +240,7 @@ class DeskWork:
             now, self._query, self._found, self._found_note, mode=self._mode, autotrack=self._auto.on,
             located=self._pointer.look(self._sheet.observer, now, self._sheet.settings.tracking.refraction),
             schedule=self._auto.timetable.rows, unfinished=self._keeper.unfinished,
+            resumable=self._resumable(),
             radio=RadioNow() if self._beside is None else self._beside.radio,
         )  # fmt: skip
         if choice is not None:
@@ -284,9 +313,13 @@ class DeskWork:
             why = choice.problem or ("" if plan is None else " ".join(plan.notes))
             self._say(why or f"{choice.target.name} does not come into reach: there is nothing to follow.")
             return False
+        self._stopped.forget()
         self._sheet.followed, self._mode, self._by_autotrack = choice, Mode.FOLLOW, False
         self._follower.follow(plan, options_of(self._sheet.settings, self._setup.controller), asked=asked)
         return True
+
+    def _resumable(self) -> Resumable | None:
+        return self._stopped.shown(self._clock.utc(), self._follower.live, autotrack=self._auto.on)
 
     def _after(self, choice: Choice, now: datetime) -> None:
         """Go on to the next pass after one that came to its end, if that is what its owner has set."""
@@ -307,6 +340,8 @@ class DeskWork:
         if not self._follower.is_busy and self._sheet.followed is not None:
             ended, self._sheet.followed, self._changed = self._sheet.followed, None, True
             self._auto.timetable.choose_again()
+            if self._station.state.held is not None and (pursuit := self._follower.pursuit) is not None:
+                self._stopped.by_stop(ended, pursuit.plan)
             self._after(ended, now)
         live, followed = self._follower.live, self._sheet.followed
         if self._beside is not None:
@@ -324,6 +359,7 @@ class DeskWork:
         """Keep autotrack's plan, and ask for what it wants followed."""
         if self._auto.on and self._station.state.held is not None:
             # STOP cancels what was scheduled too (DESIGN section 5): a person switches it on again.
+            self._stopped.autotrack_off(self._auto.row)
             self._auto.switch(False)
             self._say("STOP has switched autotrack off.")
         live = self._follower.live

@@ -87,6 +87,18 @@ class Unfinished:
 
 
 @dataclass(frozen=True, slots=True)
+class Resumable:
+    """What STOP or a hand has ended or interrupted, and could be taken up again now."""
+
+    name: str
+    """Of the target; `autotrack` where nothing was followed when STOP switched that off."""
+    plan: Plan | None
+    reach_end: datetime | None
+    autotrack: bool
+    """Whether autotrack goes on with it."""
+
+
+@dataclass(frozen=True, slots=True)
 class DeskNow:
     """All of it."""
 
@@ -112,6 +124,7 @@ class DeskNow:
     """What autotrack would do, or does: its dry run."""
     radio: RadioNow = field(default_factory=RadioNow)
     unfinished: Unfinished | None = None
+    resumable: Resumable | None = None
     note: str = ""
     """What a person should know of the choice: silent, below the horizon. It can be followed all the same."""
     problem: str = ""

@@ -37,13 +37,6 @@ def can_take(view: View) -> str | None:
     return None if can_release(view) is None else can_search(view)
 
 
-def can_resume(view: View) -> str | None:
-    """Return why nothing that was left in mid-pass can be taken up again."""
-    if view.track is None or view.track.unfinished is None:
-        return "No interrupted pass."
-    return can_move(view)
-
-
 def can_forget(view: View) -> str | None:
     """Return why there is nothing to forget."""
     return "No interrupted pass." if view.track is None or view.track.unfinished is None else None
@@ -106,7 +99,5 @@ TRACK = (
     _craft("autotrack", ("A",), "A", "Autotrack", "Follow the scheduled passes one after another, or stop that. "
            "The schedule shows them.", can_autotrack),
     _craft("frequency", ("F",), "F", "Frequency …", "Downlink in MHz. Empty: the satellite's own."),
-    _craft("resume", ("u",), "u", "Resume", "Resume the pass that was interrupted.",
-           can_resume),
     _craft("forget", ("D",), "D", "Dismiss", "Stop offering the interrupted pass.", can_forget),
 )  # fmt: skip

@@ -36,10 +36,9 @@ ORDERS: dict[str, Callable[[TrackSource], None]] = {
     "track-aim": lambda source: source.aim_once(),
     "track-follow": lambda source: source.follow(),
     "track-leave": lambda source: source.leave(),
-    "track-resume": lambda source: source.take_up(),
     "track-forget": lambda source: source.forget_unfinished(),
 }
-MOVES = ("track-aim", "track-follow", "track-resume", "track-autotrack")
+MOVES = ("track-aim", "track-follow", "track-autotrack")
 """What may move the dish."""
 ENDS_OFFER = frozenset({"track-search", "track-watch", "track-aim", "track-follow", "track-leave", "track-up",
                         "track-down", "track-autotrack"})  # fmt: skip

@@ -90,7 +90,7 @@ class TrackNow(Pane):
         if desk is not None and desk.unfinished is not None and pursuit is None:
             left = desk.unfinished
             words = f"{left.name} was left in mid-pass, in reach until {left.reach_end:%H:%M:%S}"
-            found.append(("warn-strong", f"{words}: u: resume. D: dismiss."))
+            found.append(("warn-strong", f"{words}: U: resume. D: dismiss."))
         if desk is not None and desk.problem:
             found.append(("warn", f"▲ {desk.problem}"))
         if desk is not None and desk.note:

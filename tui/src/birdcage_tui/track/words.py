@@ -9,6 +9,7 @@ from birdcage.station.pursuit import Phase
 
 from birdcage_tui.passes.words import clock_text, count_text, length_text
 from birdcage_tui.track.pursuing import next_incident, pursuit_of, sample_of
+from birdcage_tui.track.resume import resume_words
 from birdcage_tui.view import View
 
 if TYPE_CHECKING:
@@ -122,15 +123,16 @@ def trouble(view: View) -> tuple[str, str] | None:
     words = countdown_words(view)
     if words is not None:
         return "warn-row", words
-    pursuit = pursuit_of(view)
+    pursuit, resume = pursuit_of(view), resume_words(view)
     if pursuit is not None and pursuit.phase is Phase.INTERRUPTED:
-        return "warn-row", f"◌ PURSUIT INTERRUPTED  {pursuit.why}"
+        return "warn-row", f"◌ PURSUIT INTERRUPTED  {pursuit.why}  {resume}".rstrip()
+    found = None if view.track is None else view.track.resumable
+    if found is not None and found.plan is not None and resume:
+        return "target-row", f"◌ {'YIELDED' if pursuit is not None else 'STOPPED'} in mid-pass.  {resume}"
     left = None if view.track is None or pursuit is not None else view.track.unfinished
     if left is not None:
-        return (
-            "warn-row",
-            f"▲ LEFT IN MID-PASS  {left.name}, in reach until {left.reach_end:%H:%M:%S}.  2, c: u: resume",
-        )
+        words = resume or f"{left.name}, in reach until {left.reach_end:%H:%M:%S}."
+        return "warn-row", f"▲ LEFT IN MID-PASS  {words}"
     return None
 
 

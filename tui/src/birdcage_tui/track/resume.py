@@ -1,0 +1,36 @@
+"""Going on with what STOP, a hand or the end of the program has interrupted, in words: what moves, and where to."""
+
+from __future__ import annotations
+
+from birdcage_tui.cell_text import fit
+from birdcage_tui.commands.resume import KEY, can_resume
+from birdcage_tui.view import View
+
+
+def resume_words(view: View, *, sentence: bool = False) -> str:
+    """Return the key, what it resumes and where the dish goes by it; empty for nothing.
+
+    `U resume LEO 1 (4:44 left): dish goes to 231°/44°`. As a sentence: `U resumes LEO 1 …`. It tells what is released.
+    """
+    if view.track is None or can_resume(view) is not None:
+        return ""
+    found, left = view.track.resumable, view.track.unfinished
+    if found is None:
+        from birdcage.pursuit.now import Resumable
+
+        assert left is not None, "one of both can be resumed"
+        found = Resumable(left.name, None, left.reach_end, autotrack=False)
+    name, plan, end, autotrack = found.name, found.plan, found.reach_end, found.autotrack
+    words = f"{KEY} {'resumes' if sentence else 'resume'} {fit(name, 24)}"
+    if end is not None:
+        seconds = max(int((end - view.utc).total_seconds()), 0)
+        words += f" ({seconds // 60}:{seconds % 60:02} left)"
+    if autotrack and plan is not None:
+        words += " and autotrack"
+    releases = "releases it, " if view.state.held is not None else ""
+    if plan is None:
+        return f"{words}: {releases}the dish moves when a pass comes" if autotrack else f"{words}: {releases}dish moves"
+    t_s = view.utc.timestamp()
+    start_s = next((leg.start_s for leg in plan.legs if leg.end_s > t_s), t_s)
+    az_deg, el_deg = plan.sky.at(max(start_s, t_s))
+    return f"{words}: {releases}dish goes to {az_deg % 360.0:.0f}°/{el_deg:.0f}°"
