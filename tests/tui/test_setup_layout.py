@@ -3,9 +3,11 @@
 import pytest
 import setup_stand_in
 import stand_in
+from birdcage.setup.step import Choice, Field
 from birdcage_tui.setup.fold import fold
 from birdcage_tui.setup.form import AnswerForm
 from setup_stage import inside, press, read, run, settle
+from textual.widgets import Input
 
 SIZES = [(80, 24), (120, 36), (160, 48), (200, 60)]
 
@@ -107,6 +109,53 @@ def test_a_finished_setup_says_so_and_what_comes_next():
 
     for size in SIZES:
         run(done, "finished", size=size)
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+@pytest.mark.parametrize("step", ["feed", "place", "level", "north"])
+def test_fields_stand_one_a_row_labels_in_one_column_values_in_the_next(step, size):
+    async def columns(app, pilot, engine):
+        boxes = list(app.page.query(Input))
+        rows = [list(box.parent.children) for box in boxes]
+        assert all([type(part).__name__ for part in row] == ["Label", "Input", "Label"] for row in rows)
+        assert len({box.region.y for box in boxes}) == len(boxes) > 0
+        for part in range(3):
+            assert len({row[part].region.x for row in rows}) == 1, "they line up"
+        assert len({box.region.width for box in boxes}) == 1
+        text = stand_in.text_of(app).splitlines()
+        fields = [field for view in engine.steps() if view.name == step for c in view.choices for field in c.fields]
+        for box, field in zip(boxes, fields, strict=True):
+            line = text[box.region.y]
+            assert line[: box.region.x].rstrip().endswith(field.label)
+            assert (field.value or field.hint) in line, "nothing of it is cut"
+
+    run(columns, step, size=size)
+
+
+@pytest.mark.parametrize("size", [(80, 24), (120, 36)], ids=str)
+def test_where_not_all_fields_fit_those_of_the_chosen_answer_unfold(size):
+    fields = [Field(f"f{index}", f"field {index}", "deg") for index in range(12)]
+    many = tuple(
+        Choice(f"way-{key}", key, f"Way {key}", fields=tuple(fields)) for key in ("c", "d", "t")
+    )  # fmt: skip
+
+    async def unfold(app, pilot, engine):
+        engine.change("level", choices=many)
+        await settle(app, pilot)
+        assert not app.page.query(Input)
+        await press(app, pilot, "d")
+        await settle(app, pilot)
+        assert [box.name for box in app.page.query(Input)] == [f"way-d/f{index}" for index in range(12)]
+        assert app.focused.name == "way-d/f0"
+        await press(app, pilot, *"7")
+        await press(app, pilot, "escape", "t")
+        await settle(app, pilot)
+        assert {box.name.partition("/")[0] for box in app.page.query(Input)} == {"way-t"}
+        await press(app, pilot, "escape", "d")
+        await settle(app, pilot)
+        assert app.page.query(Input).first().value == "7"
+
+    run(unfold, "level", size=size)
 
 
 def test_the_form_has_a_row_for_all_it_asks():

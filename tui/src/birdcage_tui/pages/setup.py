@@ -19,9 +19,9 @@ class SetupPage(SetupBody):
     """What the keys do. What is seen is in `SetupBody`."""
 
     HELP = (
-        "Eleven steps. Enter does the usual action, letters do the others. ▲ marks what moves the dish. The app first "
-        "asks whether the area is clear. The arrows don't move the dish here. o opens the page of a step, where they "
-        "do; F8 comes back."
+        "Eleven steps. Enter does the usual action, letters do the others. Up and down look at other steps and change "
+        "nothing; Esc goes back to the present one. ▲ marks what moves the dish. The app first asks whether the area "
+        "is clear. The arrows don't move the dish here. o opens the page of a step, where they do; F8 comes back."
     )
 
     def do(self, command: str) -> bool:
@@ -75,8 +75,15 @@ class SetupPage(SetupBody):
             self.look_at(self.looked + by)
 
     def skip(self) -> None:
-        """Leave the step that is looked at."""
-        self._attempt(lambda: self.engine.skip(self.step.name))
+        """Leave the step that is looked at. The present one stays, unless it is that."""
+        present, step = self.present, self.step.name
+
+        def leave() -> None:
+            self.engine.skip(step)
+            if step != present:
+                self.engine.go(present)
+
+        self._attempt(leave)
 
     def back(self) -> None:
         """Go to the step before."""
@@ -104,6 +111,8 @@ class SetupPage(SetupBody):
         """Take an answer by its key; Esc goes back to the steps."""
         if event.key == "escape":
             event.stop()
+            if not self.typing and not self.wiring:
+                self.follow()
             self.wiring = False
             self.focus_steps()
             self.host.paint()
@@ -137,6 +146,7 @@ class SetupPage(SetupBody):
         """Take an answer: its fields first, then the question whether the area is clear, then the engine."""
         if choice.fields and not typed:
             self.form.focus_fields(choice)
+            self.host.paint()
             return
         step, values = self.step.name, self.form.values(choice)
 
@@ -148,6 +158,8 @@ class SetupPage(SetupBody):
                 self._attempt(lambda: self.engine.choose("link", "other", rate))
             else:
                 self._attempt(lambda: self.engine.choose(step, choice.name, values))
+            if not self.wrong:
+                self.form.forget(step)
 
         if choice.moves:
             self._when_clear(give)

@@ -111,6 +111,10 @@ class SetupBody(SetupLayout):
             return (Choice("use-baud", "u", f"Use {baud} baud"), *choices)
         return choices
 
+    def later(self) -> tuple[Choice, ...]:
+        """Return what a step that is only looked at will ask."""
+        return () if self.step.name == self.present else self.step.choices
+
     def look_at(self, index: int) -> None:
         """Look at another step."""
         index = min(max(index, 0), len(self.views) - 1)
@@ -146,7 +150,7 @@ class SetupBody(SetupLayout):
             return
         self.views = self.engine.steps()
         if self.engine.current != self.present:
-            self.follow_soon()
+            self.follow_soon(looking=self.step.name != self.present)
         if self.screen.focused is None and self.app.screen is self.screen:
             self.focus_steps()
         self._tell_place()
@@ -163,9 +167,11 @@ class SetupBody(SetupLayout):
         """Lay out at the new size."""
         self.call_after_refresh(self.host.paint)
 
-    def follow_soon(self) -> None:
-        """Go along with the engine to its next step."""
+    def follow_soon(self, *, looking: bool) -> None:
+        """Go along with the engine to its next step, but not while a person is looking at another one."""
         self.present = self.engine.current
+        if looking:
+            return
         self.looked = next(index for index, step in enumerate(self.views) if step.name == self.present)
         self.wrong, self.note, self.wiring = "", "", False
 
@@ -215,12 +221,16 @@ class SetupBody(SetupLayout):
             wrong=self.wrong,
             whole=kind is not Kind.CAUSES and not step.busy and self.query_one("#setup-steps", StepsPane).cuts(step),
             news=_finished(self.views) if present and self.engine.finished and not step.busy else (),
-            extra=_asides(self.answers(), step, view) if present else (),
+            extra=_asides(self.answers(), step, view) if present else (self._only_looking(),),
             note=self.note,
         )
         extra.kind, extra.causes, extra.chosen, extra.place = kind, self.causes, self.chosen, view.settings.place
         dish = view.state.dish
         extra.firmware = None if dish is None else dish.firmware
+
+    def _only_looking(self) -> str:
+        step = next(step for step in self.views if step.name == self.present)
+        return f"Just looking: step {step.number}, {step.title}, stays the present one. Esc: back to it."
 
 
 def _finished(views: Sequence[StepView]) -> tuple[str, ...]:

@@ -13,15 +13,21 @@ from textual.widget import Widget
 from textual.widgets import Input, Label
 
 from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import cut
+from birdcage_tui.cell_text import cell_len, cut
 from birdcage_tui.pane import Pane
+from birdcage_tui.setup.form_rows import (
+    INDENT,
+    MOVES,
+    Columns,
+    Row,
+    arrange,
+    button_width,
+    columns,
+    fold_to,
+    key_text,
+    unit_text,
+)
 from birdcage_tui.view import View
-
-MOVES = "▲ moves the dish"
-GAP = 2
-INDENT = 4
-"""Of a row that goes on with the fields of the choice above."""
-LEAST_FIELD, MOST_FIELD = 12, 30
 
 
 class ChoiceButton(Pane, can_focus=True):
@@ -37,11 +43,13 @@ class ChoiceButton(Pane, can_focus=True):
             super().__init__()
             self.choice = choice
 
-    def __init__(self, choice: Choice) -> None:
+    def __init__(self, choice: Choice, *, asks: bool, live: bool) -> None:
         super().__init__()
         self.choice = choice
-        # What has fields is answered from them: Enter in the last one takes it.
-        self.can_focus = not choice.fields
+        self.live = live
+        """Whether it can be taken now; else it is shown as what the step will ask."""
+        # What shows its fields is answered from them: Enter in the last one takes it.
+        self.can_focus = live and not asks
         self.styles.width = button_width(choice)
 
     def tell(self, choice: Choice) -> None:
@@ -53,12 +61,12 @@ class ChoiceButton(Pane, can_focus=True):
 
     def draw(self, cells: Cells, view: View) -> None:  # noqa: ARG002 - it looks the same whatever happens
         """Write the key, the words, and whether it moves the dish."""
-        key = "Enter" if self.choice.key == "enter" else self.choice.key
-        x = cells.put(0, 0, f" {key} ", "accent-row" if self.has_focus else "key") + 1
+        key_ink = "accent-row" if self.has_focus else "key" if self.live else "dim"
+        x = cells.put(0, 0, f" {key_text(self.choice)} ", key_ink) + 1
         label = cut(self.choice.label, cells.width - x)
-        x = cells.put(x, 0, label, "accent-strong" if self.has_focus else "strong")
+        x = cells.put(x, 0, label, "accent-strong" if self.has_focus else "strong" if self.live else "dim")
         if self.choice.moves:
-            cells.put(x + 2, 0, MOVES, "warn")
+            cells.put(x + 2, 0, MOVES, "warn" if self.live else "dim")
 
     def on_focus(self) -> None:
         """Look focused."""
@@ -71,22 +79,12 @@ class ChoiceButton(Pane, can_focus=True):
     def on_click(self, event: events.Click) -> None:
         """Take it."""
         event.stop()
-        self.action_press()
+        if self.live:
+            self.action_press()
 
     def action_press(self) -> None:
         """Tell the page."""
         self.post_message(self.Pressed(self.choice))
-
-
-def button_width(choice: Choice) -> int:
-    """Return how many columns a choice takes."""
-    key = "Enter" if choice.key == "enter" else choice.key
-    return len(key) + 3 + len(choice.label) + (len(MOVES) + 2 if choice.moves else 0)
-
-
-def field_width(field: Field) -> int:
-    """Return how many columns there are to type in."""
-    return min(max(len(field.value or field.hint) + 3, LEAST_FIELD), MOST_FIELD)
 
 
 class AnswerForm(Vertical):
@@ -106,10 +104,18 @@ class AnswerForm(Vertical):
         self._choices: tuple[Choice, ...] = ()
         self._made: object = None
         self._step = ""
-        self._rows: list[list[tuple[Choice, Field | None]]] = []
+        self._rows: list[Row] = []
         # What is in force now: those that are on their way out are still among the children for a moment.
         self._buttons: list[ChoiceButton] = []
         self._boxes: list[Input] = []
+        self._offered: dict[str, str] = {}
+        """What each box held before a person typed."""
+        self._typed: dict[tuple[str, str], str] = {}
+        """What a person typed and has not sent, by step and box: it is there again when the step is."""
+        self._opened = ""
+        """The choice whose fields are shown where there is no room for all."""
+        self.folded: frozenset[str] = frozenset()
+        """The choices whose fields are not shown."""
 
     def compose(self) -> ComposeResult:
         """Nothing before `fill`."""
@@ -120,47 +126,75 @@ class AnswerForm(Vertical):
         """How many rows it takes."""
         return len(self._rows)
 
-    def fill(self, step: str, choices: Sequence[Choice], width: int) -> None:
-        """Show these choices; what was typed stays as long as they are the same."""
-        rows = packed(choices, width)
-        made = (step, width, _shape(rows))
+    def fill(self, step: str, choices: Sequence[Choice], later: Sequence[Choice], width: int, room: int) -> None:
+        """Show `choices`, and dim those that can be taken `later`; what was typed stays.
+
+        Fields fold where `room` rows do not hold them all.
+        """
+        every = (*choices, *later)
+        if step != self._step:
+            self._opened = ""
+        self.folded = fold_to(every, width, room, self._opened)
+        rows = [*arrange(choices, width, self.folded), *arrange(later, width, self.folded)]
+        made = (step, width, len(choices), self.folded, _shape(rows))
         self._choices = tuple(choices)
         if made == self._made:
             # Words may change every second (the Sun's direction, say): nothing is taken from under a finger for that.
-            by_name = {choice.name: choice for choice in choices}
+            by_name = {choice.name: choice for choice in every}
             for button in self._buttons:
                 button.tell(by_name[button.choice.name])
             return
-        typed = {box.name: box.value for box in self._boxes} if self._step == step else {}
+        self._note_typed()
         focused = self._focused_name()
         self._made, self._step, self._rows = made, step, rows
-        self._buttons, self._boxes = [], []
+        self._buttons, self._boxes, self._offered = [], [], {}
         self.remove_children()
+        at = columns(every, width)
         self.mount_all(
             [
-                Horizontal(*self._widgets(row, typed), classes="answers" if row[0][1] is None else "answers -more")
+                Horizontal(*self._widgets(row, at, width), classes="answers" if row[0][1] is None else "answers -more")
                 for row in rows
             ]
         )
         if focused is not None:
             self.call_after_refresh(self._focus_name, focused)
 
-    def _widgets(self, row: list[tuple[Choice, Field | None]], typed: dict[str | None, str]) -> list[Widget]:
+    def _widgets(self, row: Row, at: Columns, width: int) -> list[Widget]:
         made: list[Widget] = []
         for choice, field in row:
+            live = choice in self._choices
             if field is None:
-                self._buttons.append(ChoiceButton(choice))
+                asks = bool(choice.fields) and choice.name not in self.folded
+                self._buttons.append(ChoiceButton(choice, asks=asks, live=live))
                 made.append(self._buttons[-1])
                 continue
-            made.append(Label(field.label, markup=False))
+            label = Label(field.label, markup=False)
+            label.styles.width = at.label
+            name, unit = _name(choice, field), unit_text(field)
             box = Input(
-                value=typed.get(_name(choice, field), field.value), placeholder=field.hint, name=_name(choice, field),
-                classes="answer", select_on_focus=True,
+                value=self._typed.get((self._step, name), field.value), placeholder=field.hint, name=name,
+                classes="answer", select_on_focus=True, disabled=not live,
             )  # fmt: skip
-            box.styles.width = field_width(field)
+            box.styles.width = at.value
             self._boxes.append(box)
-            made += [box, Label(field.unit.replace("deg", "°"), markup=False, classes="unit")]
+            self._offered[name] = field.value
+            # The hint stands in an empty field; beside one that is not, as far as there is room.
+            free = width - INDENT - at.label - at.value - at.unit - 4
+            hint = f"  {field.hint}" if field.value and 0 < cell_len(field.hint) <= free else ""
+            made += [label, box, Label(f"{unit:<{at.unit}}{hint}", markup=False, classes="unit")]
         return made
+
+    def _note_typed(self) -> None:
+        """Keep what is typed in the boxes that are about to go."""
+        for box in self._boxes:
+            if box.name is not None and box.value != self._offered[box.name]:
+                self._typed[self._step, box.name] = box.value
+
+    def forget(self, step: str) -> None:
+        """Drop what was typed in a step: it was sent."""
+        self._typed = {key: value for key, value in self._typed.items() if key[0] != step}
+        if step == self._step:
+            self._offered = {box.name: box.value for box in self._boxes if box.name is not None}
 
     def _focused_name(self) -> str | None:
         focused = self.screen.focused if self.is_attached else None
@@ -178,7 +212,11 @@ class AnswerForm(Vertical):
         return {names[box.name]: box.value for box in self._boxes if box.name in names}
 
     def focus_fields(self, choice: Choice) -> None:
-        """Give the focus to the first field of a choice that is still empty, else to its first."""
+        """Give the focus to the first field of a choice that is still empty, else to its first; unfold it before."""
+        if choice.name in self.folded:
+            self._opened = choice.name
+            self.call_after_refresh(self.focus_fields, choice)
+            return
         names = [_name(choice, field) for field in choice.fields]
         boxes = sorted((box for box in self._boxes if box.name in names), key=lambda box: bool(box.value))
         if boxes:
@@ -231,24 +269,3 @@ def _shape(rows: Sequence[Sequence[tuple[Choice, Field | None]]]) -> list[list[t
         [(choice.name, choice.key, "" if field is None else f"{field.name} {field.label}") for choice, field in row]
         for row in rows
     ]
-
-
-def packed(choices: Sequence[Choice], width: int) -> list[list[tuple[Choice, Field | None]]]:
-    """Return rows of (choice, field) or (choice, None) for its button; fields stand after their button."""
-    rows: list[list[tuple[Choice, Field | None]]] = []
-    free = 0
-    typed = False
-    for choice in choices:
-        begins = bool(choice.fields) or typed
-        typed = bool(choice.fields)
-        items: list[tuple[Field | None, int]] = [(None, button_width(choice) + GAP)]
-        items += [
-            (field, len(field.label) + 1 + field_width(field) + 1 + len(field.unit) + GAP) for field in choice.fields
-        ]
-        for field, needs in items:
-            if begins or needs > free:
-                rows.append([])
-                free, begins = width - (INDENT if field is not None else 0), False
-            rows[-1].append((choice, field))
-            free -= needs
-    return rows

@@ -21,6 +21,8 @@ LEAST_BELOW = 14
 """Rows from which a compass is worth drawing under the readings."""
 LEAST_LIST = 3
 """Rows that the list keeps, whatever the present step needs."""
+LEAST_CAUSES = 11
+"""Rows that the walk through the causes gets before fields do."""
 POINTING_ROWS = 13
 """What the readings take when there is room."""
 
@@ -66,6 +68,10 @@ class SetupLayout(Page):
         """Return what can be answered now."""
         raise NotImplementedError
 
+    def later(self) -> Sequence[Choice]:
+        """Return what the step that is looked at will ask, once it is the present one; empty while it is."""
+        raise NotImplementedError
+
 
 def lay_out(page: SetupLayout) -> object:
     """Give every part its rows. Return what the layout was made from."""
@@ -74,8 +80,10 @@ def lay_out(page: SetupLayout) -> object:
     fills, wide = page.wiring_fills, page.wide
     width = scroll.size.width or page.room.width - 8
     words.display = form.display = not fills
-    form.fill(page.step.name, page.answers(), width)
     told = 0 if fills else words.rows(width)
+    height = scroll.size.height if wide else page.room.height - LEAST_LIST
+    kept = (2 if wide else 0) + (LEAST_CAUSES if extra.kind is Kind.CAUSES else 0)
+    form.fill(page.step.name, page.answers(), page.later(), width, height - told - kept)
     asked = 0 if fills else form.rows
     # A row of air above and below the answers, where the list does not need it.
     spare = extra.kind is Kind.NOTHING and page.room.height - told - asked - len(page.views) >= 2
