@@ -78,7 +78,7 @@ def test_the_geostationary_arc_names_its_slots_and_only_with_a_place():
             (
                 "LOST  ",
                 "○ LINK LOST 00:07",
-                "last seen AZ 201.30 EL 32.90, was moving",
+                "was moving when last heard",
                 "trying ttyUSB0",
                 "plug it in.",
             ),
@@ -93,7 +93,7 @@ def test_the_geostationary_arc_names_its_slots_and_only_with_a_place():
 def test_a_bad_day_is_told_in_words(name, words, size):
     text = run(read, name, size)
     for word in words:
-        assert word in text, text
+        assert word in text or word in " ".join(text.split()), text
 
 
 def test_what_is_unknown_is_dashes_and_never_a_number():

@@ -147,7 +147,8 @@ class TopRow(Horizontal):
 class BadDayRow(Pane):
     """Row 2: HELD, LINK LOST, SILENT, NOT HOMED, FAULT in words; else the calm line. Grows when words need room."""
 
-    LONGEST = 3
+    LONGEST = 4
+    """Rows: what is wrong stands here alone, and whole."""
 
     def lines(self, view: View, width: int) -> tuple[str, list[str]]:
         """Return the ink and the wrapped rows, one at least."""

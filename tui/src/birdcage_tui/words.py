@@ -160,8 +160,7 @@ def _last_seen(view: View) -> str:
     position = view.state.position
     if position is None:
         return ""
-    moved = ", was moving" if view.moving else ""
-    return f"last seen AZ {position.az_deg:.2f} EL {position.el_deg:.2f}{moved}  "
+    return "was moving when last heard  " if view.moving else ""
 
 
 def _held(view: View) -> str:
@@ -242,10 +241,7 @@ def next_steps(view: View) -> list[tuple[str, str]]:
         ]
     if state.fault is not None:
         return [
-            ("fault-strong", state.fault.what),
-            ("text", state.fault.meaning),
-            ("text", state.fault.remedy),
-            ("dim", "Enter acknowledges it. birdcage sends no motion until then."),
+            ("text", "birdcage sends no motion until you acknowledge the fault: Enter."),
         ]
     if link in (Link.CLOSED, Link.OPENING):
         return [
@@ -257,10 +253,8 @@ def next_steps(view: View) -> list[tuple[str, str]]:
     if link in (Link.LOST, Link.SILENT):
         back = "birdcage looks for the port again by itself." if link is Link.LOST else "birdcage asks again by itself."
         return [
-            ("warn-strong", "The adapter is gone." if link is Link.LOST else "The port is open, the dish is silent."),
             *_unconfirmed_stop(view),
-            ("text", state.link.detail or back),
-            ("dim", f"Check the cable, then the dish's {power_switch(view).removesuffix(' switch')}. {back}"),
+            ("text", f"Check the cable, then the dish's {power_switch(view).removesuffix(' switch')}. {back}"),
             ("dim", "It stays held until you press Enter." if state.held else "birdcage sends no motion meanwhile."),
         ]
     steps = [_doing(view)]

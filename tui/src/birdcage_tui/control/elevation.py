@@ -115,8 +115,8 @@ class ElevationPane(Pane):
             draw_needle(canvas, *quarter.hub, 90.0 - position.el_deg, quarter.radius * 0.88, 0.0, ink,
                         hollow=position.modelled, dot_aspect=quarter.dot_aspect)  # fmt: skip
         canvas.onto(cells, 0, 0)
-        self._labels(cells, quarter, view)
         self._limits(cells, quarter, view)
+        self._labels(cells, quarter, view)
         if state.motion is not None and state.motion.to_skew_deg is None and view.link_up:
             cells.put(*quarter.cell(state.motion.to_el_deg, 0.9), "+", "accent-strong")
         if target is not None:
@@ -186,7 +186,8 @@ class ElevationPane(Pane):
                 x, y = quarter.cell(el_deg, 1 + 4 / quarter.radius)
                 text = f"{el_deg}"
                 x = min(x + 1, cells.width - len(text)) if el_deg < 90 else max(x - 1, 0)
-                if cells.free(max(x - 1, 0), y, len(text) + 1):
+                left, right = max(x - 1, 0), min(x + len(text) + 2, cells.width)
+                if cells.free(left, y, right - left, *QUIET):
                     cells.put(x, y, text, "dim")
 
     @staticmethod

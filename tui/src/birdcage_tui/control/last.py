@@ -6,6 +6,7 @@ from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import cut, wrap
 from birdcage_tui.commands.table import can_move
 from birdcage_tui.pane import Pane
+from birdcage_tui.panes.sky_next import draw_next, next_rows
 from birdcage_tui.stop_words import esc_text
 from birdcage_tui.view import View
 
@@ -40,6 +41,10 @@ def _hint(view: View) -> str:
     return f"Arrows or hjkl step {view.step_deg:g}°, g goes to a direction, Tab moves to the digits."
 
 
+TALL = 14
+"""Rows from which the next passes stand under what was done."""
+
+
 class LogPane(Pane):
     """What the commands before that one did, the latest first."""
 
@@ -53,11 +58,27 @@ class LogPane(Pane):
         if not earlier:
             for y, row in enumerate(wrap(EMPTY, max(cells.width - 2, 10))):
                 cells.put(1, y, row, "dim")
+        bottom = self._passes(cells, view)
         y = 0
         for told in reversed(earlier):
+            if y >= bottom:
+                return
             cells.put(1, y, f"{told.utc:%H:%M:%S}Z", "dim")
             for row in wrap(told.words, max(cells.width - TIME - 2, 10)):
-                cells.put(1 + TIME, y, row, "text")
+                if y < bottom:
+                    cells.put(1 + TIME, y, row, "text")
                 y += 1
-            if y >= cells.height:
+            if y >= bottom:
                 return
+
+    def _passes(self, cells: Cells, view: View) -> int:
+        """Write at the bottom of a tall pane what comes into reach next; return the row where it begins."""
+        passes = next_rows(view)[: cells.height // 2 - 2] if cells.height >= TALL else []
+        if not passes:
+            return cells.height
+        top = cells.height - len(passes) - 1
+        cells.put(1, top, "Next in reach", "dim")
+        for y, row in enumerate(passes, top + 1):
+            draw_next(cells, y, row, view.utc.timestamp())
+            self.heat(0, y, cells.width, "page-passes")
+        return top - 1

@@ -9,6 +9,9 @@ from birdcage_tui.panes.sky_next import draw_next, next_rows, troubled
 from birdcage_tui.view import View
 from birdcage_tui.words import next_steps
 
+FOR_WORDS = 9
+"""Rows of a tall pane that the sentences keep; the others are for passes."""
+
 
 def _wrapped(words: str, width: int) -> list[str]:
     """Return rows no wider than `width`; a number keeps its unit."""
@@ -30,7 +33,7 @@ class NextPane(Pane):
         rows = sum(len(lines) for _, lines in steps)
         passes = next_rows(view)
         spare = cells.height - (rows if troubled(view) else len(steps[0][1]))
-        kept = max(min(len(passes), spare, max(cells.height // 2, 2)), 0)
+        kept = max(min(len(passes), spare, max(cells.height // 2, cells.height - FOR_WORDS, 2)), 0)
         height = cells.height - kept
         air = 1 if height >= rows + len(steps) - 1 + bool(kept) else 0
         y = 0

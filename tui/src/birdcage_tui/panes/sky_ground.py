@@ -32,6 +32,7 @@ def sky_titles(name: str) -> tuple[str, ...]:
     return (
         f"{name}  N up, E right  ▨ cannot reach  {STOP_SIGN} cable stop",
         f"{name}  ▨ cannot reach  {STOP_SIGN} cable stop",
+        f"{name}  N up, E right  ▨ cannot reach",
         f"{name}  ▨ cannot reach  {STOP_SIGN} stop",
         f"{name}  ▨ cannot reach",
     )

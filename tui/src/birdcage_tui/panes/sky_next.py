@@ -13,7 +13,9 @@ from birdcage_tui.view import View
 if TYPE_CHECKING:
     from birdcage_tui.passes.model import Row
 
-MOST = 8
+MOST = 40
+WITH_AZIMUTHS = 76
+"""Columns from which a row tells where the satellite rises and sets."""
 
 
 def troubled(view: View) -> bool:
@@ -46,6 +48,8 @@ def draw_next(cells: Cells, y: int, row: Row, now_s: float) -> None:
     cells.right(13, y, count_text(event[0] - now_s), "target" if inside else "text")
     length = length_text(row.reach_s)
     tail = f"{row.max_el_deg:3.0f}°  {length:>4}" + (" in reach" if cells.width >= 46 else "")
+    if cells.width >= WITH_AZIMUTHS:
+        tail = f"{row.aos_az_deg:3.0f}° to {row.los_az_deg:3.0f}°   max {tail}"
     room = cells.width - 15 - len(tail) - 2
     cells.put(15, y, fit(row.name, room), "target-strong" if inside else "text")
     cells.right(cells.width - 1, y, tail, "dim")

@@ -21,6 +21,8 @@ ROOMY = 110
 SCALES_S = (30.0, 60.0, 120.0, 180.0, 300.0, 600.0)
 """Seconds a column, at choice."""
 TICKS_S = (900.0, 1800.0, 3600.0, 7200.0, 14400.0, 28800.0)
+WITH_OTHERS = 9
+"""Rows from which those that no favourite needs show what else comes into reach."""
 HOURS = 6.0
 """What it shows at least, where a scale does so."""
 BEHIND = 0.06
@@ -80,7 +82,8 @@ class Timeline(Pane):
         """Return the rows: favourites; where there are none, satellites whose passes come next in reach."""
         sky, chosen = self._desk.sky(view), self._desk.chosen(view)
         any_favourite = any(row.favourite for row in sky.rows)
-        title = "Timeline of favourites" if any_favourite else "Timeline of next passes   * marks a favourite"
+        title = "Timeline of favourites, then of what comes next" if room >= WITH_OTHERS else "Timeline of favourites"
+        title = title if any_favourite else "Timeline of next passes   * marks a favourite"
         if title != self.border_title:
             self.border_title = title
         lanes: dict[tuple[int, str], list[Row]] = {}
@@ -89,13 +92,15 @@ class Timeline(Pane):
             key = (row.norad_id, row.name)
             if row.los_s < self._start_s or row.aos_s > end_s:
                 continue
-            wanted = row.favourite if any_favourite else row.reach_s > 0
+            wanted = row.favourite or (row.reach_s > 0 and (room >= WITH_OTHERS or not any_favourite))
             if key in lanes or wanted or (chosen is not None and key == (chosen.norad_id, chosen.name)):
                 lanes.setdefault(key, []).append(row)
         own = None if chosen is None else (chosen.norad_id, chosen.name)
         keys = [key for key in lanes if key != own]
         if any_favourite:
-            keys.sort(key=lambda key: key[1].casefold())
+            keys.sort(
+                key=lambda key: (not lanes[key][0].favourite, key[1].casefold() if lanes[key][0].favourite else "")
+            )
         if own in lanes and own is not None:
             keys.insert(0, own)  # the chosen one is always seen
         return [(key[1], lanes[key], lanes[key][0].favourite) for key in keys[:room]]

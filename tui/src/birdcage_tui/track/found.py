@@ -8,12 +8,14 @@ from typing import cast
 from textual import events
 
 from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import fit, wrap
+from birdcage_tui.cell_text import cell_len, fit, wrap
 from birdcage_tui.host import Host
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
 
 MOST_UP = 40
+DETAIL = 26
+"""Columns that are kept for what is told of a target; a longer name takes up to three fifths of a row."""
 EMPTY = "Searching …"
 
 
@@ -93,7 +95,7 @@ class FoundList(Pane):
         above, chosen = self._note(cells, view), self._here(view)
         room = max(cells.height - above, 1)
         self._top = max(min(self._top, self.cursor, len(rows) - room), self.cursor - room + 1, 0)
-        width = min(max(cells.width - 26, 12), 28)
+        width = min(max(cells.width - DETAIL, cells.width * 3 // 5, 12), max(cell_len(row.name) for row in rows))
         for y, row in enumerate(rows[self._top : self._top + room], above):
             here = self._top + y - above == chosen
             ink = "accent-row" if here else "text"
