@@ -7,6 +7,7 @@ from html import escape
 from itertools import groupby
 from typing import TYPE_CHECKING
 
+from birdcage_tui.cell_text import pieces as pieces_of
 from marks import HIGH, WIDE, mark
 
 if TYPE_CHECKING:
@@ -14,6 +15,8 @@ if TYPE_CHECKING:
 
 FONT = "'IBM Plex Mono', Menlo, Consolas, monospace"
 FONT_SIZE = WIDE / 0.6
+CELL_ASPECT = HIGH / WIDE
+"""What a terminal would tell of its characters: circles are round in pictures too."""
 MARGIN = 14
 _ARMS = {"─": "LR", "━": "LR", "│": "UD", "├": "UDR", "┤": "UDL", "┬": "LRD", "┴": "LRU", "┼": "LRUD"}
 _ARMS |= {"┌": "RD", "┐": "LD", "└": "RU", "┘": "LU", "╶": "R", "╴": "L", "╷": "D", "╵": "U"}
@@ -44,7 +47,7 @@ def _shape(char: str, x: float, y: float, ink: str) -> str | None:
         bend = by + (HIGH / 2 - by) * 0.52
         path = f"M{x + ax} {y + ay}Q{middle[0]} {middle[1]} {x + bx} {y + bend}L{x + bx} {y + by}"
         return f'<path d="{path}" {stroke}/>'
-    if "\u2800" <= char <= "\u28ff":
+    if "\u2800" <= char[:1] <= "\u28ff":
         bits = ord(char) - 0x2800
         return "".join(
             f'<circle cx="{x + WIDE * (0.25 + 0.5 * column):g}" cy="{y + HIGH * (0.125 + 0.25 * row):g}" '
@@ -55,11 +58,16 @@ def _shape(char: str, x: float, y: float, ink: str) -> str | None:
     return mark(char, x, y, ink)
 
 
+def _by_cell(text: str) -> list[str]:
+    """Return what stands in each cell: nothing in the second one of a wide sign."""
+    return [each for piece, width in pieces_of(text) for each in (piece, "")[:width]]
+
+
 def svg(rows: Sequence[Iterable[tuple[str, Style | None]]], ground: str) -> str:
     """Return the picture of `rows`, each a sequence of texts with their styles."""
     backs, shapes, texts, width = [], [], [], 0
     for row, pieces in enumerate(rows):
-        cells = [(char, *_colours(style, ground)) for text, style in pieces for char in text]
+        cells = [(char, *_colours(style, ground)) for text, style in pieces for char in _by_cell(text)]
         width, y = max(width, len(cells)), row * HIGH
         x = 0
         for back, group in groupby(cells, key=lambda cell: cell[2]):
@@ -74,7 +82,7 @@ def svg(rows: Sequence[Iterable[tuple[str, Style | None]]], ground: str) -> str:
                 weight = ' font-weight="bold"' if look[1] else ""
                 texts.append(
                     f'<text x="{start * WIDE}" y="{y + HIGH * 0.74:g}" fill="{look[0]}"{weight} '
-                    f'textLength="{len(word) * WIDE}">{escape(word)}</text>'
+                    f'textLength="{(column - start) * WIDE}">{escape(word)}</text>'
                 )
                 word = ""
             if shape is not None:

@@ -36,7 +36,7 @@ async def shown(
     import track_stand_in
 
     made = track_stand_in.app_in if name in track_stand_in.SCENES else stand_in.app_in
-    app = made(name, theme=theme, glyphs=glyphs, sky=sky_stand_in.make())
+    app = made(name, theme=theme, glyphs=glyphs, sky=sky_stand_in.make(), cell_aspect=picture.CELL_ASPECT)
     async with app.run_test(size=size) as pilot:
         await pilot.pause()
         if keys:

@@ -118,6 +118,7 @@ async def demo(
         session.start = lambda: None  # stepped here instead of running on its thread
         settings = AppSettings(
             theme=theme,
+            cell_aspect=picture.CELL_ASPECT,
             place=DEMO_PLACE,
             tour=tour,
             presets_file=paths.presets_file,

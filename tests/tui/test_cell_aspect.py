@@ -10,6 +10,7 @@ from birdcage_tui.control.compass import Compass
 from birdcage_tui.control.elevation import Quarter
 from birdcage_tui.panes.polar import Polar
 from birdcage_tui.panes.sky import SkyPane
+from birdcage_tui.skew import SkewPane
 from birdcage_tui.terminal_cells import CellAnswers, window_aspect
 from stage import run
 
@@ -51,6 +52,19 @@ def test_the_arc_of_elevation_is_a_quarter_of_a_circle(aspect):
     quarter = Quarter(40, 20, aspect=aspect)
     (x0, y0), (right, _), (_, top) = quarter.hub, quarter.dot(0.0), quarter.dot(90.0)
     assert (right - x0) / 2 == pytest.approx((y0 - top) / 4 * aspect)
+
+
+@pytest.mark.parametrize("aspect", ASPECTS)
+def test_the_arc_of_the_skew_is_half_a_circle(aspect):
+    async def shape(app, _pilot):
+        cells = app.query_one(SkewPane)._cells
+        spots = [(x, y) for y, row in enumerate(cells._chars) for x, char in enumerate(row)
+                 if "\u2801" <= char <= "\u28ff" and cells._inks[y][x] == "dim"]  # fmt: skip
+        across, along = ([spot[axis] for spot in spots] for axis in (0, 1))
+        return max(across) - min(across), (max(along) - min(along)) * aspect
+
+    width, height = run(shape, "travler", (240, 70), heard=False, cell_aspect=aspect)
+    assert abs(width / 2 - height) <= 2 * aspect
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="needs a pty")

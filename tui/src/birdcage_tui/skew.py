@@ -155,12 +155,13 @@ def draw_arc(cells: Cells, x: int, y: int, width: int, height: int, view: View) 
     """Draw the range as an arc, its low end at the left. From which side the dish is seen is not told by any source."""
     low, high = skew_limits(view)
     canvas = Braille(width, height)
-    radius = max(4.0, min(width - 12.0, height * 4 - 6.0))
+    tall = view.settings.cell_aspect / 2.0
+    radius = max(4.0, min(width - 12.0, (height * 4 - 6.0) * tall))
     hub_x, hub_y = float(width), height * 4 - 3.0
 
     def dot(angle_deg: float, part: float = 1.0) -> tuple[float, float]:
         turn = math.radians(180.0 * (high - angle_deg) / (high - low))
-        return hub_x + radius * part * math.cos(turn), hub_y - radius * part * math.sin(turn)
+        return hub_x + radius * part * math.cos(turn), hub_y - radius * part * math.sin(turn) / tall
 
     def cell(angle_deg: float, part: float = 1.0) -> tuple[int, int]:
         at_x, at_y = dot(angle_deg, part)
@@ -178,7 +179,7 @@ def draw_arc(cells: Cells, x: int, y: int, width: int, height: int, view: View) 
         modelled = view.state.position is not None and view.state.position.modelled
         share = (here - low) / (high - low)
         draw_needle(canvas, hub_x, hub_y, 180.0 * share - 90.0, radius * 0.8, 0.0,
-                    "dim" if view.stale else "accent", hollow=modelled)  # fmt: skip
+                    "dim" if view.stale else "accent", hollow=modelled, dot_aspect=tall)  # fmt: skip
     canvas.onto(cells, x, y)
     for angle_deg in (low, high):
         at_x, at_y = cell(angle_deg)
