@@ -7,6 +7,7 @@ from collections.abc import Callable
 from concurrent.futures import Future
 from functools import partial
 
+from birdcage.base.errors import BirdcageError
 from birdcage.base.signals import STATUS
 from birdcage.station.requests import (
     AcceptLimits,
@@ -272,7 +273,7 @@ class BirdcageApp(Shell):
     def show_palette(self) -> None:
         """Show every command by its name."""
         if not isinstance(self.screen, Palette):
-            self.push_screen(Palette(id=Palette.ID))
+            self.push_screen(Palette())
 
     def show_jump(self) -> None:
         """Put a letter on everything that can be reached; go to the one that is chosen."""
@@ -289,9 +290,14 @@ class BirdcageApp(Shell):
         self.push_screen(JumpScreen(targets(self.screen_stack[0])), chosen)
 
     def next_theme(self) -> None:
-        """Change to the next look."""
+        """Change to the next look, and keep it for the next start."""
         names = list(LOOKS)
         self.theme = names[(names.index(self.theme) + 1) % len(names)] if self.theme in names else names[0]
+        if self.settings.keep_theme is not None:
+            try:
+                self.settings.keep_theme(self.theme)
+            except BirdcageError as wrong:
+                self.say(f"The theme was not saved. {wrong}")
 
     def begin_anew(self) -> None:
         """End, and begin again with the settings as they are then: the dish is another one than was thought."""

@@ -1,33 +1,45 @@
-"""The palette, made from the table of commands. It leaves row 1 alive, as the dialogs do."""
+"""The palette, made from the table of commands: one line an entry, what cannot be done now last, with its reason."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import partial
 from typing import cast
 
-from textual import events
 from textual.app import ComposeResult
 from textual.command import CommandList, CommandPalette, DiscoveryHit, Hit, Hits, Provider
+from textual.containers import Vertical
+from textual.content import Content
 
-from birdcage_tui.commands import COMMANDS, Command
+from birdcage_tui.commands import COMMANDS, PAGES, Command, in_force
+from birdcage_tui.dialogs import Dialog
 from birdcage_tui.host import Host
-from birdcage_tui.layer import Layer
 from birdcage_tui.status import TopRow
 
+KEY_WIDTH = 8
+"""Columns of a key, right-aligned."""
+REFUSED = 1e-3
+"""Factor on the score of what cannot be done now: it comes after all that can."""
 
-class Palette(CommandPalette, Layer[None]):
-    """Textual's palette under row 1: status and the mouse's STOP are never covered."""
+
+class Palette(CommandPalette, Dialog[None]):
+    """Textual's palette in the frame of our dialogs, under row 1: status and the mouse's STOP are never covered."""
 
     ID = "--command-palette"
     """Textual looks for it, to open no second one."""
+    KEYS = "Enter runs it"
+
+    def __init__(self) -> None:
+        super().__init__(placeholder="Type part of a command", id=self.ID)
 
     def compose(self) -> ComposeResult:
         """Row 1, then what Textual has."""
         yield TopRow()
         yield from super().compose()
 
-    def on_mount(self, _: events.Mount) -> None:
-        """Fill row 1, and let the footer know that one types, once the field has the focus."""
+    def on_mount(self) -> None:
+        """Name the frame; fill row 1, and let the footer know that one types, once the field has the focus."""
+        self.query_one(Vertical).border_title = "All commands"
         self.call_after_refresh(cast(Host, self.app).paint)
 
     def _action_command_list(self, action: str) -> None:
@@ -36,12 +48,14 @@ class Palette(CommandPalette, Layer[None]):
             super()._action_command_list(action)
 
 
-class CommandProvider(Provider):
-    """Every command by its title; what cannot be done now stays in the list and says why."""
+def page_of(command: Command) -> str:
+    """Return the title of the page on which the command holds; empty for one that holds everywhere."""
+    where = command.page or (command.where[0] if command.where else "")
+    return next((title for name, title, _ in PAGES if name == where), "")
 
-    def _line(self, command: Command) -> str:
-        reason = command.refused(cast(Host, self.app).view())
-        return f"{command.shown}  {command.help}" + ("" if reason is None else f" Not now: {reason}")
+
+class CommandProvider(Provider):
+    """Every command by its title, the nearest first."""
 
     _chosen = False
 
@@ -51,15 +65,35 @@ class CommandProvider(Provider):
             self._chosen = True
             cast(Host, self.app).action_command(command.name)
 
+    def _commands(self) -> Iterator[tuple[Command, bool, str | None]]:
+        """Yield each command, whether it holds here, and why it cannot be done now: first what can, and holds here."""
+        view = cast(Host, self.app).view()
+        here = in_force(view.scopes)
+        found = [(command, command in here, command.refused(view)) for command in (*here, *COMMANDS)]
+        known = {entry[0].name: entry for entry in reversed(found)}
+        yield from sorted((known[name] for name in dict.fromkeys(entry[0].name for entry in found)),
+                          key=lambda entry: (entry[2] is not None, not entry[1]))  # fmt: skip
+
+    def _line(self, title: Content, command: Command, *, here: bool, reason: str | None) -> Content:
+        """Return key, title and help, or the reason, in one line; only what can be done now is bold."""
+        page = "" if here else page_of(command)
+        bold = "bold" if reason is None else ""
+        head = Content.assemble((f"{command.shown:>{KEY_WIDTH}}  ", bold), title.stylize_before(bold))
+        words = f"Not now: {reason}" if reason is not None else command.help
+        return Content.assemble(head, f" ({page})" if page else "", f"  {words}")
+
     async def discover(self) -> Hits:
         """Yield all, before anything is typed."""
-        for command in COMMANDS:
-            yield DiscoveryHit(command.title, partial(self._do, command), help=self._line(command))
+        for command, here, reason in self._commands():
+            line = self._line(Content(command.title), command, here=here, reason=reason)
+            yield DiscoveryHit(line, partial(self._do, command), text=command.title)
 
     async def search(self, query: str) -> Hits:
         """Yield what matches."""
         matcher = self.matcher(query)
-        for command in COMMANDS:
+        for command, here, reason in self._commands():
             score = matcher.match(f"{command.title} {command.name}")
             if score > 0:
-                yield Hit(score, matcher.highlight(command.title), partial(self._do, command), help=self._line(command))
+                line = self._line(matcher.highlight(command.title), command, here=here, reason=reason)
+                score *= 1.0 if reason is None else REFUSED
+                yield Hit(score, line, partial(self._do, command), text=command.title)

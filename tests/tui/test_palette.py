@@ -1,0 +1,49 @@
+"""The palette: our frame, one line an entry with its key, and what cannot be done now last, with its reason."""
+
+from __future__ import annotations
+
+import pytest
+from birdcage_tui.commands import BY_NAME, COMMANDS
+from stage import run
+from stand_in import text_of
+from textual.command import CommandList
+
+
+def entries(*keys, name="idle", size=(120, 36)):
+    """What the palette lists, in its order, and the screen."""
+
+    async def body(app, pilot):
+        await pilot.press("colon", *keys)
+        await pilot.pause(0.5)
+        rows = app.screen.query_one(CommandList)
+        return [str(rows.get_option_at_index(index).prompt) for index in range(rows.option_count)], text_of(app)
+
+    return run(body, name, size=size)
+
+
+def test_each_command_has_one_line_that_begins_with_its_key():
+    lines, _ = entries()
+    assert len(lines) == len(COMMANDS)
+    assert not [line for line in lines if "\n" in line]
+    stop = BY_NAME["stop"]
+    assert lines[0] == f"   Space  {stop.title}  {stop.help}"
+    assert "     m  Mark the horizon (Control)  Not now: " in "\n".join(lines)
+
+
+@pytest.mark.parametrize("keys", [(), ("h", "o", "m")])
+def test_what_cannot_be_done_now_is_last_with_its_reason(keys):
+    lines, _ = entries(*keys, name="held")
+    refused = ["Not now: " in line for line in lines]
+    assert any(refused)
+    assert not all(refused)
+    assert refused == sorted(refused), lines
+    assert any(line.endswith("Home the dish …  Not now: STOP is latched. Enter releases it.") for line in lines)
+
+
+@pytest.mark.parametrize("size", [(80, 24), (120, 36), (40, 12)])
+def test_it_stands_in_our_frame_under_row_1(size):
+    _, text = entries(size=size)
+    rows = text.splitlines()
+    assert "STOP" in rows[0]
+    assert any("╭─ All commands ─" in row for row in rows)
+    assert "🔎" not in text
