@@ -13,6 +13,7 @@ from uuid import uuid4
 
 from birdcage.base.clock import Clock, RealClock, ScaledClock
 from birdcage.base.config import Settings, load
+from birdcage.base.config.edit import edit
 from birdcage.base.errors import BirdcageError
 from birdcage.base.log_output import LogOutput
 from birdcage.base.paths import Paths, throw_away_paths
@@ -280,6 +281,7 @@ def _app_settings(settings: Settings, paths: Paths, *, demo: bool) -> AppSetting
     chosen = "app.glyphs" in settings.sources
     return AppSettings(
         theme=settings.app.theme,
+        keep_theme=lambda name: edit(paths.config_file, {"app.theme": name}),
         place=here,
         tour=demo,
         notice=notice,

@@ -47,6 +47,8 @@ class AppSettings:
     """The app's own settings, from flags and `birdcage.toml`."""
 
     theme: str = "dusk"
+    keep_theme: Callable[[str], None] | None = field(default=None, compare=False)
+    """Keeps the theme that a person has picked for the next start; ConfigError says why not. None: nowhere."""
     place: Place | None = None
     """None while the user has not told it: then no geostationary arc is drawn."""
     tour: bool = False
