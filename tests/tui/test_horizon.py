@@ -54,7 +54,7 @@ def test_where_the_dish_points_becomes_a_point_and_is_told_in_words(size):
 
     file = File(HorizonMask([(10, 4), (20, 5)]))
     text, mask, asked = run(mark, size=size, file=file)
-    assert "Horizon 42.9° at 189.2° recorded, 3 points." in text.splitlines()[-2]
+    assert "Horizon 42.9° at 189.2° saved, 3 points." in text.splitlines()[-2]
     assert mask == file.mask == HorizonMask([(10, 4), (20, 5), (189.16, 42.87)])
     assert asked == []
 
@@ -75,10 +75,10 @@ def test_one_point_hides_nothing_and_says_so():
     [
         ("lost", {}, "does not answer"),
         ("not-homed", {}, "position is unknown"),
-        ("slewing", {}, "moves"),
-        ("travler-slew", {}, "computed and was not read"),
-        ("late", {}, "was read 2 s ago"),
-        ("idle", {"activity": Activity.UNKNOWN, "activity_text": RAW_COMMAND}, "moves, or may"),
+        ("slewing", {}, "moving"),
+        ("travler-slew", {}, "only modelled"),
+        ("late", {}, "is 2 s old"),
+        ("idle", {"activity": Activity.UNKNOWN, "activity_text": RAW_COMMAND}, "moving or may move"),
     ],
 )
 def test_only_what_was_just_read_at_rest_is_a_point(name, change, says):
@@ -99,7 +99,7 @@ def test_a_dish_that_leans_back_marks_nothing():
         app.station.state = replace(app.station.state, position=position)
         return can_mark(app.view())
 
-    assert "leans back" in run(reason)
+    assert "beyond the zenith" in run(reason)
 
 
 def test_each_rest_after_a_jog_is_a_point_while_recording():
@@ -162,7 +162,7 @@ def test_a_point_is_typed_and_a_wrong_one_says_why():
     file = File()
     wrong, text = run(enter, file=file)
     assert "Type two numbers in degrees" in wrong
-    assert "Horizon 12.3° at 231.0° recorded, 5 points." in text
+    assert "Horizon 12.3° at 231.0° saved, 5 points." in text
     assert (231.0, 12.3) in file.mask.points
 
 

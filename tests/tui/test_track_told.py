@@ -142,7 +142,7 @@ def test_passes_autotrack_and_radio_can_be_seen_at_every_size(size):
 def test_the_network_tab_says_what_there_is_and_what_there_is_not():
     for size in SIZES:
         text = run(read, size=size, keys=("f2", "N"))
-        for words in ("tracker", "birdcage stop", "birdcage track", "rotctld", "version has none"):
+        for words in ("tracker", "birdcage stop", "birdcage track", "rotctld", "Not in this version"):
             assert words in text
 
 
@@ -197,7 +197,7 @@ def test_help_says_what_the_tab_is_for():
         return str(app.screen.query_one("OptionList").get_option_at_index(0).prompt)
 
     assert "Track a target." in run(ask)
-    assert "Who has control" in run(ask, keys=("f2", "N"))
+    assert "Who controls" in run(ask, keys=("f2", "N"))
 
 
 def test_following_draws_when_the_dish_was_looked_at_and_not_between():

@@ -5,7 +5,7 @@ from __future__ import annotations
 from birdcage.pursuit.now import Scheduled
 
 from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import fit, pad, wrap
+from birdcage_tui.cell_text import cut, fit, pad, wrap
 from birdcage_tui.pane import Pane
 from birdcage_tui.passes.words import clock_text, length_text
 from birdcage_tui.view import View
@@ -69,4 +69,4 @@ class SchedulePane(Pane):
         name = fit(row.name.removeprefix("DEMO "), room)  # row 1 says that it is the demo
         ink = "target" if row.kept else "dim"
         x = cells.put(x, y, f"{pad(name, room)} {row.max_reach_elevation_deg:3.0f}°  ", ink)
-        cells.put(x, y, fit(row.why, max(cells.width - x, 1)), "dim")
+        cells.put(x, y, cut(row.why, max(cells.width - x, 1)), "dim")
