@@ -1,7 +1,7 @@
 """Take every picture of the README from the demo, each time the same: `capture_screenshots.py [--check] [NAME ...]`.
 
-Writes SVG and PNG into `screenshots/`; with `--check` writes nothing, and fails where the committed SVG is another. A
-scene in which what must be readable is not fails, too.
+Writes SVG and PNG into `screenshots/`, of the one that moves only SVG. `--check` writes nothing, and fails where the
+committed SVG is another. A scene in which what must be readable is not fails, too.
 """
 
 from __future__ import annotations
@@ -12,9 +12,11 @@ import re
 import sys
 from pathlib import Path
 
+import moving
 import picture
 import scenes
 import stage
+from birdcage_tui.themes import LOOKS
 
 FOLDER = Path(__file__).resolve().parents[1] / "screenshots"
 GAP = 24
@@ -24,11 +26,33 @@ async def take(scene: scenes.Scene) -> str:
     """Play a scene and return its picture."""
     async with stage.demo(scene.size, scene.theme, tour=scene.tour) as on:
         await scene.play(on)
-        text = on.text()
-        missing = [words for words in scene.seen if words not in text]
-        if missing:
-            sys.exit(f"{scene.name}: {', '.join(missing)} cannot be read in this picture:\n{text}")
+        must_read(scene.name, scene.seen, on.text())
         return on.svg()
+
+
+async def take_frames(scene: scenes.MovingScene) -> list[stage.Rows]:
+    """Play a scene that moves and return its screens."""
+    async with stage.demo(scene.size, scene.theme, tour=True) as on:
+        await scene.begin(on)
+        screens = []
+        for _ in range(scene.frames):
+            must_read(scene.name, scene.seen, on.text())
+            screens.append(stage.rows_of(on.app))
+            await on.wait(scene.every_s)
+        return screens
+
+
+def must_read(name: str, seen: tuple[str, ...], text: str) -> None:
+    """End the program where something that must be readable is not."""
+    missing = [words for words in seen if words not in text]
+    if missing:
+        sys.exit(f"{name}: {', '.join(missing)} cannot be read in this picture:\n{text}")
+
+
+def take_moving(scene: scenes.MovingScene) -> str:
+    """Return the picture that moves."""
+    screens = asyncio.run(take_frames(scene))
+    return moving.moving(screens, LOOKS[scene.theme].ground, scene.shown_s)
 
 
 def size_of(svg: str) -> tuple[int, int]:
@@ -57,9 +81,12 @@ def collage(svgs: list[str]) -> str:
 
 
 def write(name: str, svg: str) -> None:
-    """Write both forms."""
+    """Write both forms; what moves does so in one of them only."""
     FOLDER.mkdir(exist_ok=True)
     FOLDER.joinpath(f"{name}.svg").write_text(svg)
+    if name == scenes.MOVING.name:
+        print(f"{name}: {len(svg) // 1024} kB")
+        return
     pixels = picture.png(svg)
     FOLDER.joinpath(f"{name}.png").write_bytes(pixels)
     print(f"{name}: {len(pixels) // 1024} kB")
@@ -68,17 +95,20 @@ def write(name: str, svg: str) -> None:
 def is_stale(name: str, svg: str) -> bool:
     """Say whether the committed picture is missing or another than the one just taken."""
     file = FOLDER / f"{name}.svg"
-    return not file.with_suffix(".png").exists() or not file.exists() or file.read_text() != svg
+    has_both = name == scenes.MOVING.name or file.with_suffix(".png").exists()
+    return not has_both or not file.exists() or file.read_text() != svg
 
 
 def main() -> None:
     parse = argparse.ArgumentParser(description=__doc__)
-    names = [scene.name for scene in scenes.SCENES]
+    names = [scenes.MOVING.name, *(scene.name for scene in scenes.SCENES)]
     parse.add_argument("--check", action="store_true", help="write nothing; fail where a committed picture is stale")
     parse.add_argument("names", nargs="*", help=", ".join(names))
     options = parse.parse_args()
     wanted = options.names or names
     taken = {scene.name: asyncio.run(take(scene)) for scene in scenes.SCENES if scene.name in wanted}
+    if scenes.MOVING.name in wanted:
+        taken[scenes.MOVING.name] = take_moving(scenes.MOVING)
     if set(scenes.COLLAGE) <= set(taken):
         taken["tui-collage"] = collage([taken[name] for name in scenes.COLLAGE])
     if options.check:

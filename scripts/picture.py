@@ -63,46 +63,63 @@ def _by_cell(text: str) -> list[str]:
     return [each for piece, width in pieces_of(text) for each in (piece, "")[:width]]
 
 
-def svg(rows: Sequence[Iterable[tuple[str, Style | None]]], ground: str) -> str:
-    """Return the picture of `rows`, each a sequence of texts with their styles."""
-    backs, shapes, texts, width = [], [], [], 0
-    for row, pieces in enumerate(rows):
-        cells = [(char, *_colours(style, ground)) for text, style in pieces for char in _by_cell(text)]
-        width, y = max(width, len(cells)), row * HIGH
-        x = 0
-        for back, group in groupby(cells, key=lambda cell: cell[2]):
-            count = len(list(group))
-            if back != ground:
-                backs.append(f'<rect x="{x * WIDE}" y="{y}" width="{count * WIDE}" height="{HIGH}" fill="{back}"/>')
-            x += count
-        word, start, look = "", 0, ("", False)
-        for column, (char, ink, _, bold) in enumerate([*cells, (" ", "", "", False)]):
-            shape = None if char == " " else _shape(char, column * WIDE, y, ink)
-            if word and (char == " " or shape is not None or (ink, bold) != look):
-                weight = ' font-weight="bold"' if look[1] else ""
-                texts.append(
-                    f'<text x="{start * WIDE}" y="{y + HIGH * 0.74:g}" fill="{look[0]}"{weight} '
-                    f'textLength="{(column - start) * WIDE}">{escape(word)}</text>'
-                )
-                word = ""
-            if shape is not None:
-                shapes.append(shape)
-            elif char != " ":
-                if not word:
-                    start, look = column, (ink, bold)
-                word += char
-    wide, high = width * WIDE + 2 * MARGIN, len(rows) * HIGH + 2 * MARGIN
+Cell = tuple[str, str, str, bool]
+"""A character (none in the second cell of a wide one), its ink, its ground, and whether it is bold."""
+
+
+def cells_of(pieces: Iterable[tuple[str, Style | None]], ground: str) -> list[Cell]:
+    """Return a row of texts with their styles cell by cell."""
+    return [(char, *_colours(style, ground)) for text, style in pieces for char in _by_cell(text)]
+
+
+def draw_row(row: int, cells: Sequence[Cell], ground: str) -> tuple[list[str], list[str], list[str]]:
+    """Return what lies behind a row, its shapes and its texts; spaces on `ground` are nothing."""
+    backs, shapes, texts, y = [], [], [], row * HIGH
+    x = 0
+    for back, group in groupby(cells, key=lambda cell: cell[2]):
+        count = len(list(group))
+        if back != ground:
+            backs.append(f'<rect x="{x * WIDE}" y="{y}" width="{count * WIDE}" height="{HIGH}" fill="{back}"/>')
+        x += count
+    word, start, look = "", 0, ("", False)
+    for column, (char, ink, _, bold) in enumerate([*cells, (" ", "", "", False)]):
+        shape = None if char == " " else _shape(char, column * WIDE, y, ink)
+        if word and (char == " " or shape is not None or (ink, bold) != look):
+            weight = ' font-weight="bold"' if look[1] else ""
+            texts.append(
+                f'<text x="{start * WIDE}" y="{y + HIGH * 0.74:g}" fill="{look[0]}"{weight} '
+                f'textLength="{(column - start) * WIDE}">{escape(word)}</text>'
+            )
+            word = ""
+        if shape is not None:
+            shapes.append(shape)
+        elif char != " ":
+            if not word:
+                start, look = column, (ink, bold)
+            word += char
+    return backs, shapes, texts
+
+
+def frame(width: int, height: int, ground: str, inside: Iterable[str]) -> str:
+    """Return a picture of `width` x `height` cells around what is drawn inside."""
+    wide, high = width * WIDE + 2 * MARGIN, height * HIGH + 2 * MARGIN
     return "\n".join(
         (
             f'<svg xmlns="http://www.w3.org/2000/svg" width="{wide}" height="{high}" viewBox="0 0 {wide} {high}">',
             f'<rect width="100%" height="100%" rx="8" fill="{ground}"/>',
             f'<g transform="translate({MARGIN} {MARGIN})" font-family="{FONT}" font-size="{FONT_SIZE:.3f}">',
-            *backs,
-            *shapes,
-            *texts,
+            *inside,
             "</g></svg>\n",
         )
     )
+
+
+def svg(rows: Sequence[Iterable[tuple[str, Style | None]]], ground: str) -> str:
+    """Return the picture of `rows`, each a sequence of texts with their styles."""
+    grid = [cells_of(pieces, ground) for pieces in rows]
+    drawn = [draw_row(row, cells, ground) for row, cells in enumerate(grid)]
+    inside = [part for layer in zip(*drawn, strict=True) for parts in layer for part in parts]
+    return frame(max(map(len, grid), default=0), len(grid), ground, inside)
 
 
 def png(picture: str) -> bytes:

@@ -22,9 +22,32 @@ class Scene:
     tour: bool = False
 
 
+@dataclass(frozen=True)
+class MovingScene:
+    """A picture that moves: how it begins, then so many frames of the app, `every_s` of the dish's time apart.
+
+    Each is shown for `shown_s`: what is seen runs `every_s / shown_s` times as fast as the dish.
+    """
+
+    name: str
+    begin: Callable[[Stage], Awaitable[None]]
+    seen: tuple[str, ...]
+    """What must be readable in each frame."""
+    frames: int
+    every_s: float
+    shown_s: float
+    size: tuple[int, int]
+    theme: str = "dusk"
+
+
 async def dashboard(on: Stage) -> None:
     """The demo, a minute after its start: in mid-pass."""
     await on.wait(62.3)
+
+
+async def in_pass(on: Stage) -> None:
+    """The demo, as its dish begins to follow."""
+    await on.wait(15.3)
 
 
 async def control(on: Stage) -> None:
@@ -104,6 +127,16 @@ SCENES = (
     Scene("tui-world", world, ("Sun overhead", "seen within")),
     Scene("tui-pocket", pocket, ("S T O P",), (40, 12), "daylight"),
 )
+MOVING = MovingScene(
+    "tui-demo",
+    in_pass,
+    ("FOLLOWING DEMO LEO 1", "STOP", "What next"),
+    frames=24,
+    every_s=3.0,
+    shown_s=0.3,
+    size=(100, 30),
+)
+"""The one at the head of the README: the dish follows a satellite, ten times as fast as it does."""
 NOT_BUILT = ("tui-signal", "tui-system", "tui-camera")
 """Pictures of the source document whose pages this version does not have."""
 COLLAGE = ("tui-dashboard", "tui-control", "tui-console", "tui-setup")
