@@ -27,7 +27,7 @@ COMMANDS = {
     "status": "Print all that is known of the dish.",
     "detect": "Say which firmware answers on the port, and by what that is seen.",
     "ports": "List the serial ports of this machine.",
-    "wiring": "Print which wire goes where.",
+    "wiring": "Print which wire goes where, and which adapters work.",
     "sim": "Simulate a dish that any program can talk to.",
     "elements": "Keep the orbital elements of satellites: add, update, list, check, search.",
     "place": "Say where the dish stands: places, GPS, horizon.",
