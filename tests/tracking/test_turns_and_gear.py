@@ -138,3 +138,23 @@ def test_way_so_short_that_the_motor_would_come_back_is_not_sent():
     assert steps[1].max() < -(0.06 - 0.0145)
     hidden = replace(model.azimuth, play_deg=0.06)
     assert hidden.least_way_deg(1.0) == 0.0
+
+
+@pytest.mark.parametrize(
+    ("play", "overshoot", "lead", "gliding"),
+    [
+        (0.06, 0.0, 0.03, 0.0),
+        (0.06, 0.02, 0.01, 0.02),
+        (0.06, 0.03, 0.0, 0.03),
+        (0.06, 0.04, 0.0, 0.03),  # in short ways it is 0.027 to 0.04: nothing tells on which side of the half play
+        (0.0, 0.03, -0.02, 0.02),
+        (None, 0.03, 0.0, 0.03),
+        (0.06, None, 0.0, 0.03),
+        (None, None, 0.0, 0.0),
+    ],
+)
+@pytest.mark.parametrize("way", [2.0, -2.0])
+def test_what_cancels_is_left_alone_and_a_gliding_axis_takes_up_half_the_play(play, overshoot, lead, gliding, way):
+    axis = geared(play_deg=play, mean_overshoot_up_deg=overshoot, mean_overshoot_down_deg=overshoot).azimuth
+    assert axis.lead_deg(way) == pytest.approx(math.copysign(1.0, way) * lead)
+    assert axis.gliding_lead_deg(way) == pytest.approx(math.copysign(1.0, way) * gliding)

@@ -79,6 +79,10 @@ OVERSHOOT_SPREAD_DEG = 0.02
 """How far from its mean the overshoot of a single move lies at most (reference section 7.4)."""
 
 
+SHORT_WAYS = 2.0 / 3.0
+"""What is left of an overshoot where ways are shorter: the play hides an axis that goes back for them."""
+
+
 @dataclass(frozen=True, slots=True)
 class Axis:
     """One axis in the dish's own frame."""
@@ -109,12 +113,25 @@ class Axis:
         """Return how far beyond where its shaft is wanted the motor is best sent while it turns that way, signed.
 
         Half the play less the mean overshoot: the one holds the shaft back, the other carries it on. 0 where one of
-        both is not known, as they point against each other (decision 0035).
+        both is not known, as they point against each other, and where they cancel as far as can be told: a stream of
+        short ways overshoots by down to `SHORT_WAYS` of the mean (decision 0035).
         """
         overshoot_deg = self.mean_overshoot_deg(way_deg)
         if self.play_deg is None or overshoot_deg is None:
             return 0.0
-        return math.copysign(1.0, way_deg) * (self.play_deg / 2.0 - overshoot_deg)
+        lead_deg = self.play_deg / 2.0 - overshoot_deg
+        if lead_deg < 0.0:
+            lead_deg = min(self.play_deg / 2.0 - SHORT_WAYS * overshoot_deg, 0.0)
+        return math.copysign(lead_deg, lead_deg * way_deg)
+
+    def gliding_lead_deg(self, way_deg: float) -> float:
+        """Return how much more than `lead_deg` an axis is sent that glides on: it does not overshoot, signed.
+
+        Up to half the play. Where that is not known, as far as the overshoot carries an axis that steps against it.
+        """
+        if self.play_deg is None:
+            return math.copysign(self.mean_overshoot_deg(way_deg) or 0.0, way_deg)
+        return math.copysign(self.play_deg / 2.0, way_deg) - self.lead_deg(way_deg)
 
     def least_way_deg(self, way_deg: float) -> float:
         """Return the least way that turns the shaft on: on a shorter one the motor may have to come back.

@@ -38,7 +38,7 @@ class Glide:
         if turns_deg:
             # An axis that does not come to rest lacks the overshoot that the course of the motor counts on, or that
             # stepping has against a play that nobody knows (decision 0035).
-            wanted_deg += math.copysign(self.axis.mean_overshoot_deg(turns_deg) or 0.0, turns_deg)
+            wanted_deg += self.axis.gliding_lead_deg(turns_deg)
         way, way_s = wanted_deg - at_deg, max(next_s - acts_s, REST_S)
         # The dish counts whole steps a second.
         steps_s = max(round(abs(way) / way_s / self.axis.step_deg), 1)
