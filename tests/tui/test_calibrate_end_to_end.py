@@ -115,7 +115,7 @@ async def test_a_peak_is_taken_once_and_only_at_rest(house):
     await house.press("enter")
     await house.step(1.0)
     assert len(house.guide.peaks) == 1
-    assert "peak 1 already" in house.text()
+    assert "Already saved as peak 1" in house.text()
 
 
 @played

@@ -45,7 +45,7 @@ def test_a_history_that_cannot_be_written_says_so(tmp_path):
     (tmp_path / "file").write_text("")
     history = History(tmp_path / "file" / "history.txt")
     history.add("a")
-    assert "Lines are not kept" in history.problem
+    assert "Lines are not saved" in history.problem
     assert history.lines == ["a"]
 
 

@@ -53,7 +53,7 @@ def test_a_fold_outlives_the_cutting_of_old_lines():
     back = Scrollback(kept=50)
     for _ in range(40):
         back.add([Line(START, "<", b"x", Part.POLL)] * 100)
-    assert [row.text for row in back.rows] == ["4000 lines of birdcage's own questions, p shows all"]
+    assert [row.text for row in back.rows] == ["4000 lines of polling, p shows all"]
     back.add([Line(START, "<", b"end")])
     assert [row.text for row in back.rows][1:] == ["end"]
 
@@ -75,7 +75,7 @@ def test_polling_is_one_row_until_p_shows_every_byte_and_counts_as_nothing_new()
         return folded, shown, await at.look()
 
     folded, shown, typed = desk(see)
-    assert "+ 80 lines of birdcage's own questions, p shows all" in folded
+    assert "+ 80 lines of polling, p shows all" in folded
     assert "Angle" not in folded
     assert "> a" in shown
     assert "< Angle[0] = 1.00" in shown

@@ -152,7 +152,7 @@ async def test_escape_is_no_stop_while_somebody_only_talks(at):
 @talked
 async def test_thirty_idle_seconds_give_control_back_and_the_station_looks(at):
     await at.send("a")
-    assert "30 s idle gives it back" in at.words() or "29 s idle gives it back" in at.words()
+    assert "30 s idle returns control" in at.words() or "29 s idle returns control" in at.words()
     await at.step(20)
     assert "TALK" in at.text()
     await at.step(14)

@@ -184,7 +184,7 @@ def test_what_a_point_may_be_typed_as(text, point):
 
 @pytest.mark.parametrize("text", ["", "12", "1 2 3", "nan 3", "400 3", "10 91", "1,2,3", "N 12"])
 def test_what_is_no_point(text):
-    with pytest.raises(ValueError, match=r"Type two numbers|full turn|is none"):
+    with pytest.raises(ValueError, match=r"Type two numbers|full turn|is out of range"):
         point_of(text)
 
 

@@ -170,7 +170,7 @@ def test_a_feed_without_a_band_hears_nobody_knows_what():
         return await pressed(app, pilot, "h")
 
     text = on_page(hide, sky=sky_stand_in.make(feed=""))
-    assert "The feed says no band" in text
+    assert "The feed has no band" in text
     assert "43 of 43" in text
 
 
@@ -289,7 +289,7 @@ def test_what_is_listed_is_written():
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
-        ({"rows": (), "searched": None}, ("Looking at the sky",)),
+        ({"rows": (), "searched": None}, ("Reading the catalogue",)),
         ({"rows": (), "searched": 0.3}, ("Searching 43 satellites",)),
         ({"rows": (), "satellites": 0}, ("holds no satellites", "birdcage elements update")),
         ({"rows": ()}, ("No passes soon: 43 satellites searched.",)),

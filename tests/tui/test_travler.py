@@ -160,14 +160,14 @@ def test_a_running_search_says_which_key_ends_it_and_that_asks_first():
 
     before, asked, sent = run(end, "travler-search")
     assert "▲ TV SEARCH RUNNING" in before
-    assert "K ends it until the next power-up" in before
-    assert "It begins again at each power-up" in asked
+    assert "K: end it until the next power-up" in before
+    assert "starts again at each" in asked
     assert sent == [SetSearch("you", disabled=True)]
 
 
 def test_the_search_of_a_g2_is_not_ended_by_that_key():
     assert "Setup (8), step 3" in BY_NAME["search"].refused(view_of("idle"))
-    assert "ended already" in BY_NAME["search"].refused(view_of("travler"))
+    assert "The search has ended" in BY_NAME["search"].refused(view_of("travler"))
 
 
 def test_an_unhomed_travler_is_sent_to_its_power_switch():
