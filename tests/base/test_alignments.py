@@ -70,5 +70,5 @@ def test_what_is_wrong_in_the_file_is_said(path, row, says):
     found = load_sets(path)
     assert found.entries == ()
     assert says in found.problems[0]
-    with pytest.raises(ConfigError, match="Mend that file"):
+    with pytest.raises(ConfigError, match="Fix that file"):
         keep_set(path, ROOF)

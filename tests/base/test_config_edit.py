@@ -82,7 +82,7 @@ def test_what_it_already_says_is_not_written_again(file):
 def test_a_damaged_file_is_left_alone(file, damaged):
     data = damaged if isinstance(damaged, bytes) else damaged.encode()
     file.write_bytes(data)
-    with pytest.raises(ConfigError, match=r"Nothing was written.*Mend that file"):
+    with pytest.raises(ConfigError, match=r"Nothing was written.*Fix that file"):
         edit(file, {"dish.port": "COM4"})
     assert file.read_bytes() == data
     assert [each.name for each in file.parent.iterdir()] == ["birdcage.toml"]

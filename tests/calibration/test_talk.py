@@ -81,7 +81,7 @@ def test_what_is_typed_wrong_is_said_and_nothing_moves(garden, talk):
     before = garden.device.truth().az_deg
     told = talk("", "z", "n 99", "n x", "u nonsense", "r 30", "g nothing so called", "a", "f")
     for words in (
-        "No object is chosen", "There is no such answer", "objects in the list", "'x' is no number of the list",
+        "No object is chosen", "Unknown answer. Type ?", "objects in the list", "'x' is not a number of the list",
         "at most 10 degrees", "No target is called", "nothing to apply", "There is no peak yet",
     ):  # fmt: skip
         assert words in told.err, told.err

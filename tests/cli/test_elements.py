@@ -101,7 +101,7 @@ def test_update_without_a_network_is_a_sentence_and_keeps_what_is_there(elements
     elements("add", "-", input=ISS)
     result = elements("update", "weather", "geo")
     assert result.exit_code == exits.NOT_DONE
-    assert "Is there a network?" in result.stdout
+    assert "Are you online?" in result.stdout
     assert len([each for each in no_sockets if "celestrak.org" in each]) == 1, (
         "a server that is not there is tried once"
     )
@@ -245,7 +245,7 @@ def test_ctrl_c_keeps_the_groups_that_had_come(elements, server, monkeypatch):
     server.bodies["/first.json"] = (200, BODY)
     result = elements("update", "first", "second", env={"BIRDCAGE_ELEMENTS_MIRROR_URL": server.mirror})
     assert result.exit_code == 130
-    assert "what had come by then is kept" in result.stderr
+    assert "What had arrived is kept" in result.stderr
     assert "NOAA 20" in elements("list", "first").stdout
 
 

@@ -97,8 +97,8 @@ def test_who_is_dead_is_not_named_as_a_sender(ask, as_json):
     ("words", "told"),
     [
         (("--rf", "1701300000"), "for hertz type 1701300000Hz"),
-        ((), "Give one of --rf"),
-        (("--rf", "1G", "--if", "1G"), "Give one of --rf"),
+        ((), "Give --rf"),
+        (("--rf", "1G", "--if", "1G"), "Give --rf"),
         (("--rf", "much"), "not a frequency"),
     ],
 )

@@ -70,7 +70,7 @@ def test_an_owner_stops_holds_and_releases(run, as_json, pty_dish, owner):
     released = run("release", port=pty_dish.path)
     assert released.exit_code == 0, released.stderr
     assert "HELD by anna (birdcage hold) since " in released.stdout
-    assert "Gpredict wanted to move it meanwhile." in released.stdout
+    assert "Gpredict waits to move it." in released.stdout
     assert owner.station.state.held is None
     assert "the dish is not held" in run("release", port=pty_dish.path).stdout
 

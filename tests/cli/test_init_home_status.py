@@ -48,7 +48,7 @@ def test_status_for_people_shows_dashes(run) -> None:
 def test_home_needs_a_yes_and_names_the_consequence(run, pty_dish) -> None:
     result = run("home", port=pty_dish.path)
     assert result.exit_code == 2
-    assert "Nothing but cutting the power stops it" in result.stderr
+    assert "Only cutting the power stops it" in result.stderr
     assert pty_dish.lines() == []
 
 
@@ -70,7 +70,7 @@ def test_home_of_one_axis_moves_only_that(run, pty_dish) -> None:
 def test_home_of_one_axis_is_not_enough_for_a_dish_that_has_homed_neither(run, pty_dish) -> None:
     result = run("home", "el", "--yes", port=pty_dish.path)
     assert (result.exit_code, result.stdout) == (4, "")
-    assert "home the other axis too" in result.stderr
+    assert "Home the other axis too" in result.stderr
 
 
 def test_init_of_a_dish_that_is_up_is_quick_and_moves_nothing(run, as_json, pty_dish) -> None:
@@ -85,7 +85,7 @@ def test_init_follows_the_boot_and_its_time(run) -> None:
     result = run("init", port="sim:g2?boot=1")
     assert result.exit_code == 0, result.stderr
     assert " s  Boot Complete" in result.stderr
-    assert "It is not homed" in result.stderr
+    assert "The dish is not homed" in result.stderr
 
 
 def test_init_never_waits_without_end(run, pty_dish) -> None:

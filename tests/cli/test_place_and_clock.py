@@ -80,7 +80,7 @@ class TestPlace:
     def test_the_first_one_is_told_how_to_make_it_count(self, run, home):
         assert "`birdcage place use 'My field'` makes it" in run("place", "add", "My field", "JO21jv").stderr
         run("place", "use", "My field")
-        assert "No place counts" not in run("place", "add", "Other", "JO22jv").stderr
+        assert "No place is active" not in run("place", "add", "Other", "JO22jv").stderr
 
     def test_south_and_west_and_below_eye_level_may_be_a_minus(self, run, home):
         assert run("place", "add", "Roof", "-33.5", "-151.25", "--use").exit_code == 0

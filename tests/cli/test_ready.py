@@ -162,14 +162,14 @@ def test_a_port_that_may_not_be_used_must_be_mended(ready, prepared, monkeypatch
     monkeypatch.setattr("os.access", lambda _path, _mode: False)
     status, found = ready()
     assert status == 1
-    assert "may not use it" in found["port"]["words"]
+    assert "you lack permission" in found["port"]["words"]
 
 
 def test_a_port_that_is_an_address_is_not_asked(ready, prepared):
     status, found = ready("--port", "socket://dish.local:4000")
     assert status == 0
     assert found["port"]["state"] == "look"
-    assert "only when it is opened" in found["port"]["words"]
+    assert "only when opened" in found["port"]["words"]
 
 
 def test_settings_that_limit_motion_and_cannot_be_read_must_be_mended(ready, prepared):

@@ -147,7 +147,7 @@ def test_a_person_is_led_from_step_to_step(person, pty_dish):
     me.sees("2 Dish: done. Carryout G2 02.02.48")
     me.sees("3 TV search off: done. off: NVS 20 TRUE")
     me.answers("5 Feed> ", "x")
-    me.answers("no such answer", "")
+    me.answers("Unknown answer", "")
     me.sees("5 Feed: done. stock Ku LNB")
     me.answers("6 Limits> ", "")
     me.answers("7 Direction> ", "")

@@ -62,6 +62,6 @@ def test_its_help_and_its_complaints_agree_with_what_it_does(run) -> None:
 
 def test_the_help_tells_how_a_dish_that_waits_for_its_motor_is_simulated(run) -> None:
     told = " ".join(run("sim", "--help").stdout.split())
-    assert "-o second_move=block (on the same axis)" in told
-    assert "-o second_other=block (on the other axis)" in told
+    assert "-o second_move=block makes a G2 refuse motor commands on the axis that runs" in told
+    assert "-o second_other=block those on the other axis" in told
     assert "-o move_reply=none" in told

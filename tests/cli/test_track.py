@@ -61,7 +61,7 @@ def test_without_a_place_or_a_dish_it_says_what_to_give(run):
     assert "--lat and --lon" in run("track", *FIXED).stderr
     no_dish = run("track", *FIXED, *PLACE, firmware="")
     assert no_dish.exit_code == 2
-    assert "Which dish is it?" in no_dish.stderr
+    assert "A plan needs to know the dish" in no_dish.stderr
     assert "No target is called" in run("track", "no", "such", "thing", *PLACE).stderr
 
 

@@ -46,7 +46,7 @@ def test_the_floor_is_its_own(travler, pty_travler) -> None:
 def test_home_is_refused_with_the_reason_and_opens_nothing(travler, pty_travler, words) -> None:
     result = travler(*words, port=pty_travler.path)
     assert result.exit_code == 4
-    assert "homes only by itself, at power-up: switch it off and on" in result.stderr
+    assert "homes only at power-up. Switch it off and on" in result.stderr
     assert pty_travler.lines() == []
 
 
@@ -112,5 +112,5 @@ def test_init_of_a_booting_dish_tells_the_boot_without_prompts_and_waits_until_i
     assert result.exit_code == 0, result.stderr
     assert "No LNB Voltage" in result.stderr
     assert ">" not in result.stderr
-    assert "It moves, though nobody asked" not in result.stderr
+    assert "The dish moves by itself: its TV search" not in result.stderr
     assert "Its TV search is ended" in result.stderr

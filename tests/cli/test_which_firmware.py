@@ -78,7 +78,7 @@ def test_move_speaks_what_answers(unnamed, pty_dish) -> None:
 def test_home_of_a_travler_is_refused_once_it_is_found(unnamed, pty_travler) -> None:
     result = unnamed("home", "--yes", port=pty_travler.path)
     assert result.exit_code == 4
-    assert "homes only by itself" in result.stderr
+    assert "homes only at power-up" in result.stderr
     assert set(pty_travler.lines()) <= {"", "?"}
 
 

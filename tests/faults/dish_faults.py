@@ -139,7 +139,7 @@ DISH_FAULTS = (
         },
     ),
     Fault(
-        "wander", "It moves though nobody asked", wander, own_motion=True,
+        "wander", "It moves unasked", wander, own_motion=True,
         expect={REST: Expect(fault="moved", held="fault", stop="after a look")},
     ),
 )  # fmt: skip

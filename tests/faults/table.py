@@ -20,9 +20,9 @@ SHORT = (
     (r"The dish stands still", "“The dish stands still, away from its target”"),
     (r"The (\w+) is stalled", r"“The \1 is stalled”"),
     (r"The dish has restarted", "“The dish has restarted”"),
-    (r"The dish moves though nobody asked", "“The dish moves though nobody asked”"),
+    (r"The dish moves unasked", "“The dish moves unasked”"),
     (r"The dish is busy with the last move", "“The dish is busy with the last move”"),
-    (r"The dish no longer knows where it is", "“The dish no longer knows where it is”"),
+    (r"The dish no longer knows where it points", "“The dish no longer knows where it points”"),
     (r"The dish lost its position", "“The dish lost its position”"),
     (r"not homed", "“not homed”"),
     (r"initializing", "“initializing”"),
@@ -36,10 +36,10 @@ HEADER = """\
 
 What you see and what birdcage does when a wire, an adapter or a dish misbehaves. Each fault is inflicted on a simulated
 dish, at rest and in mid-move, and this is what came of it: `scripts/fault_table.py` writes this page, and a test holds
-it to what the program does. In every row nothing false was shown, nothing moved that nobody had asked for, and after
+it to what the program does. In every row nothing false was shown, nothing moved unasked, and after
 STOP no line that moves the dish left the port for a minute, however often a client asked.
 
-*Holds*: nobody moves the dish until you release it. *Confirmed*: the dish was seen at rest after STOP.
+*Holds*: nothing moves the dish until you release it. *Confirmed*: the dish was seen at rest after STOP.
 
 | Fault | Dish | What you see | What birdcage does | Afterwards |
 |---|---|---|---|---|

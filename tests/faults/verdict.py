@@ -23,9 +23,9 @@ def _common(fault: Fault, seen: Outcome) -> list[str]:
     if seen.false:
         wrong.append(f"told what was not so, {len(seen.false)} times: {seen.false[0]}")
     if "moved" in seen.alarms and not (fault.own_motion or fault.astray):
-        wrong.append("told that it moves though nobody asked, and it went where it was sent")
+        wrong.append("told that it moves unasked, and it went where it was sent")
     if seen.unasked:
-        wrong.append(f"moved though nobody asked: {', '.join(seen.unasked)}")
+        wrong.append(f"moved unasked: {', '.join(seen.unasked)}")
     if seen.next_good != "right":
         wrong.append(f"afterwards: {seen.next_good}")
     if seen.came_back_s is None:

@@ -153,7 +153,7 @@ WIRE_FAULTS = (
         answers(delay_min_s=0.0, delay_max_s=0.0), expect=SILENT,
     ),
     Fault("no echo", "The echo is missing", no_echo, echo, expect=SILENT),
-    Fault("unsolicited", "Lines that nobody asked for", chatter, again=chatter, expect=UNNOTICED),
+    Fault("unsolicited", "Lines without a question", chatter, again=chatter, expect=UNNOTICED),
     Fault("closed", "The system closes the port, which is there", close, expect=GONE, port=False),
     Fault("unplugged", "The adapter is unplugged and comes back", unplug, plug, expect=GONE, port=False),
     Fault(

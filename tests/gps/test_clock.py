@@ -98,7 +98,7 @@ class TestRemembered:
     def test_and_is_doubted_after_days(self, tmp_path):
         check_clock(NOW, tmp_path, system(chronyc=GOOD))
         later = check_clock(NOW + timedelta(days=3), tmp_path, system())
-        assert "It was good by network time (chrony), 3 days ago, and may be 6.0 s off by now." in later.doubt
+        assert "Last compared: network time (chrony), 3 days ago. It may be 6.0 s off now." in later.doubt
 
     def test_an_offset_by_gps_stays_in_what_it_may_be_off(self, tmp_path):
         remember(tmp_path, by_gps(fix(0.95)))

@@ -122,7 +122,7 @@ def test_what_nobody_listed_changes_a_setting_and_says_so(dish):
     verdict = dish.judge("frobnicate 3", "mot", homed=True)
     assert verdict.grade is SETTING
     assert not verdict.listed
-    assert "Nobody" in verdict.consequence
+    assert "Undocumented" in verdict.consequence
     assert "next setting" in dish.judge("x", "nvs", homed=True).consequence
 
 

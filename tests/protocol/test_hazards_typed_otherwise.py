@@ -30,7 +30,7 @@ def dish():
         ("root", "sto", RUINS, "abbreviation"),
         ("root", "reb", MOVES, "abbreviation"),
         ("mot", "motorb", MOVES, "abbreviation"),
-        ("mot", "freqs", Grade.SETTING, "Nobody"),
+        ("mot", "freqs", Grade.SETTING, "Undocumented"),
         ("mot", "stow", RUINS, "Elsewhere"),
         ("dvb", "a 0 200", MOVES, "Elsewhere"),
         ("mot", "w 0 off now", RUINS, "cable"),

@@ -71,7 +71,7 @@ def test_without_a_place_it_says_how_to_set_one(make):
     bench = make(observer=None)
     bench.desk.choose(STATION)
     now = bench.do()
-    assert now.problem.startswith("No place is set: `birdcage place add")
+    assert now.problem.startswith("No place is set. `birdcage place add")
     assert now.plan is None
     bench.desk.follow()
     assert bench.do().mode is Mode.WATCH

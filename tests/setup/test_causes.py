@@ -94,9 +94,9 @@ def test_silence_after_the_boot_text_is_a_dish_that_starts():
 
 
 def test_before_any_other_rate_was_tried_it_tells_what_was_seen_and_not_what_that_may_mean():
-    link = LinkState(Link.SILENT, detail="Enter brought nothing in 2.0 s. Its power is off, or the baud rate is wrong.")
+    link = LinkState(Link.SILENT, detail="Enter brought nothing in 2.0 s. Check its power, or the baud rate is wrong.")
     for cause in find_causes(Case("/dev/ttyUSB0", link, firmware_baud=115200)):
-        assert "Its power is off" not in cause.why
+        assert "Check its power" not in cause.why
     assert by_title(find_causes(Case("/dev/ttyUSB0", link)), "The cable").why.startswith(
         "Enter brought nothing in 2.0 s."
     )
@@ -179,9 +179,9 @@ def test_brltty_is_likely_where_the_adapter_vanished():
 @pytest.mark.parametrize(
     ("facts", "title", "command"),
     [
-        ({"group": "dialout", "may_open": False, "enrolled": False}, "You may not open it", "usermod -aG dialout"),
-        ({"group": "uucp", "may_open": False, "enrolled": True}, "You may not open it yet", "newgrp uucp"),
-        ({"may_open": True, "other_program": "screen (process 7)"}, "Another program has it", ""),
+        ({"group": "dialout", "may_open": False, "enrolled": False}, "Not permitted", "usermod -aG dialout"),
+        ({"group": "uucp", "may_open": False, "enrolled": True}, "Not permitted yet", "newgrp uucp"),
+        ({"may_open": True, "other_program": "screen (process 7)"}, "Another program uses it", ""),
     ],
 )
 def test_a_port_that_does_not_open(facts, title, command):
@@ -200,7 +200,7 @@ def test_a_port_that_does_not_open_for_no_known_reason():
 def test_a_program_that_is_seen_comes_before_what_is_only_thought_of():
     facts = SystemFacts("/dev/ttyUSB0", may_open=True, other_program="screen (process 7)", modem_manager=True)
     silent = causes(*all_rates(Saw.SILENCE), system=facts)
-    assert (silent[0].title, silent[-1].title) == ("Another program has it", "ModemManager meddles")
+    assert (silent[0].title, silent[-1].title) == ("Another program uses it", "ModemManager meddles")
     answered = causes(found(9600, Saw.SILENCE), found(115200, Saw.PROMPT, "TRK>"), system=facts)
     assert answered[0].use_baud == 115200
 
@@ -215,7 +215,7 @@ def test_modem_manager_is_named_while_it_runs_and_likely_when_it_was_heard():
 
 
 def test_a_server_on_the_network_is_not_plugged_in():
-    (only,) = find_causes(Case("socket://host:2000", LinkState(Link.LOST, detail="nobody answered")))
+    (only,) = find_causes(Case("socket://host:2000", LinkState(Link.LOST, detail="no answer")))
     assert "server" in only.what_to_do
     case = Case("socket://host:2000", SILENT, (found(57600, Saw.SILENCE),), firmware_baud=115200)
     rate = by_title(find_causes(case), "Wrong baud")

@@ -97,12 +97,12 @@ def test_clear_holds_for_one_run(house):
         ("feed", "other", {"name": "helix", "lo_hz": "fast"}, "is not a frequency"),
         ("feed", "other", {"name": "helix", "stow": "maybe"}, "answer y or n"),
         ("limits", "own", {"floor": "50", "ceiling": "40"}, "is not below"),
-        ("place", "locator", {"locator": "ZZ99"}, "no Maidenhead locator"),
+        ("place", "locator", {"locator": "ZZ99"}, "not a Maidenhead locator"),
         ("place", "locator", {"locator": "EM29"}, "2° wide"),
         ("place", "clock", {"utc": "25:00"}, "not a time"),
         ("north", "typed", {"az_offset_deg": ""}, "type a number"),
         ("link", "other", {"port": " "}, "Type a port"),
-        ("link", "other", {"port": "COM4", "baud": "fast"}, "no speed such as"),
+        ("link", "other", {"port": "COM4", "baud": "fast"}, "is not a speed"),
     ],
 )
 def test_what_cannot_be_used_is_said_and_nothing_is_kept(house, step, choice, values, words):
@@ -145,9 +145,9 @@ def test_finished_counts_done_skipped_and_later(house):
 def test_a_damaged_file_is_said_and_left_alone(house):
     file = house.paths.config_file
     file.write_text("[dish\n")
-    with pytest.raises(ConfigError, match="Mend that file"):
+    with pytest.raises(ConfigError, match="Fix that file"):
         house.setup.choose("feed", "stock")
-    with pytest.raises(ConfigError, match="Mend that file"):
+    with pytest.raises(ConfigError, match="Fix that file"):
         house.setup.skip("level")
     assert file.read_text() == "[dish\n"
 
@@ -158,7 +158,7 @@ def test_what_could_not_be_kept_by_itself_is_kept_when_the_file_is_mended(build)
     house.paths.config_file.write_text("[dish\n")
     house.run(8)
     assert house.marks()["dish"] == "failed"
-    assert "Mend that file" in house.view("dish").evidence
+    assert "Fix that file" in house.view("dish").evidence
     house.paths.config_file.write_text("")
     house.run(1)
     assert house.marks()["dish"] == "done"

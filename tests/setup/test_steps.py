@@ -248,7 +248,7 @@ class TestLimits:
         house.choose("limits", "own", floor="25", ceiling="90", cable_max="0")
         assert (house.state.el_min_deg, house.state.el_max_deg) == (25.0, 65.0)
         assert house.view("limits").evidence == (
-            "el 25.00..65.00 (read from the dish, narrowed by yours); cable -423..+0"
+            "el 25.00 to 65.00 (read from the dish, narrowed by yours); cable -423 to +0"
         )
 
     def test_emptied_they_are_the_dishs_own_again(self, house):
@@ -325,7 +325,7 @@ class TestFirst:
         assert house.marks()["first"] == "later"
 
     def test_says_what_comes_later(self, house):
-        assert any("no signal page yet" in words for words in house.view("first").words)
+        assert any("come in a later version" in words for words in house.view("first").words)
 
 
 def test_a_fault_of_the_station_is_a_failed_step(house):

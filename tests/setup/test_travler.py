@@ -42,9 +42,9 @@ def test_there_is_nothing_to_press_for_homing(travler):
 
 def test_its_limits_are_its_own_and_name_their_source(travler):
     travler.until(lambda: travler.state.surveyed)
-    assert travler.view("limits").evidence.startswith("el 15.00..90.00 (")
+    assert travler.view("limits").evidence.startswith("el 15.00 to 90.00 (")
     assert "NVS 12" in travler.view("limits").evidence
-    assert "cable +0..+455" in travler.view("limits").evidence
+    assert "cable +0 to +455" in travler.view("limits").evidence
 
 
 def test_a_dish_that_tells_no_version_need_not_be_waited_for(travler):

@@ -32,7 +32,7 @@ def test_tells_how_far_off_it_may_be():
 
 @pytest.mark.parametrize("text", ["", "JO", "JO2", "JO21j", "JO21jv8", "SA00", "JO21yv", "2JO1", "JO21jv83aa"])
 def test_refuses_what_is_none(text):
-    with pytest.raises(ValueError, match="is no Maidenhead locator"):
+    with pytest.raises(ValueError, match="is not a Maidenhead locator"):
         decode(text)
 
 

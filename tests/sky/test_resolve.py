@@ -107,7 +107,7 @@ def test_what_is_meant(typed, name):
         ("moom", "unknown", "Did you mean Moon?"),
         ("metoer-m2 4", "unknown", "METEOR-M2 4"),
         ("fox 1bb", "unknown", "FOX-1B"),
-        ("xyzzy", "unknown", "Understood are"),
+        ("xyzzy", "unknown", "Type a satellite's name or number"),
         ("dish 100", "angle", "No slot of DISH is known at 100. Known: 129W, 119W, 110W, 72.7W, 61.5W."),
         ("+5 -2", "angle", "counts from where the dish points"),
         ("az=180", "angle", "Type both"),

@@ -35,6 +35,6 @@ def test_it_points_a_dish_that_shares_no_code_with_our_simulator(habits):
 def test_a_console_whose_echo_is_missing_is_told_so_and_not_called_dead(echo):
     bench = Bench(echo=echo)
     bench.until(lambda: bench.state.link.state is Link.SILENT)
-    assert "half-duplex adapter swallows the echo" in bench.state.link.detail
+    assert "half duplex swallows the echo" in bench.state.link.detail
     assert "deadlocked" not in bench.state.link.detail
     assert bench.dish.root_q == 0

@@ -140,7 +140,7 @@ def test_a_small_way_that_nobody_asked_for_is_a_fault_too(bench, line):
     bench.step(3)
     bench.sim.write(line.encode() + b"\r")
     bench.step(4)
-    assert bench.state.fault.what == "The dish moves though nobody asked"
+    assert bench.state.fault.what == "The dish moves unasked"
     assert bench.state.held.reason == "fault"
     since = bench.clock.monotonic()
     with pytest.raises(Held):

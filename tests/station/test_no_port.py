@@ -27,7 +27,7 @@ def test_nothing_is_opened_or_looked_for_before_a_port_is_chosen():
     session = Session(clock, station)
     session.step(60)
     assert station.state.link.state is LinkNow.LOST
-    assert "No port is chosen" in station.state.link.detail
+    assert "Choose a port in Setup" in station.state.link.detail
     assert (opened, sought) == ([], [])
     station.submit(Connect("/dev/ttyUSB0"))
     session.step(5)

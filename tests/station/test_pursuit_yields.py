@@ -116,7 +116,7 @@ def test_without_a_link_or_a_reachable_pass_it_is_refused():
     lost = Bench()
     lost.device.unplug()
     lost.step(3.0)
-    with pytest.raises(LinkError, match="without a link"):
+    with pytest.raises(LinkError, match="No link to the dish"):
         lost.do(Pursue(plan_of(at(lost) + 40), "you"))
 
 

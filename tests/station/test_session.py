@@ -73,7 +73,7 @@ def test_quitting_with_a_silent_port_does_not_wait_for_it(tmp_path):
     live.device.wire.to_host.silent = True
     live.session.start()
     live.wait(0.2)
-    assert live.session.close() == "Where the dish is, is not known."
+    assert live.session.close() == "The dish's position is not known."
     assert "station" not in threads()
 
 

@@ -41,7 +41,7 @@ def test_a_raw_motion_that_has_ended_is_not_called_ended_after_so_short_a_look()
     bench.step(8)
     assert bench.state.raw_motion
     since = bench.clock.monotonic()
-    assert close(bench).startswith("The dish may still be moving, and no STOP has reached it")
+    assert close(bench).startswith("The dish may still be moving. No STOP has reached it")
     assert bench.moves_since(since) == []
 
 

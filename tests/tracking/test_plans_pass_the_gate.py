@@ -108,7 +108,7 @@ def test_a_plan_leaves_out_what_the_gate_refuses_while_the_turn_is_not_known():
     assert before.to_az_deg < 359.0
     assert after.from_az_deg > 361.0
     assert min(el for _az, el in after.waypoints[:-1]) > 50.0, "over the mast, whichever way round"
-    assert any("other way round there, through a no-go sector. Home the dish" in note for note in unknown.notes)
+    assert any("swing through a no-go sector. Home the dish" in note for note in unknown.notes)
     follow(unknown, doubtful, seconds=30.0)
     gate = Wire(doubtful).gate
     here = unknown.course.at(before.end_s)

@@ -35,7 +35,7 @@ STEPS = (
                   Field("az_offset_deg", "az offset", "deg", "beam clockwise of the dish's axis", "0"),
                   Field("el_offset_deg", "el offset", "deg", "beam above the dish's axis", "0"),
                   Field("stow", "stow allowed", "", "y or n", "n"))))),
-    StepView(6, "limits", "Limits", TODO, "el 18.00..65.00 (read from the dish); cable -423..+23",
+    StepView(6, "limits", "Limits", TODO, "el 18.00 to 65.00 (read from the dish); cable -423 to +23",
              ("Does your coax, a wall or the tripod stop it sooner? The narrower limit counts.",),
              (Choice("accept", "enter", "Take the limits as they are"),)),
     StepView(7, "direction", "Direction", TODO, "",
@@ -61,7 +61,7 @@ STEPS = (
               Choice("typed", "t", "Set the offset", fields=(Field("az_offset_deg", "az offset", "deg", "", "0"),))),
              page="control"),
     StepView(11, "first", "First satellite", LATER, "Astra (28.2°E) expected at 151.3 / 27.2",
-             ("Searching, peaking and identifying by signal: later.",),
+             ("Searching, peaking and identifying by signal come in a later version.",),
              (Choice("point", "enter", "Point there", moves=True),),
              page="control"),
 )  # fmt: skip

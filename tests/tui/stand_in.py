@@ -82,7 +82,7 @@ class Session:
 
     def close(self):
         self.closed += 1
-        return "Where the dish is, is not known."
+        return "The dish's position is not known."
 
 
 def at_rest(clock):

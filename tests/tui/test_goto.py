@@ -80,7 +80,7 @@ def test_what_may_be_typed(typed, az, el):
         ("   ", "Type where to: 180 45"),
         ("231", "Type two numbers, 231 45; or az=231"),
         ("north up", "north up is no direction or preset. Type 180 45"),
-        ("1 2 3", "too much"),
+        ("1 2 3", "only azimuth and elevation"),
         ("S N", "is no direction"),
         ("E 40", "E 40 may be a direction or a place on the arc: type az 90 el 40, or 40E."),
         ("nan 5", "nan 5 is no direction"),

@@ -121,7 +121,7 @@ def test_however_the_app_ends_the_session_is_closed(crash, run_app, session, mon
     track = SimpleNamespace(wait=lambda timeout_s: ends.append((session.closed, timeout_s)))
     if crash is None:
         assert run_app(track=track) == 0
-        assert capsys.readouterr().out == "Where the dish is, is not known.\n"
+        assert capsys.readouterr().out == "The dish's position is not known.\n"
     else:
         with pytest.raises(type(crash)):
             run_app(track=track, crash=crash)
@@ -251,7 +251,7 @@ def test_another_dish_chosen_in_the_setup_begins_the_app_anew_over_the_old_flags
     assert built == [("g2", 115200), ("hal205", None)]
     assert pages == ["dashboard", "setup"], "it goes on where the other dish was chosen"
     assert [session.closed for session in sessions] == [1, 1]
-    assert capsys.readouterr().out.count("Where the dish is") == 1
+    assert capsys.readouterr().out.count("The dish's position is") == 1
 
 
 def test_nothing_of_setup_catalogue_or_sky_is_loaded_to_build_the_app(tmp_path):

@@ -329,12 +329,12 @@ def test_a_cause_that_another_speed_mends_offers_that_speed():
 def test_without_a_port_it_says_so_and_blames_nothing():
     async def none(app, pilot, engine):
         state = app.station.state
-        app.station.state = replace(state, port="", link=LinkState(Link.LOST, detail="No port is chosen yet."))
+        app.station.state = replace(state, port="", link=LinkState(Link.LOST, detail="No port is set."))
         await settle(app, pilot)
         return stand_in.text_of(app)
 
     text = run(none, "mute", "silent")
-    assert "○ NO PORT  No port is chosen yet." in text
+    assert "○ NO PORT  No port is set." in text
     assert "What may be wrong" not in text
     assert "Type a port" in text
 

@@ -65,7 +65,7 @@ def test_a_mute_port_walks_through_the_causes(size):
         text = stand_in.text_of(app)
         flat = " ".join(text.replace("│", " ").split())
         for words in (
-            "57600: 34 bytes, garbage", "115200: silence", "9600: own echo", "1/7 You may not open it",
+            "57600: 34 bytes, garbage", "115200: silence", "9600: own echo", "1/7 Not permitted",
             "sudo usermod -aG dialout $USER", "2/7 Wrong baud rate", "ModemManager", "brltty", "Look at other speeds",
         ):  # fmt: skip
             assert words in flat, words

@@ -165,7 +165,7 @@ class NamedTables(Generic[Entry]):
         """
         now = self.load(path)
         if now.problems:
-            raise ConfigError(f"{now.problems[0]} Mend that file, or move it away. Nothing was written.")
+            raise ConfigError(f"{now.problems[0]} Fix that file, or move it away. Nothing was written.")
         entries = list(now.entries)
         change(entries)
         for index, entry in enumerate(entries):

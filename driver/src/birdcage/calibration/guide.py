@@ -164,7 +164,7 @@ class Guide:
         """Step so far on the sky, as a person looks at the meter."""
         position = self._position
         if position is None:
-            raise NoPeak("Where the dish is, is not known.")
+            raise NoPeak("The dish's position is not known.")
         level = max(math.cos(math.radians(position.el_deg)), 0.02)
         self._ask(Jog(right_deg / level, up_deg, self._holder), "nudging")
 
@@ -258,7 +258,7 @@ class Guide:
             return "The dish moves: wait until it rests."
         position = self._position
         if position is None or position.modelled:
-            return "Where the dish is, is not known: it has not told just now."
+            return "The dish's position is not known: it has not told just now."
         return ""
 
 

@@ -34,7 +34,9 @@ def observer_of(settings: Settings) -> Observer:
     """Return where the dish stands. ConfigError where no place is set."""
     place = settings.place
     if place.latitude_deg is None or place.longitude_deg is None:
-        raise ConfigError("No place is set, so nobody knows where anything stands: see Setup, or `birdcage place`.")
+        raise ConfigError(
+            "No place is set, so directions can't be computed. Set one in Setup, or with `birdcage place`."
+        )
     return Observer(place.latitude_deg, place.longitude_deg, place.height_m, place.name or "")
 
 

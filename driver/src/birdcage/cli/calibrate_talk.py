@@ -126,14 +126,14 @@ class CalibrateTalk:
                 kept = self._guide.apply(rest)
                 say(f"Kept and in force: {kept.name}.")
             case _:
-                say("There is no such answer: ? names them.")
+                say("Unknown answer. Type ? for the list.")
 
     def _take(self) -> None:
         peak = self._guide.take()
         fit = self._guide.fit
         assert fit is not None, "a peak was taken just now"
         alone = "" if fit.leave_one_out_rms_deg is None else f", leaving each out {fit.leave_one_out_rms_deg:.2f}°"
-        say(f"Peak {peak.number} is kept: {peak.target}. {len(fit.residuals)} in all, rms {fit.rms_deg:.2f}°{alone}.")
+        say(f"Peak {peak.number} is kept: {peak.target}. {len(fit.residuals)} in all, RMS {fit.rms_deg:.2f}°{alone}.")
         if fit.warning:
             say(fit.warning)
         self._propose()
@@ -185,5 +185,5 @@ class CalibrateTalk:
 
 def _whole(text: str) -> int:
     if not text.isdigit():
-        raise ValueError(f"{text!r} is no number of the list.")
+        raise ValueError(f"{text!r} is not a number of the list.")
     return int(text)

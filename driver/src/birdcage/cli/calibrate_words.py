@@ -80,7 +80,7 @@ def tell_fit(fit: Fit, sky_error_deg: float) -> None:
     alone = "-" if fit.leave_one_out_rms_deg is None else f"{fit.leave_one_out_rms_deg:.3f}°"
     condition = "-" if fit.condition is None else f"{fit.condition:.0f}"
     tell("")
-    tell(f"rms {fit.rms_before_deg:.3f}° before, {fit.rms_deg:.3f}° after; leaving each out {alone}")
+    tell(f"RMS {fit.rms_before_deg:.3f}° before, {fit.rms_deg:.3f}° after; leaving each out {alone}")
     tell(f"expected all over the sky that this dish reaches {sky_error_deg:.2f}°; condition {condition}")
     tell("")
     tell_table(

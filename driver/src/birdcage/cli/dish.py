@@ -189,13 +189,13 @@ def why_unknown(state: StationState) -> str:
     """Return why it is not known where the dish points, and what helps."""
     if state.position_text:
         return f"{state.position_text} {how_to_home(state)}"
-    return f"The dish does not know where it is: it is not homed. {how_to_home(state)}"
+    return f"The dish is not homed, so it does not know where it points. {how_to_home(state)}"
 
 
 def how_to_home(state: StationState) -> str:
     """Return what makes a dish know where it is, in a sentence."""
     if state.dish is not None and state.dish.homing_s is None:
-        return "It homes only by itself, at power-up: switch it off and on, and wait with `birdcage init`."
+        return "It homes only at power-up. Switch it off and on, and wait with `birdcage init`."
     return "`birdcage home` homes it."
 
 
@@ -229,8 +229,8 @@ def open_dish(
             _leave(dish, begun, error, wanted)
             if isinstance(error, NoReply) and not wanted.firmware_given:
                 error.add_note(
-                    f"Nothing told which firmware it is, so {wanted.firmware} was tried. `birdcage detect` shows what "
-                    "each speed brings; --firmware names it."
+                    f"Unknown firmware, so {wanted.firmware} was tried. `birdcage detect` shows what each speed "
+                    "brings; set it with --firmware."
                 )
             raise
         except BaseException as crash:
@@ -256,7 +256,7 @@ def _leave(dish: Dish, begun: float, error: BaseException, wanted: Wanted) -> No
         if report is not None:
             error.add_note(report.sentence)
             if report.confirmed is None and report.means != "nothing moved":
-                error.add_note(f"STOP was not confirmed within {CONFIRM_S:.0f} s: look at the dish, or cut its power.")
+                error.add_note(f"STOP is not confirmed after {CONFIRM_S:.0f} s. Look at the dish, or cut its power.")
     farewell = dish.close()
     held = find_held(wanted.paths, dish.state.port or wanted.port)
     if held is not None and held.note.sentence not in str(error):

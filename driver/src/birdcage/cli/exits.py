@@ -21,13 +21,22 @@ CRASH = 70
 SIGNAL = 128
 """Plus the signal's number: 130 after Ctrl+C."""
 
-EPILOG = (
-    "Exit status: 0 done; 1 the dish did not do it; 2 wrong command line, settings or firmware; 3 no link to the dish; "
-    "4 refused by HELD, a limit or an unknown position, nothing was sent; 70 a fault of birdcage; "
-    "128 + n ended by signal n (130: Ctrl+C), after STOP."
-)
+EPILOG = """\b
+Exit status:
+  0    done
+  1    the dish did not do it
+  2    wrong command line, settings or firmware
+  3    no link to the dish
+  4    refused by HELD, a limit or an unknown position; nothing was sent
+  70   a fault of birdcage
+  130  Ctrl+C, after STOP; 128 + n: ended by signal n"""
 
-DATA_EPILOG = "Exit status: 0 done; 1 not done, or not all of it; 2 wrong command line or settings; 130 Ctrl+C."
+DATA_EPILOG = """\b
+Exit status:
+  0    done
+  1    not done, or not all of it
+  2    wrong command line or settings
+  130  Ctrl+C"""
 """Of commands that have nothing to do with a dish."""
 
 

@@ -55,8 +55,8 @@ def frozen_warning(elements: Iterable[ElementSet]) -> str | None:
         return None
     dates = " to ".join(dict.fromkeys((f"{epochs[0]:%Y-%m-%d}", f"{epochs[-1]:%Y-%m-%d}")))
     return (
-        f"Warning: frozen elements, which ship with birdcage for a first look (epoch {dates}). Where a satellite "
-        "stands now cannot be told from them: do not point a dish by them. `birdcage elements update` fetches new ones."
+        f"Warning: these are the frozen elements that ship with birdcage (epoch {dates}). Do not point a dish by them. "
+        "`birdcage elements update` fetches new ones."
     )
 
 

@@ -70,7 +70,7 @@ def place(settings: Settings) -> Check:
     """Whether it is known where the dish will stand."""
     here = settings.place
     if here.latitude_deg is None or here.longitude_deg is None:
-        return Check("place", "must", "not set: no pass and no direction can be computed", "birdcage place add")
+        return Check("place", "must", "not set, so passes and directions can't be computed", "birdcage place add")
     where = f"{here.latitude_deg:.3f}, {here.longitude_deg:.3f}, {here.height_m:.0f} m"
     from birdcage.cli.place_words import horizon_words
 
@@ -84,20 +84,20 @@ def dish(settings: Settings) -> Check:
 
     name = settings.dish.firmware
     if name is None:
-        return Check("dish", "look", "its firmware is not named: it will be asked or listened for", "birdcage setup")
+        return Check("dish", "look", "firmware not set: the port is asked", "birdcage setup")
     model = next((each for each in list_models() if each.firmware == name), None)
     if model is None:
-        return Check("dish", "must", f"firmware {name!r} is none that this version speaks", "birdcage setup")
+        return Check("dish", "must", f"firmware {name!r} is unknown to this version", "birdcage setup")
     return Check("dish", "good", f"{model.name}, firmware {name}")
 
 
 def port(settings: Settings) -> Check:
-    """Whether the port is there and may be used. It is not opened."""
+    """Whether the port is ready to use. It is not opened."""
     name = settings.dish.port
     if name is None:
-        return Check("port", "look", "not set; plug in the adapter and see", "birdcage ports")
+        return Check("port", "look", "not set; plug in the adapter", "birdcage ports")
     if ":" in name and not Path(name).exists():
-        return Check("port", "look", f"{name} is an address: whether it answers shows only when it is opened")
+        return Check("port", "look", f"{name} is an address; it is tried only when opened")
     if name.upper().startswith("COM"):
         from birdcage.station.known import list_ports
 
@@ -107,9 +107,9 @@ def port(settings: Settings) -> Check:
         return _no_port(name)
     if not os.access(name, os.R_OK | os.W_OK):
         return Check(
-            "port", "must", f"{name} is there, but you may not use it", "birdcage wiring, and the group dialout"
+            "port", "must", f"{name} is there, but you lack permission", "birdcage wiring, and the group dialout"
         )
-    return Check("port", "good", f"{name} is there and may be used")
+    return Check("port", "good", f"{name} is ready to use")
 
 
 def _no_port(name: str) -> Check:
@@ -150,7 +150,7 @@ def feed(settings: Settings) -> Check:
 
     name, mounted = settings.feed.active, settings.active_feed
     if "feed.active" not in settings.sources:
-        return Check("feed", "look", f"{name}, as nobody named another: is that what is mounted?", "birdcage setup")
+        return Check("feed", "look", f"{name}, the default: is it the one that is mounted?", "birdcage setup")
     if not has_band(mounted):
         return Check("feed", "look", f"{name} has no band: freq_min_hz and freq_max_hz", "birdcage config path")
     assert mounted.freq_min_hz is not None

@@ -65,7 +65,7 @@ def elements(paths: Paths, now: datetime) -> Iterator[Check]:
 
 
 def _none() -> Check:
-    return Check("elements", "must", "there are none but the few old ones that ship", "birdcage elements update")
+    return Check("elements", "must", "only the few old ones that ship", "birdcage elements update")
 
 
 def _favourite(entry: Entry, now: datetime) -> Check:

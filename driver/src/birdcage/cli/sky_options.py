@@ -129,8 +129,8 @@ def find_observer(settings: Settings, lat: float | None, lon: float | None, alt:
         return Observer(lat, lon, alt if alt is not None else 0.0)
     if place.latitude_deg is None or place.longitude_deg is None:
         raise ConfigError(
-            "No place is set: `birdcage place add home WHERE --use` sets one (a city, a locator such as JO21jv, or two "
-            "angles); --lat and --lon count for one command."
+            "No place is set. `birdcage place add home WHERE --use` sets one: a city, a locator (JO21jv), or two "
+            "angles. --lat and --lon count for one command."
         )
     height_m = alt if alt is not None else place.height_m
     return Observer(place.latitude_deg, place.longitude_deg, height_m, place.name or "")

@@ -155,7 +155,7 @@ class Talk:
         choice = next((each for each in view.choices if key in (each.key, each.name)), None)
         if choice is None:
             keys = ", ".join(_key(each) for each in view.choices)
-            _tell(f"There is no such answer here: {keys}." if keys else "There is nothing to answer here yet: wait.")
+            _tell(f"Unknown answer. Type {keys}." if keys else "Nothing to answer yet. Wait.")
             self._said = self._shape(view)  # what can be answered stands just above
             return
         if choice.moves and not self._setup.area_clear and not self._cleared():

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from birdcage.sky.targets import Target
     from birdcage.tracking.mount import Mount
 
-NO_DISH = "Which dish is it? Give --firmware, or set firmware under [dish] in birdcage.toml: a plan is for one dish."
+NO_DISH = "A plan needs to know the dish. Give --firmware, or set firmware under [dish] in birdcage.toml."
 
 
 def choice_for(

@@ -80,7 +80,7 @@ def _need_position(dish: Dish) -> None:
     state = dish.state
     if state.position is None or state.position_lost is not None:
         raise PositionUnknown(
-            f"The dish does not know where it is, so it follows nothing. {how_to_home(state)}", reason="unhomed"
+            f"The dish does not know where it points, so it follows nothing. {how_to_home(state)}", reason="unhomed"
         )
 
 

@@ -52,32 +52,31 @@ def no_reply(port: str, command: str, seen: bytes, waited_s: float, *, busy: boo
     quoted = text if len(text) <= _QUOTED else "…" + text[-_QUOTED:]
     if not seen:
         return NoReply(
-            f"The dish is silent: {asked} on {port} brought nothing in {waited_s:.1f} s. Its power is off, the cable "
-            "is out at the dish, the baud rate is wrong, it takes longer to wake up, or its shell is deadlocked, which "
-            "only a power cycle ends.",
+            f"The dish is silent: {asked} on {port} brought nothing in {waited_s:.1f} s. Check its power, the cable "
+            "at the dish, and the baud rate. It may still be starting; a deadlocked shell needs a power cycle.",
             reason="silent",
         )
     if is_garbage(seen):
         return NoReply(
-            f"What arrives on {port} cannot be read ({len(seen)} bytes after {asked}): the baud rate is wrong, the "
-            "two wires of the receiving pair are swapped, or something else is connected.",
+            f"What arrives on {port} cannot be read ({len(seen)} bytes after {asked}). Check the baud rate, the two "
+            "wires of the receiving pair, and what is connected.",
             reason="garbage",
         )
     if not text or text == command:
         return NoReply(
-            f"Only our own {asked} came back on {port}: the adapter hears itself and no dish, or the dish echoes and "
-            "its shell is deadlocked, which only a power cycle ends.",
+            f"Only our own {asked} came back on {port}. The adapter hears itself, or the dish's shell is deadlocked: "
+            "then only a power cycle helps.",
             reason="echo",
         )
     came_back = command in text if command else any(byte in b"\r\n" for byte in seen)
     if not came_back and looks_like_prompt(text[-1:]):
         return NoReply(
-            f"The dish answered {asked} on {port} (last: `{quoted}`), but the line itself did not come back: a "
-            "half-duplex adapter swallows the echo (wire all four lines, or use one for RS-422), or bytes were lost.",
+            f"The dish answered {asked} on {port} (last: `{quoted}`), but the echo is missing. Use an RS-422 adapter "
+            "with all four wires: half duplex swallows the echo. Or bytes were lost.",
             reason="blocked",
         )
     return NoReply(
-        f"The dish talks on {port}, but nothing that answers {asked} came in {waited_s:.1f} s (last: `{quoted}`): it "
-        "is starting up, still busy with an earlier command, or bytes were lost.",
+        f"The dish talks on {port}, but nothing that answers {asked} came in {waited_s:.1f} s (last: `{quoted}`). It "
+        "may be starting or busy, or bytes were lost.",
         reason="blocked",
     )

@@ -84,7 +84,7 @@ def _aged(before: ClockVerdict, now: datetime, found: ClockVerdict) -> ClockVerd
     aged = ClockVerdict("remembered", source, before.checked_at, before.offset_s, precision_s)
     worst_s = aged.worst_s or 0.0
     if worst_s > DOUBTFUL_S:
-        doubt = f"{found.doubt} It was good by {source}, and may be {worst_s:.1f} s off by now."
+        doubt = f"{found.doubt} Last compared: {source}. It may be {worst_s:.1f} s off now."
         return replace(aged, doubt=doubt)
     return aged
 

@@ -126,7 +126,7 @@ def _why(reader: GpsdReader, timeout_s: float) -> str:
     sees = "" if reader.satellites is None else f", {reader.satellites} satellites used"
     return (
         f"{reader.source} has no fix after {timeout_s:g} s (mode {'unknown' if reader.mode is None else reader.mode}"
-        f"{sees}): give the receiver a clear view of the sky; a cold start takes some minutes."
+        f"{sees}). Give the receiver a clear view of the sky; a cold start takes some minutes."
     )
 
 

@@ -157,8 +157,8 @@ def _listen(reader: NmeaReader, coming: Lines, clock: Clock, until: float, first
 def _no_fix(reader: NmeaReader, timeout_s: float) -> str:
     count = "no satellite count" if reader.satellites is None else f"{reader.satellites} satellites"
     return (
-        f"The receiver at {reader.source} speaks, but has no fix after {timeout_s:g} s ({count}): give it a clear view "
-        "of the sky; a cold start takes some minutes."
+        f"The receiver at {reader.source} speaks, but has no fix after {timeout_s:g} s ({count}). Give it a clear "
+        "view of the sky; a cold start takes some minutes."
     )
 
 

@@ -93,7 +93,7 @@ def _registered() -> dict[str, EntryPoint]:
 def _open_registered(url: str, scheme: str, baud: int, clock: Clock) -> Port:
     registered = _registered()
     if scheme not in registered:
-        kinds = ["a device such as /dev/ttyUSB0 or COM4", "socket://host:port", "rfc2217://host:port", "loop://"]
+        kinds = ["a device (/dev/ttyUSB0, COM4)", "socket://host:port", "rfc2217://host:port", "loop://"]
         kinds += [f"{name}:NAME" for name in sorted(registered)]
         raise LinkError(
             f"{url}: there is no kind of port called {scheme!r}; there are {', '.join(kinds)}.", reason="unsupported"
@@ -126,7 +126,7 @@ def _open_socket(url: str) -> Port:
         return socket_port.connect(host, port, url)
     except TimeoutError as error:
         raise LinkError(
-            f"{url}: nobody answered within {socket_port.CONNECT_TIMEOUT_S:.0f} s; "
+            f"{url} does not answer within {socket_port.CONNECT_TIMEOUT_S:.0f} s; "
             "check the address, and that the serial server is on.",
             reason="missing",
         ) from error

@@ -67,11 +67,11 @@ class SystemFacts:
             )  # fmt: skip
         if self.enrolled:
             return Hindrance(
-                "login", f"You are in the group {self.group}, but were not yet when you logged in.",
+                "login", f"You joined the group {self.group}, but only after you logged in.",
                 f"newgrp {self.group}", "Or log out and in again; then start birdcage anew.",
             )  # fmt: skip
         return Hindrance(
-            "group", f"{self.device} belongs to the group {self.group}, and you are not in it.",
+            "group", f"{self.device} belongs to the group {self.group}, and you are not a member.",
             f"sudo usermod -aG {self.group} $USER", "Then log out and in again.",
         )  # fmt: skip
 

@@ -34,7 +34,7 @@ def explain(url: str, baud: int, error: Exception, *, is_device: bool) -> LinkEr
     if number in _BUSY:
         return LinkError(f"{url} is in use by {_holder(url)}: end that program first.", reason="busy")
     if number in _FORBIDDEN:
-        return LinkError(f"{url} may not be opened by you: {_remedy(url)}", reason="permission")
+        return LinkError(f"{url} is not permitted to you: {_remedy(url)}", reason="permission")
     if number == errno.ENOTTY:
         return LinkError(f"{url} is no serial port; `birdcage ports` lists the ports.", reason="unsupported")
     return LinkError(
@@ -64,7 +64,7 @@ def _short(error: Exception) -> str:
 def _ports_there_are() -> str:
     ports = list_ports()
     if not ports:
-        return "no serial port is plugged in; check the adapter and its cable."
+        return "no serial port is plugged in. Check the adapter and its cable."
     return f"there {'is' if len(ports) == 1 else 'are'} {', '.join(port.device for port in ports)}."
 
 

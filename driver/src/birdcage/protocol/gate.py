@@ -207,10 +207,10 @@ class MotionGate:
 
     def _unknown(self) -> PositionUnknown:
         why = {
-            "unread": "the position of the dish was not read yet. Read it first (it is asked for by itself).",
-            "unhomed": "the dish is not homed, so it does not know where it is. Home it first.",
-            "unreadable": "what the dish prints of its position can't be read. Home it; the console shows its words.",
-            "released": "the motors were released, so the position no longer holds. Home the dish.",
+            "unread": "the position of the dish has not been read yet. Wait a moment: it is read by itself.",
+            "unhomed": "the dish is not homed, so it does not know where it points. Home it first.",
+            "unreadable": "the dish's answer for its position can't be read. Home it; the console shows the answer.",
+            "released": "the motors were released, so the position is unknown. Home the dish.",
             "raw": "a raw command may have moved the dish. Read the position again.",
         }
         sentence = why.get(self.unknown_reason, self.unknown_reason)
@@ -239,7 +239,7 @@ class MotionGate:
         if self.cable_deg is None and not is_safe_at_any_turn(self.model, start.azimuth, az_deg, limits):
             raise MotionRefused(
                 f"The cable may turn from {limits[0]:+.2f}° to {limits[1]:+.2f}° only, and its turn is not known. "
-                "Home the dish with this program, so that it can count. Nothing was sent.",
+                "Home the dish with this program, which then counts the turn. Nothing was sent.",
                 reason="wrap",
             )
 

@@ -14,9 +14,7 @@ if TYPE_CHECKING:
     from birdcage.sky.targets import Resolution, Target
     from birdcage.tracking.planning.refraction import Refraction
 
-NO_PLACE = (
-    "No place is set: `birdcage place add home WHERE --use` sets one (a city, a locator such as JO21jv, or two angles)."
-)
+NO_PLACE = "No place is set. `birdcage place add home WHERE --use` sets one: a city, a locator (JO21jv), or two angles."
 
 
 def brief(meant: Resolution) -> str:

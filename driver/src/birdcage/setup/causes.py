@@ -47,7 +47,7 @@ def _of_the_system(case: Case) -> list[Cause]:
     if case.system is None:
         return []
     titles = {
-        "group": "You may not open it", "login": "You may not open it yet", "busy": "Another program has it",
+        "group": "Not permitted", "login": "Not permitted yet", "busy": "Another program uses it",
         "modemmanager": "ModemManager meddles", "brltty": "brltty takes the adapter",
     }  # fmt: skip
     return [

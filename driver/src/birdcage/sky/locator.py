@@ -22,7 +22,9 @@ def decode(locator: str) -> tuple[float, float, float]:
     text = locator.strip().upper()
     found = _LOCATOR.fullmatch(text)
     if found is None:
-        raise ValueError(f"{locator.strip()!r} is no Maidenhead locator of 4, 6 or 8 characters such as JO21jv.")
+        raise ValueError(
+            f"{locator.strip()!r} is not a Maidenhead locator of 4, 6 or 8 characters. Type it like JO21jv."
+        )
     lon_deg, lat_deg, size_deg = -180.0, -90.0, 180.0
     for pair, parts in zip((pair for pair in found.groups() if pair), _PARTS, strict=False):
         first = ord("0") if pair.isdigit() else ord("A")

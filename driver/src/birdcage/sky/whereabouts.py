@@ -33,7 +33,7 @@ def from_locator(text: str) -> Observer:
     """Return the middle of a locator. ValueError for none, or for one that is too coarse to point from."""
     latitude, longitude, half_deg = decode(text)
     if half_deg > COARSE_DEG:
-        raise ValueError(f"That square is {4 * half_deg:g}° wide: give six characters, such as JO21jv.")
+        raise ValueError(f"That square is {4 * half_deg:g}° wide. Type six characters: JO21jv.")
     return Observer(round(latitude, 6), round(longitude, 6))
 
 
@@ -42,7 +42,7 @@ def _from_angles(text: str) -> Observer:
     found = [_ANGLE.fullmatch(part.strip()) for part in parts]
     matches = [each for each in found if each is not None]
     if len(matches) != len(parts) or len(matches) not in (2, 3):
-        raise ValueError(f"{text!r} is no latitude and longitude such as `51.9 4.8`, with a height in metres after it.")
+        raise ValueError(f"{text!r} is not a latitude and longitude. Type `51.9 4.8`; a height in metres may follow.")
     latitude, longitude = (_signed(each) for each in matches[:2])
     letters = [each[2].upper() for each in matches]
     if letters[0] in ("E", "W") or letters[1] in ("N", "S"):

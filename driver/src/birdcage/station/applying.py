@@ -22,8 +22,7 @@ def refuse_while_moving(board: Board, antenna: BirdcageAntenna, so: str) -> None
         raise BirdcageError(f"{so} while the dish moves. Wait until it rests, or stop it.", reason="moving")
     if board.state.raw_motion:
         raise BirdcageError(
-            f"{so}: a raw line may have set the dish in motion, and it was not seen at rest since. Give the console "
-            "back, or STOP.",
+            f"{so}: a raw line may have set the dish in motion. Give the console back, or STOP.",
             reason="moving",
         )
 

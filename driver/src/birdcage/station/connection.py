@@ -20,7 +20,7 @@ LONGEST_RETRY_S = 5.0
 SILENT_RETRY_S = 1.0
 BUSY_S = 60.0
 """For so long a silence after a move that was not answered counts as that of a dish that is busy with it."""
-NO_PORT = "No port is chosen yet. The setup does that: F8 in the app, or `birdcage setup`."
+NO_PORT = "Choose a port in Setup: F8 in the app, or `birdcage setup`."
 CLOSE_S = 0.05
 """How long leaving may try to bring the console back to its root menu."""
 

@@ -29,7 +29,7 @@ class Control:
         if previous == holder:
             return
         if previous is not None and not take_over:
-            raise LeaseDenied(f"{previous} has control. Take it over explicitly, or wait until it is given back.")
+            raise LeaseDenied(f"{previous} has control. Take control, or wait until it is given back.")
         self._pass_to(holder)
 
     def give_back(self, holder: str) -> None:

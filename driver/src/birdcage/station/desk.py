@@ -129,7 +129,9 @@ class Desk:
     def _free_wire(self) -> None:
         link = self._board.state.link
         if link.state is not Link.UP:
-            raise LinkError(f"Nothing is sent without a link to the dish ({link.detail}).", reason=link.state.value)
+            raise LinkError(
+                f"There is no link to the dish, so nothing is sent ({link.detail}).", reason=link.state.value
+            )
         self._watches.end_excursion()
 
     def _move(self, request: ask.Goto | ask.Follow | ask.Jog, future: Future[object]) -> None:
@@ -170,7 +172,9 @@ class Desk:
         if base is None:
             position = self._board.state.position if self._board.state.position_lost is None else None
             if position is None:
-                raise MotionRefused("No step from an unknown position. Wait until it was read.", reason="unread")
+                raise MotionRefused(
+                    "The position is unknown, so no step is sent. Wait until it is read.", reason="unread"
+                )
             base = position.az_deg, position.el_deg
         return (base[0] + jog.d_az_deg) % 360.0, base[1] + jog.d_el_deg
 

@@ -128,19 +128,22 @@ def _untold(port: str, findings: list[BaudFinding]) -> str:
     if talking is not None and talking.saw is Saw.PROMPT:
         lists = f", and `?` lists {', '.join(sorted(talking.listed)[:8])}" if talking.listed else ""
         return (
-            f"What answers on {port} shows `{talking.prompt or talking.sample}`{lists}: no firmware that birdcage "
-            "knows does. If it is a dish all the same, name its firmware with --firmware."
+            f"What answers on {port} shows `{talking.prompt or talking.sample}`{lists}: no known firmware does. If "
+            "it is a dish, set its firmware with --firmware."
         )
     if talking is not None:
         return (
-            f"What talks on {port} at {talking.baud} baud (`{talking.sample}`) shows no prompt and nothing that a "
-            "known dish prints: another device, or a dish that is starting."
+            f"What talks on {port} at {talking.baud} baud (`{talking.sample}`) shows no prompt that birdcage knows. "
+            "It is another device, or a dish that is starting."
         )
     rates = " and ".join(str(rate) for rate in dict.fromkeys(each.baud for each in findings))
     if any(each.saw is Saw.ECHO for each in findings):
         return f"{port} gives back our own Enter at {rates} baud, and nothing else: no dish answers."
     if any(each.saw is Saw.GARBAGE for each in findings):
-        return f"What comes from {port} cannot be read at {rates} baud: another rate, or swapped wires."
+        return (
+            f"What comes from {port} cannot be read at {rates} baud. Try another rate, or swap the two wires of the "
+            "receiving pair."
+        )
     return f"{port} is silent at {rates} baud: no dish answers. Its power may be off, or it is homing."
 
 

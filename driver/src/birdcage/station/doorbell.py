@@ -177,7 +177,7 @@ class Doorbell:
             unsubscribe()
         last = self._station.state.last_stop
         if last is None or last.at < called:
-            return {"by": by, "means": "sent", "confirmed": None, "sentence": "STOP was called; nothing came of it."}
+            return {"by": by, "means": "sent", "confirmed": None, "sentence": "STOP was called, without effect."}
         return dict(stop_report(last))
 
     def _release(self, by: str) -> dict[str, object]:
@@ -185,7 +185,7 @@ class Doorbell:
         try:
             self._station.submit(Release(by)).result(RELEASE_S)
         except TimeoutError:
-            problem = f"The program did not do it within {RELEASE_S:.0f} s."
+            problem = f"The program did not respond within {RELEASE_S:.0f} s."
         except BirdcageError as error:
             problem = str(error)
         else:

@@ -34,7 +34,7 @@ ON_ITS_WAY_S = 0.15
 """On a dish whose moves queue, the next command may leave so long before the one under way ends."""
 
 
-LOST = "The dish no longer knows where it is. Home it first."
+LOST = "The dish no longer knows where it points. Home it first."
 STALE_S = 1.2
 """So long after the last reading a dish whose moves queue is looked at before it gets another."""
 SHOW_S = 0.1

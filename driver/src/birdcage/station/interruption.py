@@ -12,8 +12,8 @@ AS_BEFORE_DEG = 0.5
 """How far it may stand from where its last motion led."""
 
 SENTENCES = {
-    "link": "The link to the dish was lost: it stays still.",
-    "fault": "The dish has lost its bearings: it stays still.",
+    "link": "The link to the dish was lost, so it stays still.",
+    "fault": "The dish no longer knows where it points, so it stays still.",
     "clock": "The clock was stepped, or the computer slept: the dish stays still.",
 }
 

@@ -49,7 +49,7 @@ class Look:
             self._board.change(search=Search.UNKNOWN)
 
     def unknown(self, unknown: PositionUnknown) -> None:
-        """The dish does not know where it is."""
+        """The dish does not know where it points."""
         homed = False if unknown.reason == "unhomed" else None
         forgot = homed is False and self._board.state.homed is True
         said = str(unknown) if unknown.reason == "unreadable" else ""

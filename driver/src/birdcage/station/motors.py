@@ -76,7 +76,7 @@ class Motors:
         refuse_while_moving(self._board, self._antenna, "The dish is not stowed")
         if self._look.position() is None:
             raise PositionUnknown(
-                "No stowing: the dish does not know where it is, so not where flat is either. Home it first.",
+                "The dish does not know where it points, so it can't stow. Home it first.",
                 reason=self._antenna.protocol.gate.unknown_reason,
             )
         self._mover.activity(Activity.STOWING, "")
@@ -99,7 +99,7 @@ class Motors:
         """Set the greatest speed of an axis until the dish restarts; return what it shows. Moves nothing."""
         state, protocol = self._board.state, self._antenna.protocol
         if state.holder not in (None, holder):
-            raise LeaseDenied(f"{state.holder} has control. Take it over explicitly, or wait until it is given back.")
+            raise LeaseDenied(f"{state.holder} has control. Take control, or wait until it is given back.")
         if not protocol.model.has_speeds:
             raise CommandRefused(f"The {protocol.model.name} has no command for its speed.", reason="unsupported")
         if motor not in (protocol.model.azimuth.index, protocol.model.elevation.index):

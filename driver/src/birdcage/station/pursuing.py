@@ -89,13 +89,13 @@ class Pursuing:
             return live.number
         (voyage, name), link = voyage_for(request, self._board, self._antenna, self._hear), self._board.state.link
         if link.state is not Link.UP:
-            raise LinkError(f"Nothing is followed without a link to the dish ({link.detail}).", reason=link.state.value)
+            raise LinkError(f"No link to the dish, so nothing is followed ({link.detail}).", reason=link.state.value)
         self._antenna.protocol.gate.require_position()
         self._control.refuse(request.holder)
         if live is not None:
             if self._leads and live.holder != request.holder:
                 raise LeaseDenied(
-                    f"{live.holder} follows {live.plan.aim.name}. Take control over first, or wait until that is over."
+                    f"{live.holder} follows {live.plan.aim.name}. Take control first, or wait until that ends."
                 )
             leads = self._leads
             self._over(words.REPLACED)

@@ -8,7 +8,7 @@ from birdcage.station.state import Fault, HeldState
 
 REPLACED = "Another pursuit replaced it."
 DONE = "The pass is over."
-UNREAD = "Where the dish is, is not read: it is taken to be where it was sent."
+UNREAD = "The dish's position is not read. It is assumed to be where it was sent."
 
 
 def ended_by(by: str) -> str:
@@ -37,10 +37,10 @@ def interrupted(reason: str, options: PursuitOptions) -> str:
     """What broke in, and what would make it go on."""
     if reason == "link" and options.resume:
         return (
-            f"{SENTENCES[reason]} It goes on by itself if the link is back within {options.resume_within_s:g} s and "
-            "the dish is as it was; else a person releases it."
+            f"{SENTENCES[reason]} It goes on by itself once the link is back within {options.resume_within_s:g} s "
+            "with the dish as it was. Otherwise release it."
         )
-    return f"{SENTENCES.get(reason, SENTENCES['clock'])} It goes on when a person releases it, if the pass still lasts."
+    return f"{SENTENCES.get(reason, SENTENCES['clock'])} Release it, and it goes on while the pass lasts."
 
 
 def as_steered(why: str, phase: Phase, controller: str) -> str:

@@ -54,7 +54,7 @@ class Session:
         BirdcageError for a session that was built without a transcript.
         """
         if self._wire is None:
-            raise BirdcageError("This session was built without a transcript: nobody hears its wire.")
+            raise BirdcageError("This session was built without a transcript, so its wire can't be heard.")
         return self._wire.listen(listener)
 
     def step(self, seconds: float) -> None:
@@ -112,7 +112,7 @@ class Session:
 def farewell(position: Pointing | None, lost: str | None, reach: Reach | None) -> str:
     """Say where the dish is left; `reach` tells what became of STOP, None when there was nothing to stop."""
     if position is None or lost is not None:
-        where = "Where the dish is, is not known."
+        where = "The dish's position is not known."
     else:
         where = f"The dish was last seen at AZ {position.az_text} EL {position.el_deg:.2f}°, {position.utc:%H:%M:%S}Z."
     if reach is Reach.SENT:
@@ -122,5 +122,5 @@ def farewell(position: Pointing | None, lost: str | None, reach: Reach | None) -
     if reach in (None, Reach.AT_REST):
         return where
     if reach is Reach.CHECKING:
-        return f"No motion was under way; whether the dish stands still was not read to the end. {where}"
-    return f"The dish may still be moving, and no STOP has reached it: look at it, or cut its power. {where}"
+        return f"No motion was under way. Whether the dish stands still is unknown. {where}"
+    return f"The dish may still be moving. No STOP has reached it: look at it, or cut its power. {where}"

@@ -43,7 +43,7 @@ BEHIND = Grip(
 )
 """Behind a line that the dish may read later than it goes out, a target that is aimed now may lead it back."""
 NOTHING = Grip("nothing moved", "Nothing was moving. Looking where the dish is.")
-LOOK = Grip("look", "No motion of ours was under way: looking where the dish goes, to aim.")
+LOOK = Grip("look", "birdcage sent no motion. Looking where the dish goes, to aim.")
 
 
 class StopWay(ABC):
@@ -107,7 +107,7 @@ class Retarget(StopWay):
             if lines:
                 return Grip("retarget", "A new target just ahead of the dish was sent.", lines)
         elif motion is not None:
-            return Grip("none", "This dish takes new targets at the end of a move only: cut its power.")
+            return Grip("none", "This dish takes new targets only at the end of a move. Cut its power.")
         unknown = self._board.state.activity in (Activity.UNKNOWN, Activity.MOVING_UNASKED)
         return LOOK if unknown else NOTHING
 

@@ -25,8 +25,8 @@ ANSWER_S = 0.3
 POLL_S = 0.05
 READINGS = 4
 """So many exchanges it takes at most until two positions that can be believed agree."""
-UNKNOWN = "The dish does not know where it is, so whether it stands still is not known: if it moves, cut its power."
-RELEASED = "The motors are released: nothing drives the dish, and where it is, is not known. Home it."
+UNKNOWN = "The dish does not know where it points, so it can't tell whether it moves. If it does, cut its power."
+RELEASED = "The motors are released: nothing drives the dish, and its position is unknown. Home it."
 
 
 GRIPS = ("retarget", "abort", "search")
@@ -314,7 +314,7 @@ class Stopper:
         self._antenna.protocol.release_motors()
         self._look.unknown(PositionUnknown("STOP released the motors.", reason="released"))
         pending.report = replace(pending.report, means="release", confirmed=None)
-        self._finish(pending, None, "The motors were released. Where the dish is, is not known: home it.")
+        self._finish(pending, None, "The motors were released. The dish's position is not known: home it.")
 
     def motors_were_released(self) -> None:
         """Nothing is left to be stopped: a person has taken the current off the motors."""

@@ -164,9 +164,9 @@ class Vigil:
         if self._board.state.fault is not None and self._board.state.search is Search.RUNNING:
             return  # it was told that the dish has restarted, and that it searches then
         self.raise_fault(
-            "moved", "The dish moves though nobody asked",
+            "moved", "The dish moves unasked",
             "Its own TV search, another program, a hand or the wind may move it.",
-            "Keep clear. Space stops it as far as it can be stopped; if not, cut its power.",
+            "Keep clear. Press Space to stop it. If it goes on, cut its power.",
         )  # fmt: skip
 
     @property
@@ -200,8 +200,8 @@ class Vigil:
     def slow(self, sentence: str) -> None:
         """A speed that was changed for a while could not be put back."""
         self.raise_fault(
-            "speed", "The dish did not take its speed back", f"It goes slower than planned. {sentence}",
-            "Set its speed, or switch it off and on: then it has its own again.",
+            "speed", "The dish did not take its speed back", f"The dish moves slower than planned. {sentence}",
+            "Set its speed, or switch it off and on to restore its own.",
         )  # fmt: skip
 
     def _forgotten(self) -> None:
@@ -210,9 +210,9 @@ class Vigil:
         self._look.forget_survey()
         self.interrupted("fault")
         self.raise_fault(
-            "unhomed", "The dish no longer knows where it is",
-            "It was homed a moment ago: its power has dipped, or it has restarted without a word.",
-            "Check its power and cable. Acknowledge, and home it: by switching it off and on where it homes by itself.",
+            "unhomed", "The dish no longer knows where it points",
+            "It was homed a moment ago. Its power has dipped, or it has restarted silently.",
+            "Check its power and cable. Acknowledge, then home it. If it homes at power-up, switch it off and on.",
         )  # fmt: skip
 
     def raise_fault(self, reason: str, what: str, meaning: str, remedy: str) -> None:
@@ -244,7 +244,7 @@ class Vigil:
             if fault is None or not self._failed_to_home:
                 self.raise_fault(
                     "reboot", f"The dish has restarted: {line.strip()!r}",
-                    "It homes by itself or has to be homed, and may begin its TV search.",
+                    "It homes by itself or must be homed, and may begin its TV search.",
                     "Check its power and cable. Wait until it is quiet, then acknowledge and home it.",
                 )  # fmt: skip
         self._failed_to_home = False

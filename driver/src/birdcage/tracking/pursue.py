@@ -57,7 +57,7 @@ class Pursuer:
         asked = self._voyage.asked and max(leave_s, self._now_s) - self._begun_s <= JUST_ASKED_S
         begin_s = leave_s if asked else leave_s - COUNTDOWN_S
         if self._now_s < begin_s:
-            self._tell(Stage.WAITING, f"It leaves at {clock_text(leave_s)}.", "pre-position", leave_s)
+            self._tell(Stage.WAITING, f"The dish moves at {clock_text(leave_s)}.", "pre-position", leave_s)
             yield from self._wait(begin_s)
             return False
         if not asked:

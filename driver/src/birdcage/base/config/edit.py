@@ -39,7 +39,7 @@ def edit(path: Path, changes: Mapping[str, Value]) -> None:
     document = read_document(path)
     if document.problems:
         raise ConfigError(
-            f"Nothing was written: {document.problems[0].text} Mend that file, or move it away, and try again."
+            f"Nothing was written: {document.problems[0].text} Fix that file, or move it away, and try again."
         )
     if all(_found(document.data, dotted) == value for dotted, value in changes.items()):
         return

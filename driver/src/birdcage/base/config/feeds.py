@@ -19,7 +19,7 @@ class FeedSettings(Section):
     section: ClassVar[str] = "feed"
     limits_motion: ClassVar[bool] = True
 
-    active: str = setting(STOCK, "Name of the feed that is mounted.", env="BIRDCAGE_FEED")
+    active: str = setting(STOCK, "Name of the mounted feed.", env="BIRDCAGE_FEED")
 
 
 @dataclass(frozen=True, slots=True)

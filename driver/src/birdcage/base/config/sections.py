@@ -147,7 +147,7 @@ class PlaceSettings(Section):
         "The line of trees and roofs: [[az, el], ...], true degrees, straight in between; at one azimuth only: flat.",
     )
     gps: str | None = setting(
-        None, "Where a GPS receiver is asked: gpsd, gpsd://host:port, or its own port such as /dev/ttyACM0."
+        None, "Where a GPS receiver is asked: gpsd, gpsd://host:port, or its own port: /dev/ttyACM0."
     )
 
     def complaints(self) -> Iterator[Complaint]:

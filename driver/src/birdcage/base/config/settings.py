@@ -82,4 +82,4 @@ class Settings:
         first = next((problem for problem in self.problems if problem.limits_motion), None)
         if first is None:
             return None
-        return f"Settings that limit motion could not be read, so nothing moves. {first.text} Mend it and start again."
+        return f"Settings that limit motion could not be read, so nothing moves. {first.text} Fix it and start again."

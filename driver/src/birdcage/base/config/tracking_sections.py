@@ -19,8 +19,7 @@ class TrackingSettings(Section):
         "auto", "What steers the dish; auto: what suits it. leapfrog is the old fixed overshoot."
     )
     velocity_allowed: bool = setting(
-        False, "Let `velocity` change the greatest speed of the motors while it follows. Nobody has confirmed on a "
-        "dish that this is harmless.",
+        False, "Let `velocity` change the greatest speed of the motors while it follows. Unproven on a real dish.",
     )  # fmt: skip
     dead_band_steps: float = setting(
         0.5, "An axis that would move by fewer of its steps is left alone.", minimum=0.0, maximum=100.0

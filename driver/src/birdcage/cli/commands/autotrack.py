@@ -22,10 +22,12 @@ if TYPE_CHECKING:
 @click.command("autotrack", epilog=exits.EPILOG)
 @elements_option
 @observer_options
-@click.option("--dry-run", is_flag=True, help="Only print, which is what happens without --engage.")
+@click.option("--dry-run", is_flag=True, help="Only print the schedule.  [default: unless --engage]")
 @click.option("--engage", is_flag=True, help="Move the dish: follow one pass after the other, until Ctrl+C.")
-@click.option("--until", type=UTC_TIME, help="When --engage ends: no pass is begun after it. ISO 8601, UTC.")
-@click.option("--speed", type=click.FloatRange(1.0, 1000.0), help="Time runs so much faster; of a simulated dish only.")
+@click.option("--until", type=UTC_TIME, help="When --engage ends: no pass begins after it. ISO 8601, UTC.")
+@click.option(
+    "--speed", type=click.FloatRange(1.0, 1000.0), help="Run time this many times faster; simulated dish only."
+)
 @at_option("When the list begins.", old_name="--start")
 @click.option(
     "--hours", type=click.FloatRange(0.0, 72.0, min_open=True), help="How far ahead.  [default: as set, or 24]"
@@ -37,11 +39,11 @@ def command(
 ) -> None:  # fmt: skip
     """Show which passes of the favourites would be followed by themselves, and why the others are left out.
 
-    Higher priorities come first (`birdcage elements favourite NAME --priority N`); within one the greatest time within
-    reach wins. A pass is cut short only for one of higher priority. `[autotrack]` in birdcage.toml has the least
+    Higher priorities come first (`birdcage elements favourite NAME --priority N`). Among equals the longest time in
+    reach wins. A pass is cut short only for one of higher priority. `[autotrack]` in birdcage.toml sets the least
     elevation and duration. Times and elevations listed are without refraction; following adds it. With --elements every
     satellite of the file counts as a favourite.
-    Nothing moves without --engage; with it the dish has to know where it is, and Ctrl+C stops it.
+    Nothing moves without --engage. With it the dish must be homed, and Ctrl+C stops it.
     """
     from dataclasses import replace
     from datetime import UTC, datetime, timedelta
@@ -92,7 +94,7 @@ def _engage(wants: Wanted, observer: Observer, until: datetime | None, speed: fl
     from birdcage.sky.watch_source import read_catalogue
 
     if speed is not None and not wants.port.startswith("sim:"):
-        raise click.UsageError("--speed is for a simulated dish, such as --port sim:g2: a real one has its own time.")
+        raise click.UsageError("--speed is for a simulated dish only. Give --port sim:g2 with it.")
     _favourites(read_catalogue(wants.paths.catalogue), from_file=False)
     with open_dish(wants, moves=True, clock=RealClock() if speed is None else ScaledClock(speed)) as dish:
         run_autotrack(dish, wants, observer, until, as_json=flags().json)

@@ -26,9 +26,9 @@ if TYPE_CHECKING:
 def command() -> None:
     """Find how the dish stands: peak on the Sun, the Moon and satellites, fit, and put the result into force.
 
-    `guide` leads through all of it. By hand: `next` names an object, `move` and a meter find it, `add` takes the peak,
-    `fit` shows what comes of all, `fit --save NAME` keeps that and `apply NAME` points by it. Who moves the base begins
-    anew: `remove --all`.
+    `guide` leads through all of it. By hand: `next` names an object, `birdcage move` and a meter find it, and `add`
+    takes the peak. Then `fit` shows the result, `fit --save NAME` keeps it, and `apply NAME` points by it. Moved the
+    base? Begin again with `remove --all`.
     """
 
 
@@ -52,9 +52,9 @@ def fit_(terms: int | None, name: str | None) -> None:
     dish = wanted()
     peaks = _read_peaks(dish).entries
     if not peaks:
-        raise BirdcageError("There is no peak yet: `birdcage calibrate next` names an object, `add` takes one.")
+        raise BirdcageError("No peak yet. `birdcage calibrate next` names an object, `add` takes one.")
     if terms == 3:
-        raise click.UsageError("--terms is 2, 4 or 5: the two of the tilt go together.")
+        raise click.UsageError("--terms is 2, 4 or 5: the two tilt terms go together.")
     chosen = None if terms is None else {2: OFFSETS_ONLY, 4: WITH_TILT, 5: TERMS}[terms]
     found: Fit = fit(peaks, priors_for(dish.settings, peaks), in_force(dish.settings), chosen)
     sky_error_deg = sky_error_for(found, limits_of(dish))
@@ -94,13 +94,13 @@ def list_() -> None:
     if peaks.entries:
         tell_peaks(peaks.entries)
     else:
-        say("There is no peak yet: `birdcage calibrate next` names an object.")
+        say("No peak yet. `birdcage calibrate next` names an object.")
     if kept:
         tell("")
         tell_sets(kept)
     active = dish.settings.alignment.active
     if active is not None and not any(used for _each, used in kept):
-        say(f"In force is what was {active}, and was changed since, or whose set is gone.")
+        say(f"In force is {active}, but it was changed since, or its set is gone.")
 
 
 @command.command("apply", short_help="Point by a kept set from now on.", epilog=DATA_EPILOG)

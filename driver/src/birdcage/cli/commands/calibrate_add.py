@@ -78,6 +78,6 @@ def _asked(wanted: Wanted) -> Pointing:
         state = dish.come_up(15.0)
     if state.position is None or state.position_lost is not None:
         raise PositionUnknown(
-            f"The dish does not know where it is, so this is no peak. {how_to_home(state)}", reason="unhomed"
+            f"The dish does not know where it points, so the peak is not taken. {how_to_home(state)}", reason="unhomed"
         )
     return state.position

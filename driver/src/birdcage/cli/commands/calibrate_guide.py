@@ -26,7 +26,7 @@ def guide() -> None:
     from birdcage.cli.talk import Answers
 
     if not sys.stdin.isatty():
-        raise click.UsageError("The guide asks questions, and there is no terminal to answer on.")
+        raise click.UsageError("The guide needs a terminal to ask its questions.")
     dish_wanted = wanted()
     observer_of(dish_wanted.settings)  # without a place there is nothing to begin with
     given = flags()

@@ -24,8 +24,8 @@ def next_(at: datetime | None, every: bool) -> None:
     """Name what to peak on next: what makes the pointing known best over the whole sky.
 
     Sun, Moon and geostationary places that are up, in reach and not known to be beyond the feed's hearing. RISE is the
-    signal to expect, FOUND TO how well a person finds its middle, SKY THEN the error to expect all over the sky
-    afterwards. Elevations include refraction, as `tracking.refraction` sets it. No dish is needed.
+    signal to expect. FOUND TO is how well a person finds its middle. SKY THEN is the error to expect over the whole
+    sky afterwards. Elevations include refraction, as `tracking.refraction` sets it. No dish is needed.
     """
     from datetime import UTC, datetime
 

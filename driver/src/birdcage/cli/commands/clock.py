@@ -25,9 +25,9 @@ if TYPE_CHECKING:
 def command(utc: str | None, receiver: str | None, rate_deg_s: float | None) -> None:
     """Say whether this machine's clock can be trusted, and what an error of it costs in degrees.
 
-    Without an option the system is asked what it knows (chrony, systemd). Where it does not vouch for the clock, what
-    was last found good counts, by whatever means, for less with every day since. A clock found to be wrong makes all of
-    that forgotten. Nothing is sent to the network, and the clock is never set.
+    Without an option the system is asked what it knows (chrony, systemd). If it can't tell, the last good comparison
+    counts, for less with every day since. A clock found wrong forgets all of that. Nothing is sent to the network, and
+    the clock is never set.
     """
     from birdcage.base.clock import RealClock
     from birdcage.cli.say import say, tell, tell_json
@@ -45,7 +45,7 @@ def command(utc: str | None, receiver: str | None, rate_deg_s: float | None) -> 
     else:
         verdict = check_clock(now, paths.state)
     if (utc is not None or receiver is not None) and not remember(paths.state, verdict):
-        say(f"It could not be kept in {paths.state}.")
+        say(f"The result could not be kept in {paths.state}.")
     if flags().json:
         tell_json(_values(verdict, OVERHEAD_DEG_S if rate_deg_s is None else rate_deg_s))
         return

@@ -79,7 +79,7 @@ def check(context: click.Context) -> None:
     for problem in settings.problems:
         say(problem.text)
     if settings.motion_problem is not None:
-        say("Until that is mended, nothing moves.")
+        say("Nothing moves until that is fixed.")
     if settings.problems:
         context.exit(exits.USAGE)
     say(f"{paths.config_file} {'is in order' if paths.config_file.exists() else 'does not exist: all is default'}.")

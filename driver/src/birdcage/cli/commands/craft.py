@@ -32,7 +32,7 @@ def command() -> None:
 @global_options("config", "json", "verbose")
 @click.pass_context
 def search(context: click.Context, text: str, limit: int) -> None:
-    """Find what is called like TEXT."""
+    """Find satellites by name."""
     found = _service().search(text, limit)
     _tell(context, found, ("name", "target_type", "target_id", "elevation_deg", "groups"))
 

@@ -24,8 +24,8 @@ PASTED = "pasted"
 def add(context: click.Context, paths: tuple[str, ...], group: str | None) -> None:
     """Take in elements from files, folders, or text pasted on stdin (-).
 
-    TLE, OMM in JSON, CSV, XML or KVN, Gpredict's files: the format is found by itself. Of each satellite the newest
-    elements stay. Damaged lines are named and skipped.
+    TLE, OMM in JSON, CSV, XML or KVN, Gpredict's files: the format is found by itself. The newest elements of each
+    satellite stay. Damaged lines are named and skipped.
     """
     from birdcage.cli.commands.elements_common import complaint_values, open_catalogue, say_ahead
     from birdcage.cli.say import say, tell, tell_json
@@ -45,9 +45,9 @@ def add(context: click.Context, paths: tuple[str, ...], group: str | None) -> No
     else:
         grouped = f" {len(harvest.groups)} groups." if harvest.groups else ""
         if harvest.elements or harvest.groups:
-            tell(f"{added.new} new, {added.newer} with newer elements, {added.kept} known as well or better.{grouped}")
+            tell(f"{added.new} new, {added.newer} with newer elements, {added.kept} unchanged.{grouped}")
         else:
-            say("There are no elements in it: the catalogue is as it was.")
+            say("It holds no elements. The catalogue is unchanged.")
     if harvest.complaints or not (harvest.elements or harvest.groups):
         context.exit(NOT_DONE)
 
@@ -83,7 +83,10 @@ def read_all(paths: tuple[str, ...]) -> Harvest:
 @click.option("--older-than", metavar="DAYS", type=click.FloatRange(min=0), help="All whose epoch is older than that.")
 @global_options("config", "json", "verbose")
 def remove(satellites: tuple[str, ...], older_than: float | None) -> None:
-    """Take satellites out of the catalogue, by number or name. What you said of them is kept, should they come back."""
+    """Take satellites out of the catalogue, by number or name.
+
+    Favourites, tags and notes are kept in case they come back.
+    """
     from datetime import UTC, datetime, timedelta
 
     from birdcage.cli.commands.elements_common import find_entry, open_catalogue

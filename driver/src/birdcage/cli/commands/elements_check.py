@@ -18,19 +18,19 @@ if TYPE_CHECKING:
     from birdcage.sky.formats import Complaint
 
 
-@click.command("check", short_help="Tell how old elements are, and what in a file is damaged.", epilog=DATA_EPILOG)
+@click.command("check", short_help="Print how old elements are, and what in a file is damaged.", epilog=DATA_EPILOG)
 @click.argument("paths", metavar="[PATH|-]...", nargs=-1, type=click.Path(allow_dash=True))
 @click.option("--older-than", metavar="DAYS", type=click.FloatRange(min=0), help="Only those that are older.")
 @global_options("config", "json", "verbose")
 @click.pass_context
 def check(context: click.Context, paths: tuple[str, ...], older_than: float | None) -> None:
-    """Tell epoch and age of each satellite, oldest first: of the catalogue, or of files that are not taken in.
+    """Print epoch and age of each satellite, oldest first: of the catalogue, or of files.
 
-    OFF is how far a dish that believes them looks beside the satellite when it is closest, by the statistics of such
-    orbits: as a rule, and in one case of ten. ● is fresh, ◐ usable, ○ doubtful, ✗ useless. *re-entered?* is what drag
+    OFF is the pointing error at closest approach that elements of this age cause: typical, and 90 %. It comes from the
+    statistics of such orbits. ● is fresh, ◐ usable, ○ doubtful, ✗ useless. *re-entered?* is what drag
     has taken down by its own elements, unless it was boosted.
 
-    What cannot be read in a file is told with its line and why; the exit status is then 1.
+    A line that cannot be read is named with its reason; the exit status is then 1.
     """
     from birdcage.cli.commands.elements_add import read_all
     from birdcage.cli.commands.elements_common import EMPTY, complaint_values, entry_values, open_catalogue, say_ahead
@@ -61,7 +61,7 @@ def check(context: click.Context, paths: tuple[str, ...], older_than: float | No
     else:
         _tell(shown, now)
     if not entries and not complaints:
-        say("There are no elements in it." if paths else EMPTY)
+        say("It holds no elements." if paths else EMPTY)
     else:
         say(_sum_up(entries, complaints, now))
     if complaints or (paths and not entries):

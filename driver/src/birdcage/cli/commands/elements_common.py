@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from birdcage.sky.formats import Complaint
 
 EMPTY = (
-    "The catalogue is empty: `birdcage elements update` fetches a few groups, `birdcage elements add FILE` reads one."
+    "The catalogue is empty. `birdcage elements update` fetches a few groups, `birdcage elements add FILE` reads one."
 )
 
 
@@ -73,7 +73,7 @@ def elements_settings() -> ElementsSettings:
     for problem in settings.problems:
         key = (problem.key or "").lower()
         if problem.key is None or key.startswith(("elements", "birdcage_elements", "birdcage_craft")):
-            raise ConfigError(f"{problem.text} Nobody was asked.")
+            raise ConfigError(f"{problem.text} No server was asked.")
     return settings.elements
 
 

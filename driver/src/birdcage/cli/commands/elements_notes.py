@@ -21,7 +21,7 @@ from birdcage.cli.sky_options import NEGATIVE_NUMBERS
 def favourite(
     satellites: tuple[str, ...], off: bool, priority: int | None, tags: tuple[str, ...], untags: tuple[str, ...]
 ) -> None:  # fmt: skip
-    """Make satellites favourites, by number or name, and say how much they matter. Without a name: list them."""
+    """Make satellites favourites, by number or name, and set their priority. Without a name: list them."""
     from birdcage.cli.commands.elements_common import entry_values, find_entry, open_catalogue, tell_entries
     from birdcage.cli.say import say, tell_json
 
@@ -59,7 +59,7 @@ def favourite(
 def offset(satellite: str, seconds: str | None) -> None:
     """Show or set how many SECONDS later than computed a satellite comes (-1.5: earlier; none: forget it).
 
-    It is kept with its date, also when elements are replaced: look at it again once they are.
+    It is kept with its date, also when elements are replaced. Check it again after an update.
     """
     from birdcage.cli.commands.elements_common import find_entry, open_catalogue
     from birdcage.cli.say import tell
@@ -90,7 +90,7 @@ def _seconds(text: str) -> float | None:
     try:
         seconds = float(text.replace(",", "."))
     except ValueError:
-        raise click.UsageError(f"{text} is no number of seconds; `none` forgets the offset.") from None
+        raise click.UsageError(f"{text} is not a number of seconds. `none` forgets the offset.") from None
     if not abs(seconds) <= 3600.0:
         raise click.UsageError("A time offset is at most 3600 seconds.")
     return seconds

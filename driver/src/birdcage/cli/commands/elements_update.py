@@ -44,7 +44,7 @@ def update(context: click.Context, groups: tuple[str, ...], force: bool) -> None
                 _tell(outcome)
         except KeyboardInterrupt:
             progress.clear()
-            say("Cancelled: what had come by then is kept, the rest is as it was.")
+            say("Cancelled. What had arrived is kept; the rest is unchanged.")
             context.exit(SIGNAL + 2)
     if flags().json:
         tell_json([_values(each) for each in outcomes])

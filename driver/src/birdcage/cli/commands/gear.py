@@ -20,8 +20,8 @@ def command(play_az: float | None, play_el: float | None, forget: bool) -> None:
     a reading, and does nothing about either before both are known. Sources have 0.02 to 0.06 degrees for a Carryout G2.
 
     To measure the play: find a strong geostationary satellite, and the angle at which its signal is half-way down one
-    side. Go there from 2 degrees below and from 2 degrees above, in small steps, and compare `birdcage pos` where the
-    signal is the same: the difference is the play. Three times each, and the mean.
+    side. Go there from 2 degrees below and from 2 degrees above, in small steps. Compare `birdcage pos` where the
+    signal is the same: the difference is the play. Take the mean of three each.
 
     Sends nothing, and opens no port. A birdcage that runs takes it at its next start.
     """

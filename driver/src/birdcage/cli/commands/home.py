@@ -23,7 +23,7 @@ HOLDER = "birdcage home"
 def command(axis: str | None, yes: bool) -> None:
     """Find the reference of one axis, or of both, by running into the stops.
 
-    Homing cannot be stopped by a command: only by cutting the power of the dish.
+    No command stops homing. Only cutting the dish's power does.
     """
     from birdcage.base.errors import PositionUnknown
     from birdcage.cli.dish import open_dish
@@ -51,7 +51,9 @@ def command(axis: str | None, yes: bool) -> None:
     if position is None or state.position_lost is not None:
         if state.position_text:
             raise PositionUnknown(f"Homed. {state.position_text}", reason=state.position_lost)
-        raise PositionUnknown("The dish still does not know where it is: home the other axis too.", reason="unhomed")
+        raise PositionUnknown(
+            "The dish still does not know where it points. Home the other axis too.", reason="unhomed"
+        )
     if flags().json:
         tell_json({**position_values(position), "demo": state.demo})
     else:
@@ -65,7 +67,7 @@ def _refuse_if_by_itself(dish: Wanted) -> None:
     model = dish.model
     if model is not None and model.homing_s is None:
         raise MotionRefused(
-            f"The {model.name} homes only by itself, at power-up: switch it off and on, and wait with "
+            f"The {model.name} homes only at power-up. Switch it off and on, and wait with "
             f"`birdcage init --firmware {model.firmware}`.",
             reason="unsupported",
         )
@@ -76,7 +78,7 @@ def _confirm(axis: str | None, yes: bool) -> None:
         return
     what = {None: "both axes", "az": "the azimuth axis", "el": "the elevation axis"}[axis]
     consequence = (
-        f"Homing turns {what} through the whole range, into the end stops. Nothing but cutting the power stops it. "
+        f"Homing turns {what} through the whole range, into the end stops. Only cutting the power stops it. "
         "Keep its swing clear."
     )
     if not sys.stdin.isatty():

@@ -47,13 +47,13 @@ def command(
 
     if [bool(target), rf_hz is not None, if_hz is not None].count(True) != 1:
         raise click.UsageError(
-            "Give one of --rf, what the satellite sends, --if, what the receiver is tuned to, or a target."
+            "Give --rf (what the satellite sends), --if (what the receiver is tuned to), or a target."
         )
     paths = find_paths()
     settings = load_settings(paths)
     if lo_hz is None:
         lo_hz = settings.active_feed.lo_hz or 0.0
-        told = f"LO {lo_hz / 1e6:.10g} MHz" if lo_hz else "no LO is set, so none is taken"
+        told = f"LO {lo_hz / 1e6:.10g} MHz" if lo_hz else "no LO is set"
         say(f"Feed {settings.feed.active}: {told}.")
     downlinks, now = load_downlinks(paths.downlinks_file), datetime.now(UTC)
     for problem in downlinks.problems:
@@ -83,7 +83,7 @@ def _sent_by(words: tuple[str, ...], paths: Paths, downlinks: Downlinks) -> tupl
     if note:
         say(note)
     if not rows:
-        raise ConfigError(f"What {name} sends is not known: give --rf. `birdcage downlinks --all` lists what is.")
+        raise ConfigError(f"What {name} sends is not known. Give --rf. `birdcage downlinks --all` lists what is.")
     rows = tuple(each for each in rows if each.alive is not False) or rows
     return tuple(dict.fromkeys(each.center_hz for each in rows))
 

@@ -23,8 +23,8 @@ PATIENCE_S = 180.0
 DISABLE = (
     "This saves NVS 20 (Disable Tracker Proc) as TRUE in the dish, after a copy of its whole table was kept here. "
     "It takes effect when the dish is next switched off and on. From then on the dish neither searches for TV "
-    "satellites nor homes by itself: run `birdcage home` after each power-up. `birdcage init --restore-search` walks "
-    "it back."
+    "satellites nor homes by itself: run `birdcage home` after each power-up. `birdcage init --restore-search` "
+    "undoes that."
 )
 RESTORE = (
     "This saves NVS 20 (Disable Tracker Proc) as FALSE in the dish, after a copy of its whole table was kept here. "
@@ -39,7 +39,7 @@ SEARCHES = {
     "off until power-up": "Its TV search is ended, until the dish is next switched on: run this again then.",
     "running": "Its TV search runs and moves the dish.",
     "off": "Its TV search is off.",
-    "unknown": "What its TV search does is not known.",
+    "unknown": "The state of its TV search is not known.",
 }
 """What is said of a search that can only be ended while it runs."""
 
@@ -51,8 +51,8 @@ SEARCHES = {
     flag_value="disable",
     help="Switch the TV search off: on a G2 for good, on a Trav'ler until power-up (done anyway).",
 )
-@click.option("--restore-search", "switch", flag_value="restore", help="Walk that back, where it was for good.")
-@click.option("--yes", is_flag=True, help="Do not ask before the dish's settings are written.")
+@click.option("--restore-search", "switch", flag_value="restore", help="Undo that: let a G2 search again.")
+@click.option("--yes", is_flag=True, help="Write the dish's settings without asking.")
 @click.option(
     "--timeout",
     "timeout_s",
@@ -61,7 +61,7 @@ SEARCHES = {
 )
 @global_options()
 def command(switch: str | None, yes: bool, timeout_s: float | None) -> None:
-    """Wait until the dish answers, then say how it is and what its TV search does.
+    """Wait until the dish answers, then print its state and what its TV search does.
 
     A dish that has been up for long answers at once; the boot of one just switched on is shown as it goes. The TV
     search of a Trav'ler is ended, which lasts until its next power-up; that of a G2 is left alone unless asked for.
@@ -138,9 +138,9 @@ def _describe(dish: Dish) -> None:
     version = f"firmware {state.firmware_version}" if state.firmware_version else f"speaks {state.dish.firmware}"
     say(f"{state.dish.name}, {version}, answers at {state.port}.")
     if state.activity is Activity.MOVING_UNASKED:
-        say("It moves, though nobody asked: its own TV search, or homing after power-up. Keep clear of it.")
+        say("The dish moves by itself: its TV search, or homing after power-up. Keep clear of it.")
     elif state.homed is False:
-        say(f"It is not homed, so it does not know where it is. {how_to_home(state)}")
+        say(f"The dish is not homed, so it does not know where it points. {how_to_home(state)}")
     elif state.position_text:
         say(f"{state.position_text} {how_to_home(state)}")
     elif state.position is not None and state.position_lost is None:
@@ -152,7 +152,7 @@ def _describe(dish: Dish) -> None:
         return
     tracker = state.readings.get("nvs.20")
     if tracker is None:
-        say("What its TV search does is not known.")
+        say("The state of its TV search is not known.")
     elif tracker.value == "TRUE":
         say("Its TV search is off (NVS 20 is TRUE), so it does not home by itself: run `birdcage home` at power-up.")
     else:

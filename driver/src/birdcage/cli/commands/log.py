@@ -34,8 +34,8 @@ def command(
 ) -> None:
     """List the passes that were followed, and how well the dish pointed; `show NUMBER` tells all of one.
 
-    RMS and MAX are of the angle on the sky between the target and the reported direction; 0.5 dB is how much of the
-    time no more than that was lost at the beam of the feed, with what the age of the elements adds as a rule. The
+    RMS and MAX are the angle on the sky between the target and the reported direction. 0.5 dB is the share of the time
+    with less pointing loss than that, the age of the elements included. The
     target's direction includes the refraction that was set when it was followed; rise, highest point and set do not. A
     pass is also a CSV file: `birdcage paths`.
     """
@@ -71,12 +71,12 @@ def command(
     elif records:
         tell_passes(records, total)
     else:
-        say("No pass was followed yet." if name is None and since is None else "No such pass is in the log.")
+        say("No pass was followed yet." if name is None and since is None else "No pass in the log matches.")
 
 
 def _number(words: tuple[str, ...]) -> int:
     if len(words) != 2 or words[0] != "show" or not words[1].isdecimal():
-        raise click.UsageError("It is `birdcage log`, or `birdcage log show NUMBER`.")
+        raise click.UsageError("Type `birdcage log`, or `birdcage log show NUMBER`.")
     return int(words[1])
 
 
@@ -87,5 +87,5 @@ def _one(journal: Path, number: int) -> PassRecord:
 
     found = list_passes(journal, number=number) if number < 2**63 else []
     if not found:
-        raise ConfigError(f"There is no pass {number} in the log. `birdcage log` lists them.")
+        raise ConfigError(f"The log has no pass {number}. `birdcage log` lists them.")
     return found[0]

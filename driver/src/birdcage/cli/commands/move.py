@@ -25,11 +25,11 @@ HOLDER = "birdcage move"
 @click.argument("target", nargs=-1)
 @click.option("--az", "az_deg", type=float, help="Azimuth in degrees, clockwise from true north.")
 @click.option("--el", "el_deg", type=float, help="Elevation of the beam in degrees; no refraction is added.")
-@click.option("--leapfrog/--no-leapfrog", help="Aim beyond the target, as older scripts did.  [default: exact]")
+@click.option("--leapfrog/--no-leapfrog", help="Aim beyond the target, as older scripts do.  [default: exact]")
 @click.option("--clamp", is_flag=True, help="Go to the nearest allowed elevation instead of refusing.")
-@click.option("--no-wait", is_flag=True, help="End once the dish has taken the target; nobody watches it then.")
+@click.option("--no-wait", is_flag=True, help="End once the dish has taken the target; the motion is not watched.")
 @click.option("--timeout", "timeout_s", type=click.FloatRange(1.0, 3600.0), default=120.0, show_default=True,
-              help="Seconds until it counts as failed, and is stopped.")  # fmt: skip
+              help="Seconds until it has failed, and is stopped.")  # fmt: skip
 @elements_option
 @global_options()
 def command(
@@ -92,7 +92,7 @@ def _direction(
             raise click.UsageError("--az and --el must be numbers.")
         return az_deg, el_deg
     if az_deg is not None or el_deg is not None:
-        raise click.UsageError("Name a target, or give --az and --el: not both.")
+        raise click.UsageError("Give a target, or --az and --el, not both.")
     target = find_target(words, wants.paths, elements, say).target
     if isinstance(target, Fixed):
         return target.az_deg, target.el_deg

@@ -68,9 +68,9 @@ def command(
     """List what comes over: rise, highest point, set, and when this dish can follow it; of SATELLITE alone if named.
 
     SATELLITE is named as for `birdcage where`: iss, AO-91, METEOR-M N2-3, 25544.
-    AOS and LOS are of the satellite; *reach* is what of the pass the dish can point at: its floor and ceiling, the
-    horizon and no-go sectors of birdcage.toml, the cable, and its speed near the zenith. `<` was up
-    before, `>` stays up. Where none is named, the table leaves out what is up all the time. DOWNLINK is what of it the
+    AOS and LOS are of the satellite. *Reach* is the part that the dish can point at. Floor, ceiling, horizon, no-go
+    sectors, cable, and speed near the zenith limit it. `<` was up
+    before, `>` stays up. Without a name the table leaves out what is always up. DOWNLINK is what of it the
     active feed listens to, in MHz, with `?` where it is doubtful; SATDUMP is SatDump's name for it.
     Times and elevations are without refraction, which `birdcage track` adds: near the horizon the dish points up to
     half a degree higher.
@@ -176,7 +176,7 @@ def _limits(wants: Wanted) -> ReachLimits:
         words += f", cable {limits.cable[0]:+.0f}° to {limits.cable[1]:+.0f}° (counted, which takes a homing)"
     say(f"{words}.")
     if wants.settings.motion_problem is not None:
-        say("Settings that limit motion could not be read: reach is told without them.")
+        say("Settings that limit motion could not be read. Reach ignores them.")
     return limits
 
 
@@ -200,7 +200,7 @@ def _that_move(found: PassTable) -> NDArray[np.intp]:
 
     stays = found.already_up & found.still_up
     if stays.any():
-        say(f"Left out as up all the time, like the geostationary ones: {stays.sum()}. `birdcage sky` lists them.")
+        say(f"Left out, as always up: {stays.sum()}. `birdcage sky` lists them.")
     return np.flatnonzero(~stays)
 
 

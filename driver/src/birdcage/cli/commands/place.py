@@ -19,7 +19,7 @@ from birdcage.cli.sky_options import NEGATIVE_NUMBERS, no_options_among, observe
 def command() -> None:
     """Say where the dish stands; keep several places, each with its own horizon.
 
-    The place that counts is [place] of birdcage.toml, which `use` and `gps --use` write. Saved ones are in places.toml.
+    The active place is [place] of birdcage.toml, which `use` and `gps --use` write. Saved ones are in places.toml.
     """
 
 
@@ -47,7 +47,7 @@ def list_() -> None:
 @command.command("show", epilog=DATA_EPILOG)
 @global_options("config", "json", "verbose")
 def show() -> None:
-    """Print the place that counts now."""
+    """Print the active place."""
     from birdcage.base.errors import ConfigError
     from birdcage.cli.place_words import place_in_use, place_line, place_values
     from birdcage.cli.say import say, tell, tell_json
@@ -71,14 +71,14 @@ def show() -> None:
 @click.option(
     "--horizon", "file", type=click.Path(path_type=Path), metavar="FILE", help="Its horizon, az and el a line."
 )
-@click.option("--use", "use_it", is_flag=True, help="Make it the place that counts.")
+@click.option("--use", "use_it", is_flag=True, help="Make it the active place.")
 @observer_options
 @global_options("config", "json", "verbose")
 def add(
     name: str, where: tuple[str, ...], file: Path | None, use_it: bool, lat: float | None, lon: float | None,
     alt: float | None,
 ) -> None:  # fmt: skip
-    """Save a place: WHERE is `51.9 4.8`, a locator such as JO21jv, or a city; without it, the place that counts.
+    """Save a place. WHERE is `51.9 4.8`, a locator (JO21jv) or a city; without it, the active place is saved.
 
     A city is known to about a kilometre, and neither it nor a locator tells the height: give --alt. South and west
     are letters or a minus (33.5S 151.2E, -33.5 151.2).
@@ -101,16 +101,16 @@ def add(
     say(f"Saved: {place_line(place)}")
     if use_it:
         edit(paths.config_file, place_settings(place))
-        say(f"{place.name} is the place that counts now.")
+        say(f"{place.name} is the active place now.")
     elif place_in_use(load_settings(paths).place) is None:
-        say(f"No place counts yet: `birdcage place use {shlex.quote(place.name)}` makes it this one.")
+        say(f"No place is active yet: `birdcage place use {shlex.quote(place.name)}` makes it this one.")
 
 
-@command.command("use", short_help="Make a saved place the one that counts.", epilog=DATA_EPILOG)
+@command.command("use", short_help="Make a saved place the active one.", epilog=DATA_EPILOG)
 @click.argument("name")
 @global_options("config", "json", "verbose")
 def use(name: str) -> None:
-    """Make a saved place the one that counts: write it into [place] of birdcage.toml."""
+    """Make a saved place the active one: write it into [place] of birdcage.toml."""
     from birdcage.base.config import edit
     from birdcage.base.places import is_in_use, load_places, place_settings
     from birdcage.cli.place_words import find_saved, place_in_use, place_line
@@ -131,7 +131,7 @@ def use(name: str) -> None:
 @click.argument("name")
 @global_options("config", "json", "verbose")
 def remove(name: str) -> None:
-    """Forget a saved place. The one that counts goes on to count."""
+    """Forget a saved place. The active place stays as it is."""
     from birdcage.base.places import load_places, remove_place
     from birdcage.cli.place_words import find_saved
     from birdcage.cli.say import say

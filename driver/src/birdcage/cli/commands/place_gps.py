@@ -15,14 +15,14 @@ if TYPE_CHECKING:
 
 @click.command("gps", short_help="Ask a GPS receiver where this is.", epilog=EPILOG)
 @click.argument("receiver", required=False)
-@click.option("--use", "use_it", is_flag=True, help="Make it the place that counts.")
+@click.option("--use", "use_it", is_flag=True, help="Make it the active place.")
 @click.option("--name", help="What to call it, with --use.")
 @click.option("--baud", "gps_baud", type=click.IntRange(300, 4_000_000), help="Speed of its port.  [default: tried]")
 @click.option("--timeout", "timeout_s", type=click.FloatRange(1.0, 3600.0), default=30.0, show_default=True,
               help="Seconds to wait for a fix.")  # fmt: skip
 @global_options("config", "json", "verbose")
 def gps(receiver: str | None, use_it: bool, name: str | None, gps_baud: int | None, timeout_s: float) -> None:
-    """Ask a GPS receiver: gpsd (also gpsd://host:port), or its own port with NMEA such as /dev/ttyACM0.
+    """Ask a GPS receiver: gpsd (also gpsd://host:port), or its own port with NMEA (/dev/ttyACM0).
 
     Without RECEIVER it is `gps` in [place] of birdcage.toml, else gpsd. The port of the dish is never opened.
     """
@@ -70,4 +70,4 @@ def _use(fix: GpsFix, name: str | None, receiver: str) -> None:
     if here.horizon and "place.horizon" in changes:
         say("The horizon was another place's, and is flat now: `birdcage place horizon import`.")
     edit(paths.config_file, changes)
-    say("It is the place that counts now.")
+    say("It is the active place now.")

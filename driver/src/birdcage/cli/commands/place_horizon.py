@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 @click.group("horizon", epilog=DATA_EPILOG)
 @global_options("config", "json", "verbose")
 def horizon() -> None:
-    """Keep the line of trees and roofs at the place that counts. It tells what is heard; it refuses no motion."""
+    """Keep the line of trees and roofs at the active place. It tells what is heard; it refuses no motion."""
 
 
 @horizon.command("show", short_help="Print its points.", epilog=DATA_EPILOG)
@@ -35,7 +35,7 @@ def show() -> None:
     elif mask:
         tell(write_horizon(mask).rstrip())
     else:
-        say("The horizon is flat: no point is kept.")
+        say("The horizon is flat: it has no points.")
 
 
 @horizon.command("import", epilog=DATA_EPILOG)
@@ -44,8 +44,8 @@ def show() -> None:
 def import_(file: Path) -> None:
     """Take the horizon from FILE, in place of the one before.
 
-    One point a line, azimuth and elevation in true degrees, `#` for remarks (Stellarium's list reads as it is); the
-    table that PVGIS prints; or heights alone, the first one north, clockwise.
+    One point a line: azimuth and elevation in true degrees, `#` for remarks (Stellarium's list). The table that PVGIS
+    prints is read too, and heights alone: the first one north, then clockwise.
     """
     from birdcage.cli.place_words import read_mask
 
@@ -79,9 +79,9 @@ def record() -> None:
         state = dish.come_up(15.0)
     position = state.position
     if position is None or state.position_lost is not None:
-        raise PositionUnknown(f"The dish does not know where it is. {how_to_home(state)}", reason="unhomed")
+        raise PositionUnknown(f"The dish does not know where it points. {how_to_home(state)}", reason="unhomed")
     if not abs(position.el_deg) <= 90.0:
-        raise PositionUnknown(f"The dish leans back, to {position.el_deg:.2f}°: that is no point of a horizon.")
+        raise PositionUnknown(f"Elevation {position.el_deg:.2f}° is beyond the zenith. Point the dish at the horizon.")
     _keep(HorizonMask(load_settings(find_paths()).place.horizon).insert(position.az_deg, position.el_deg))
 
 

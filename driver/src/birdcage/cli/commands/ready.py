@@ -15,10 +15,10 @@ from birdcage.cli.options import find_paths, flags, global_options, load_setting
 @global_options("port", "firmware", "config", "json", "verbose")
 @click.pass_context
 def command(context: click.Context, try_recording: bool) -> None:
-    """Go through all that is needed where there is no network: elements, clock, ephemeris, place, port, settings.
+    """Check all that is needed without a network: elements, clock, ephemeris, place, port, settings.
 
-    No port is opened and the dish stays as it is. A receiver that is set is asked for frequency, level and modes, and
-    left as it is: whether it records shows only with --try-recording. ✓ is good, ! is worth a look, ✗ must be mended:
+    No port is opened and the dish stays as it is. A receiver, where one is set, is asked for frequency, level and
+    modes. Whether it records shows only with --try-recording. ✓ is good, ! is worth a check, ✗ must be fixed:
     then the exit status is 1.
     """
     from birdcage.base.clock import RealClock
@@ -39,6 +39,6 @@ def command(context: click.Context, try_recording: bool) -> None:
             if each.remedy:
                 tell(f"  {'':{width}}  → {each.remedy}")
     if must:
-        say(f"Not ready: {must} to mend{f', {look} to look at' if look else ''}.")
+        say(f"Not ready: {must} to fix{f', {look} to check' if look else ''}.")
         context.exit(NOT_DONE)
-    say(f"Ready, with {look} to look at." if look else "Ready.")
+    say(f"Ready; {look} to check." if look else "Ready.")

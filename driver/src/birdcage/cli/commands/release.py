@@ -16,8 +16,8 @@ from birdcage.cli.options import Wanted, flags, global_options, wanted
 def command(context: click.Context) -> None:
     """Let programs move the dish again, and say who held it since when.
 
-    Nothing moves by it, though a program that waits may move the dish next: it is named. When no port is named
-    anywhere, the one dish that is held is released.
+    Nothing moves by that itself. A program that waits may move the dish next: it is named. Without a port, the one
+    dish that is held is released.
     """
     from birdcage.base.held import user_name
     from birdcage.cli.owners import ring_owners
@@ -33,7 +33,7 @@ def command(context: click.Context) -> None:
         if each["was"] is not None and each["held"]:
             words = f"{each['was']} Not released."
         if each["next_holder"]:
-            words += f" {each['next_holder']} wanted to move it meanwhile."
+            words += f" {each['next_holder']} waits to move it."
         tell(" ".join(filter(None, (words, each["trouble"]))))
     if any(each["held"] for each in told):
         context.exit(exits.NOT_DONE)

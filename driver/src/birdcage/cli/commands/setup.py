@@ -20,14 +20,14 @@ HOLDER = "birdcage setup"
 
 
 @click.command("setup", epilog=EPILOG)
-@click.option("--list", "listing", is_flag=True, help="Print the steps and how they are, and end. The port stays shut.")
+@click.option("--list", "listing", is_flag=True, help="Print the steps and their state. The port stays closed.")
 @click.option("--step", type=click.Choice(NAMES), help="Begin with this step.")
 @global_options()
 def command(listing: bool, step: str | None) -> None:
     """Go from wires to the first satellite, step by step, and keep what is found in birdcage.toml.
 
-    Leave at any time, and go on later: it begins with the first step that is open. Nothing moves before you have said
-    that the area is clear. Ctrl+C stops the dish. --list and --json print how far it is.
+    Leave at any time and go on later: it begins with the first open step. Nothing moves until you confirm that the
+    area is clear. Ctrl+C stops the dish. --list and --json print how far it is.
     """
     from birdcage.cli.dish import open_dish
     from birdcage.cli.say import say
@@ -39,7 +39,7 @@ def command(listing: bool, step: str | None) -> None:
         _print(dish_wanted)
         return
     if not sys.stdin.isatty():
-        raise click.UsageError("The setup asks questions, and there is no terminal to answer on. --list needs none.")
+        raise click.UsageError("The setup needs a terminal to ask its questions. --list needs none.")
     answers = Answers(sys.stdin)
     while True:
         with open_dish(dish_wanted, moves=True) as dish:

@@ -17,10 +17,10 @@ FIRMWARE = "g2"
 @click.command("sim", epilog=EPILOG)
 @click.option("--speed", type=click.FloatRange(0.01, 1000.0), default=1.0, show_default=True,
               help="How many times faster than real time.")  # fmt: skip
-@click.option("--seed", type=int, default=1, show_default=True, help="Of every random figure.")
+@click.option("--seed", type=int, default=1, show_default=True, help="Seed of all random numbers.")
 @click.option("--unhomed", is_flag=True, help="Start not homed, as after power-up with the TV search off.")
 @click.option("--boot", is_flag=True, help="Start at power-on, with the boot log.")
-@click.option("--pace-baud", type=click.IntRange(0), default=0, help="Let bytes take the time they take at this baud.")
+@click.option("--pace-baud", type=click.IntRange(0), default=0, help="Send bytes as slowly as this baud rate does.")
 @click.option("--link", type=click.Path(path_type=Path), help="A symbolic link to the pty: a name that stays.")
 @click.option("--tcp", is_flag=True, help="Serve on 127.0.0.1 instead of a pty.")
 @click.option("--rig", type=click.IntRange(0, 65535), metavar="PORT",
@@ -36,10 +36,10 @@ def command(
     """Simulate a dish that any program can talk to: prints the port, and serves until Ctrl+C.
 
     With --json it prints one line: {"port": …, "firmware": …, "control": …}. --firmware is g2 or hal205.
-    A G2 that takes no new motor command while a motor runs, and answers late: -o second_move=block (on the same axis)
-    and -o second_other=block (on the other axis). One that answers a move with nothing: -o move_reply=none.
-    With --rig any program that speaks to Hamlib's rigctld can tune a receiver, and read what it hears through the
-    dish's beam: `rigctl -m 2 -r 127.0.0.1:PORT l STRENGTH`.
+    -o second_move=block makes a G2 refuse motor commands on the axis that runs, and -o second_other=block those on the
+    other axis. -o move_reply=none makes it answer a move with nothing.
+    --rig serves a receiver as Hamlib's rigctld does, heard through the dish's beam: `rigctl -m 2 -r 127.0.0.1:PORT l
+    STRENGTH`.
     """
     from birdcage.sim.run import run_simulator
 

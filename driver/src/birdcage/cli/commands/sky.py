@@ -22,7 +22,7 @@ SHOWN = 40
 @at_option("When.")
 @click.option(
     "--min-elevation", type=click.FloatRange(-90.0, 90.0), default=0.0, show_default=True, metavar="DEGREES",
-    help="Leave out what stands lower.",
+    help="Leave out what is lower.",
 )  # fmt: skip
 @click.option(
     "--limit", type=click.IntRange(min=1), metavar="N", help=f"The N highest.  [default: {SHOWN}; with --json all]"

@@ -22,12 +22,12 @@ PATIENCE_S = 15.0
 @global_options()
 @click.pass_context
 def command(context: click.Context) -> None:
-    """Stop the dish, and say what was really done.
+    """Stop the dish, and report what happened.
 
-    If another birdcage program has the port, that one stops the dish. When no port is named anywhere, every birdcage
-    program that has one is stopped. If none has, the port is opened, and whatever dish answers there is stopped: no
-    firmware needs to be named. The dish is HELD afterwards: no birdcage program moves it before a person releases it,
-    there or with `birdcage release`.
+    If another birdcage program has the port, that one stops the dish. Without a port, every birdcage program that has
+    one stops its dish. If none has, the port is opened, and whatever dish answers there is stopped: no
+    firmware needs to be named. The dish is then HELD: no birdcage program moves it until you release it, there or with
+    `birdcage release`.
     """
     from birdcage.base.errors import BirdcageError, LinkError
 
@@ -112,7 +112,7 @@ def _stop_ourselves(wanted: Wanted) -> dict[str, Any]:
             if error.reason != "wrong_firmware" or at == len(tries):
                 raise
     if not found.talks:
-        raise NoReply(f"{found.sentence} No STOP has reached a dish: if it moves, cut its power.")
+        raise NoReply(f"{found.sentence} No STOP has reached a dish. If it moves, cut its power.")
     return {
         "by": BY, "means": "enter", "confirmed": None, "port": wanted.port,
         "sentence": f"{found.sentence} A bare Enter was sent, which ends a combined move. If the dish moves, cut its "
@@ -142,7 +142,7 @@ def _stop_it(wanted: Wanted) -> dict[str, Any]:
         report = dish.stop(BY)
         port = dish.state.port
     if report is None:
-        sentence = "STOP was sent; whether the dish stands still is not known. If it moves, cut its power."
+        sentence = "STOP was sent. Whether the dish stands still is unknown: if it moves, cut its power."
         return {"by": BY, "means": "sent", "confirmed": None, "sentence": sentence, "port": port}
     return stop_report(report) | {"port": port}
 

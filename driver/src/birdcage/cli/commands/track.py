@@ -52,10 +52,12 @@ class Until(click.ParamType["str | datetime"]):
               "of reach), or a time.  [default: LOS]")  # fmt: skip
 @click.option("--controller", type=click.Choice(CONTROLLERS), help="What steers.  [default: as set, or auto]")
 @click.option("--time-offset", "time_offset_s", type=click.FloatRange(-3600.0, 3600.0), metavar="S",
-              help="It comes so many seconds later than computed.  [default: as the catalogue remembers]")  # fmt: skip
+              help="Seconds that it comes later than computed.  [default: as the catalogue remembers]")  # fmt: skip
 @click.option("--freq", "freq_hz", type=FREQUENCY, help="Its downlink: 137.1M; a bare number is in MHz.  "
               "[default: the first one that the feed hears]")  # fmt: skip
-@click.option("--speed", type=click.FloatRange(1.0, 1000.0), help="Time runs so much faster; of a simulated dish only.")
+@click.option(
+    "--speed", type=click.FloatRange(1.0, 1000.0), help="Run time this many times faster; simulated dish only."
+)
 @elements_option
 @observer_options
 @global_options(firmware="as set, else none: --engage asks the port, a plan needs one")
@@ -69,7 +71,7 @@ def command(
     TARGET is named as for `birdcage where`: iss, AO-91, 25544, sun, polaris, 28.2E, dish 119, ra=5h34m,dec=+22d.
     Without --engage nothing is opened and nothing moves: the next pass that comes into reach is planned for the dish
     that --firmware names. Elevations of the plan include refraction as `tracking.refraction` sets it: radio, optical or
-    none. With --engage the dish has to know where it is. Ctrl+C stops it.
+    none. With --engage the dish must be homed, and Ctrl+C stops it.
     """
     from birdcage.cli.named_target import find_target
     from birdcage.cli.options import wanted
@@ -82,7 +84,7 @@ def command(
         raise click.UsageError("--until, --controller and --speed go with --engage.")
     wants = wanted()
     if speed is not None and not wants.port.startswith("sim:"):
-        raise click.UsageError("--speed is for a simulated dish, such as --port sim:g2: a real one has its own time.")
+        raise click.UsageError("--speed is for a simulated dish only. Give --port sim:g2 with it.")
     observer = find_observer(wants.settings, lat, lon, alt)
     meant = find_target(target, wants.paths, elements, say).target
     text = " ".join(target)

@@ -34,8 +34,8 @@ def command(
 ) -> None:  # fmt: skip
     """Print where TARGET stands: look angle, range, rates, and what to expect there.
 
-    TARGET is a satellite by name, another of its names, or number (iss, AO-91, 25544); sun, moon or a planet; polaris,
-    cas a; 28.2E, dish 119 or a slot such as QO-100; ra=5h34m,dec=+22d; gal 120,-5; 180 45 or az 180 el -3.
+    TARGET is a satellite by name or number (iss, AO-91, 25544), or sun, moon, a planet, polaris, cas a. Places on the
+    arc are 28.2E, dish 119, QO-100. Directions are ra=5h34m,dec=+22d; gal 120,-5; 180 45; az 180 el -3.
     Azimuth and elevation are without refraction; how much `birdcage track` adds stands beside them. No dish and no
     network are needed.
     """

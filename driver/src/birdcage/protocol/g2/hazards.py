@@ -36,7 +36,7 @@ _ROOT = (
     *rows(
         "root os",
         Grade.MOVES,
-        "Restarts the dish: it homes and may begin its TV search, or it comes up without knowing where it is.",
+        "Restarts the dish: it homes and may begin its TV search, or it comes up not homed.",
         "reboot( .*)?",
         forgets=ALL,
         takes_s=180.0,
@@ -63,14 +63,14 @@ _DVB = (
     *harmless("dvb", "di2conf|di2id|di2rcs|di2stat", takes_s=2.0),
     *harmless("dvb", "diag|ls", takes_s=10.0),
     *harmless("dvb", r"rssi (?P<reads>\d{1,2})"),
-    *setting("dvb", "Until it has read so often the dish listens to nothing: no STOP reaches it.",
+    *setting("dvb", "The dish ignores everything until it has finished: no STOP reaches it.",
               r"rssi (?P<reads>\d{3,4})"),
     *streams("dvb", "agc|lnbv|nid|snr"),
     *setting("dvb", "Puts all settings of the tuner back to the factory's: yours are lost.", "def( .*)?"),
     *setting(
         "dvb",
-        "Switches the supply of the LNB: the polarisation changes (18 V to 13 V), and what is not an LNB on that cable "
-        "may be damaged.",
+        "Switches the LNB supply from 18 V to 13 V: the polarisation changes. Anything else on that cable may be "
+        "damaged.",
         "lnbdc( .*)?",
     ),
     *setting("dvb", "Changes a parameter of the tuner's channel.", "e .+", r"t( \S+)?"),
@@ -132,7 +132,9 @@ _OTHERS = (
     *harmless("latlon", "l .+"),
     *harmless("gpio", r"dir \S+", r"r \S+"),
     *harmless("gpio", "regs", takes_s=5.0),
-    *ruins("gpio", "Drives a pin of the processor: that can switch, upset or destroy what hangs on it.", "w( .*)?"),
+    *ruins(
+        "gpio", "Drives a pin of the processor: that can switch, upset or destroy what is connected to it.", "w( .*)?"
+    ),
     *harmless("peak", "ts"),
     *setting("peak", "Switches the LNB between 13 V and 18 V while it measures.", "rssits( .*)?", takes_s=10.0),
     *setting("peak", "Drives the line of the set-top box: switches and LNB may change over.", "stb( .*)?"),
@@ -143,8 +145,7 @@ _OTHERS = (
 HAZARDS = HazardTable(
     rows=_EVERYWHERE + _ROOT + _A3981 + _ADC + _DVB + _EEPROM + _NVS + _OTHERS + MOTOR_ROWS,
     unlisted={
-        "": "Nobody has written down what this does: take it for a change of a setting, or worse.",
-        "nvs": "No command of this menu: the dish takes such a line as a question for its next setting, as far as "
-        "is known.",
+        "": "Undocumented command. It may change a setting, or worse.",
+        "nvs": "No command of this menu. The dish seems to take such a line as a question for its next setting.",
     },
 )

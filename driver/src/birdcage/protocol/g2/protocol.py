@@ -142,7 +142,7 @@ class CarryoutG2Protocol(Rooms):
         if any(map(is_unhomed, angles.values())):
             self.gate.forget("unhomed")
             raise PositionUnknown(
-                "The dish is not homed, so it does not know where it is. Home it first.", reason="unhomed"
+                "The dish is not homed, so it does not know where it points. Home it first.", reason="unhomed"
             )
         if not all(low <= angles[axis] <= high for axis, (low, high) in enumerate(_PLAUSIBLE)):
             self.gate.forget("unread")

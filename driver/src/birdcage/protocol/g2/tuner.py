@@ -48,7 +48,7 @@ class Tuner(Room):
     def rssi(self, reads: int = 10) -> RssiReading:
         """Read the signal strength, averaged over 1 to 1000 reads, in counts; the shell is deaf meanwhile."""
         if not 1 <= reads <= MOST_READS:
-            raise ValueError(f"iterations must lie in 1..{MOST_READS}, not {reads}")
+            raise ValueError(f"iterations must lie from 1 to {MOST_READS}, not {reads}")
         reply = self._run(f"rssi {reads}", takes_s=reads * _READ_S)
         reading = RssiReading(*(int(number) for number in find(reply, _RSSI).groups()))
         low, high = sorted((reading.average, reading.current))

@@ -32,7 +32,8 @@ def parse_position(lines: Iterable[str]) -> Position:
         found.setdefault(match[1], match[3])
     if any(is_unhomed(float(text)) for text in found.values()):
         raise PositionUnknown(
-            "The dish is not homed, so it does not know where it is. It homes by itself at power-up.", reason="unhomed"
+            "The dish is not homed, so it does not know where it points. It homes by itself at power-up.",
+            reason="unhomed",
         )
     angles = {label: _angle(label, text) for label, text in found.items()}
     az_deg, el_deg = angles.get("AZ"), angles.get("EL")

@@ -14,7 +14,7 @@ _WHERE = frozenset({"position", "turn"})
 _ALL = frozenset({"position", "turn", "homed", "limits", "search", "settings"})
 _NVS = frozenset({"limits", "search", "settings"})
 _UNGUARDED = "The limits that birdcage keeps do not hold for a raw line."
-_QUEUED = f"Moves an axis, after the move under way, and cannot be called back. {_UNGUARDED}"
+_QUEUED = f"Moves an axis after the move under way. Nothing can cancel it. {_UNGUARDED}"
 
 
 def _row(menus: str, pattern: str, grade: Grade = Grade.HARMLESS, consequence: str = "", **more: object) -> Hazard:
@@ -47,7 +47,7 @@ HAZARDS = HazardTable(
         _row("motor", r"g (?P<az>\S+) (?P<el>\S+) \S+", Grade.MOVES,
              f"Moves all axes at once until any key ends it. {_UNGUARDED}", forgets=_WHERE, takes_s=30.0),
         _row("motor", "g( .*)?", Grade.MOVES,
-             f"Moves the dish at once until any key ends it; what it takes for a missing angle is not known. "
+             "Moves the dish at once until any key ends it; what it takes for a missing angle is not known. "
              f"{_UNGUARDED}", forgets=_WHERE, takes_s=30.0),
         _row("ngsearch", "s( .*)?", Grade.SETTING, "Ends the TV search; it begins again at the next power-up.",
              forgets=frozenset({"position", "search"})),
@@ -63,5 +63,5 @@ HAZARDS = HazardTable(
              "Writes all changed settings into flash: they hold from the next start on, also the wrong ones.",
              forgets=_NVS, takes_s=10.0),
     ),
-    unlisted={"": "Nobody has written down what this does: take it for a change of a setting, or worse."},
+    unlisted={"": "Undocumented command. It may change a setting, or worse."},
 )  # fmt: skip

@@ -12,9 +12,9 @@ from birdcage.station.requests import Goto
 STEP_DEG = 5.0
 _WRONG = {
     "az": "The azimuth went the other way: this dish counts it against the clock, or its azimuth motor is wired the "
-    "other way round. Check that you looked from above. Do not point with it before that is mended.",
+    "other way round. Check that you looked from above. Do not point with it until that is fixed.",
     "el": "The elevation went the other way: its motor is wired the other way round, or you looked at the wrong edge "
-    "of the dish. Do not point with it before that is mended.",
+    "of the dish. Do not point with it until that is fixed.",
 }
 
 

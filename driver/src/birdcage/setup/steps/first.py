@@ -52,17 +52,17 @@ class FirstStep(Step):
         """Say what is there, and what is not yet."""
         place = self.bench.settings.place
         if place.latitude_deg is None:
-            where = "Where satellites stand can be told once the place is known: step 9."
+            where = "Set the place first, in step 9: without it directions can't be computed."
         elif self._pointed:
             where = f"The dish {self._pointed}."
         elif self._slot() is None:
-            where = "No well-known slot of the geostationary arc stands within this dish's limits here."
+            where = "No well-known geostationary slot is within this dish's limits here."
         else:
             where = f"{self._expected()}: the highest of the well-known slots, so the likeliest to be heard."
         missing = () if self._aligned else ("To point there, home it (step 4) and set north (step 10).",)
         return (
             where,
-            "Searching, peaking and identifying by signal: later. This version has no signal page yet.",
+            "Searching, peaking and identifying by signal come in a later version.",
             *missing,
             *self.trouble(),
         )

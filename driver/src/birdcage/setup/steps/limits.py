@@ -42,13 +42,13 @@ class LimitsStep(Step):
         own = self.bench.settings.motion
         if own.min_elevation_deg is not None or own.max_elevation_deg is not None:
             origin += ", narrowed by yours"
-        text = f"el {state.el_min_deg - offset:.2f}..{state.el_max_deg - offset:.2f} ({origin})"
+        text = f"el {state.el_min_deg - offset:.2f} to {state.el_max_deg - offset:.2f} ({origin})"
         cable = state.dish.cable
         if cable is None:
             return text
         low = cable.min_deg if own.cable_min_deg is None else max(cable.min_deg, own.cable_min_deg)
         high = cable.max_deg if own.cable_max_deg is None else min(cable.max_deg, own.cable_max_deg)
-        return f"{text}; cable {low:+.0f}..{high:+.0f}"
+        return f"{text}; cable {low:+.0f} to {high:+.0f}"
 
     def _origin(self) -> str:
         """Say where floor and ceiling come from: each dish keeps them under numbers of its own, or keeps none."""

@@ -215,9 +215,9 @@ class LinkStep(Step):
         elif choice == "other":
             port, baud = values.get("port", "").strip(), values.get("baud", "").strip()
             if not port:
-                raise NoSuchChoice("Type a port, such as /dev/ttyUSB0.")
+                raise NoSuchChoice("Type a port: /dev/ttyUSB0.")
             if baud and not (baud.isdigit() and 50 <= int(baud) <= 4_000_000):
-                raise NoSuchChoice(f"{baud!r} is no speed such as 115200.")
+                raise NoSuchChoice(f"{baud!r} is not a speed. Type 115200.")
             self._connect(port, int(baud) if baud else None)
         else:
             self._connect(self._ports[int(choice.removeprefix("port-")) - 1].device, self.bench.settings.dish.baud)

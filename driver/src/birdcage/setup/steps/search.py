@@ -83,7 +83,7 @@ class SearchStep(Step):
             "This saves NVS 20 as TRUE in the dish, after a copy of its whole table was kept here. Nothing moves.",
             "It takes effect when the dish is switched off and on: you are asked to do that next.",
             "From then on home it after each power-up: it no longer does that by itself.",
-            "`birdcage init --restore-search` walks this back.",
+            "`birdcage init --restore-search` undoes this.",
             *self.trouble(),
         )
 

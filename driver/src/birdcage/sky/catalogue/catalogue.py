@@ -207,7 +207,7 @@ class Catalogue:
     def _known(self, satellite: int | str) -> str:
         entry = self.entry(satellite)
         if entry is None:
-            raise BirdcageError(f"No satellite in the catalogue is called {satellite}.", reason="no_satellite")
+            raise BirdcageError(f"The catalogue has no satellite called {satellite}.", reason="no_satellite")
         return entry.key
 
     def _key(self, satellite: int | str) -> str:

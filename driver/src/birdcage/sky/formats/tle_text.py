@@ -26,7 +26,7 @@ class _Stray:
     def note(self, number: int, text: str) -> None:
         """Take a line that has no elements below it."""
         if text.lower().startswith(NOTHING_FOUND):
-            self._basket.complain(number, f"the source had nothing for this request: it answered {text!r}")
+            self._basket.complain(number, f"the source has nothing for this request: it answered {text!r}")
             return
         if not self._first:
             self._first, self._text = number, text

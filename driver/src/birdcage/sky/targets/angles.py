@@ -22,7 +22,7 @@ def angle_deg(text: str, *, hours: bool = False) -> float:
     """
     found = _SEXAGESIMAL.fullmatch(text.strip())
     if found is None:
-        raise ValueError(f"{text.strip()!r} is no angle such as 83.63, 22d01m or 5h34m32s.")
+        raise ValueError(f"{text.strip()!r} is not an angle. Type 83.63, 22d01m or 5h34m32s.")
     unit = found["unit"].lower()
     rest = [float(found[name] or 0.0) for name in ("minutes", "seconds")]
     if not unit and found["minutes"]:

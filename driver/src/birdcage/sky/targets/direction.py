@@ -62,7 +62,7 @@ def read_direction(text: str) -> Wish:
         if not axis:
             axis = "a" if "a" not in parts else "e"
             if axis in parts or (axis == "e" and value.upper() in WINDS):
-                raise ValueError(f"That is too much: azimuth and elevation, such as {EXAMPLES}.")
+                raise ValueError(f"Type only azimuth and elevation: {EXAMPLES}.")
         if axis in parts:
             raise ValueError(f"{'Azimuth' if axis == 'a' else 'Elevation'} stands there twice: type it once.")
         parts[axis] = _part(axis, value)

@@ -74,7 +74,7 @@ def _direction(typed: str) -> Fixed | None:
             raise
         return None
     if wish.az is None or wish.el is None or wish.az.relative or wish.el.relative:
-        raise ValueError(f"{typed} counts from where the dish points. Type both, such as 180 45 or az 180 el -3.")
+        raise ValueError(f"{typed} counts from where the dish points. Type both: 180 45 or az 180 el -3.")
     return _fixed_at(wish.az.deg, wish.el.deg)
 
 

@@ -9,8 +9,8 @@ from birdcage.sky.targets.names import Sender, plain
 from birdcage.sky.targets.resolution import Candidate, Resolution, Searchable
 
 UNDERSTOOD = (
-    "Understood are: a satellite by name or number; sun, moon, mercury, venus, mars, jupiter, saturn, uranus, neptune; "
-    "polaris, cas a; 28.2E, dish 119 or a slot such as QO-100; ra=5h34m,dec=+22d; gal 120,-5; az 180 el 45."
+    "Type a satellite's name or number, sun, moon, a planet, polaris, cas a, 28.2E, dish 119 or QO-100. Directions "
+    "are ra=5h34m,dec=+22d; gal 120,-5; az 180 el 45."
 )
 TOLD = 8
 """How many candidates a sentence names."""

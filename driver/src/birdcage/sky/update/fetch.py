@@ -156,26 +156,26 @@ def _told(url: str, error: urllib3.exceptions.HTTPError) -> FetchError:
     host = check_url(url)
     match error:
         case exceptions.NameResolutionError():
-            return FetchError(f"There is no way to {host}: its name is not known here. Is there a network?")
+            return FetchError(f"Cannot resolve {host}. Are you online?")
         case exceptions.NewConnectionError():
             cause = error.__cause__
             why = f" ({cause.strerror})" if isinstance(cause, OSError) and cause.strerror else ""
-            return FetchError(f"{host} cannot be reached{why}. Is there a network?")
+            return FetchError(f"{host} cannot be reached{why}. Are you online?")
         case exceptions.TimeoutError():
-            return FetchError(f"{host} did not answer in time: nothing was taken.", reason="timeout")
+            return FetchError(f"{host} did not answer in time. Nothing was taken.", reason="timeout")
         case exceptions.SSLError():
             return FetchError(
-                f"{host} cannot be proven to be what it says ({error}). Is the clock of this machine right?",
+                f"{host} has a certificate that can't be verified ({error}). Is this machine's clock right?",
                 reason="tls",
             )
         case exceptions.ProtocolError():
-            return FetchError(f"{host} broke off in the middle of its answer: nothing was taken.", reason="truncated")
+            return FetchError(f"{host} broke off in the middle of its answer. Nothing was taken.", reason="truncated")
         case _:
             return FetchError(f"{host} did not answer as a web server does ({error}): nothing was taken.")
 
 
 def _too_slow(url: str) -> FetchError:
-    return FetchError(f"{check_url(url)} was too slow: nothing was taken.", reason="timeout")
+    return FetchError(f"{check_url(url)} was too slow. Nothing was taken.", reason="timeout")
 
 
 def _too_large(url: str, largest: int) -> FetchError:

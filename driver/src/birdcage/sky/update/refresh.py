@@ -188,7 +188,7 @@ class _Refresh:
     def _old(self) -> str:
         count, fetched = self._group.count, self._group.fetched
         if not count:
-            return " There are none from before."
+            return " No cached copy."
         age = f" of {span((self._now() - fetched).total_seconds())} ago" if fetched is not None else ""
         return f" The {count} satellites{age} stay."
 

@@ -34,6 +34,6 @@ def unpack(body: bytes, encoding: str, largest: int, url: str) -> bytes:
         if len(whole) > largest:
             raise FetchError(f"{url} sends more than {largest / 1e6:.0f} MB: nothing was taken.", reason="too_large")
         if not unpacker.eof:
-            raise FetchError(f"{url} broke off in the middle of its answer: nothing was taken.", reason="truncated")
+            raise FetchError(f"{url} broke off in the middle of its answer. Nothing was taken.", reason="truncated")
         body = unpacker.unused_data
     raise FetchError(f"{url} sent damaged data (more than {MOST_MEMBERS} parts): nothing was taken.", reason="garbage")

@@ -159,15 +159,15 @@ def _border_notes(sight: Sight) -> Iterator[str]:
     if (sight.bounds.blocked(sight.az_deg, sight.pointed_el_deg, borders_only=True) & within).any():
         highest = max(keepout.below_deg for keepout in sight.bounds.keepouts)
         yield (
-            f"Below {highest:.0f}° it is not followed across north or a stop of the cable: of unknown turn the dish "
-            "may go the other way round there, through a no-go sector. Home the dish, and its turn is known."
+            f"Below {highest:.0f}° it is not followed across north or a cable stop. With its turn unknown the dish "
+            "may swing through a no-go sector. Home the dish to know its turn."
         )
 
 
 def _notes(reach: Reach, mount: Mount) -> Iterator[str]:
     yield from loss_notes(reach, mount.limits)
     if mount.standing is None:
-        yield "Where the dish stands is not known: the way to the first point may be longer."
+        yield "The dish's position is not known. The way to the first point may take longer."
     if mount.limits.cable is not None and not mount.limits.turn_known:
         yield "The turn of the cable is not known: only what is safe for every turn is followed."
     if mount.beam is None:

@@ -65,7 +65,7 @@ def _satellite(
     seen = track(target.elements, observer, t, offset_s)
     if np.isnan(seen.el_deg).any():
         raise NoPosition(
-            f"The elements of {target.name} (epoch {target.elements.epoch:%Y-%m-%d}) do not give a position for all of "
+            f"The elements of {target.name} (epoch {target.elements.epoch:%Y-%m-%d}) give no position for all of "
             "that time: it decays, or they are damaged."
         )
     az = np.unwrap(seen.az_deg, period=360.0)

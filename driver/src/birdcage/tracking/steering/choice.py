@@ -55,7 +55,7 @@ def _against(model: DishModel, name: str, *, velocity_allowed: bool) -> str:
         return f"{dish} has no command for its speeds, which the controller `velocity` needs."
     if name == "velocity" and not velocity_allowed:
         return (
-            "The controller `velocity` changes the greatest speed of the motors while it follows, and nobody has "
-            "confirmed on a dish that this is harmless. Set velocity_allowed = true in [tracking] to allow it."
+            "The controller `velocity` changes the greatest speed of the motors while it follows. That is unproven "
+            "on a real dish. Set velocity_allowed = true in [tracking] to allow it."
         )
     return ""
