@@ -5,6 +5,7 @@ import asyncio
 import pytest
 import sky_stand_in
 import track_stand_in
+from birdcage_tui.panes.next import NextPane
 from birdcage_tui.panes.sky import SkyPane
 from birdcage_tui.track.plot import TrackSky
 from stage import run
@@ -58,3 +59,10 @@ def test_the_target_is_named_beside_its_mark_at_every_size(size, kind, keys):
     assert "▨" not in "".join(rows), "the ends of the cable have a sign of their own"
     assert sum(row.count("║") for row in rows) >= 1
     assert "║ cable stop" in title or "║ stop" in title
+
+
+def test_a_pass_in_reach_that_is_not_the_target_is_not_in_its_colour():
+    async def inks(app, _pilot):
+        return {ink for row in cells_of(app, NextPane)[1] for ink in row}
+
+    assert not run(inks, "idle", (160, 48), sky=sky_stand_in.make()) & set(IN_ITS_COLOUR)

@@ -45,11 +45,11 @@ def draw_next(cells: Cells, y: int, row: Row, now_s: float) -> None:
         return
     inside = row.reach is not None and row.reach.holds(now_s)
     cells.put(1, y, f"{event[1]:<5}", "dim")
-    cells.right(13, y, count_text(event[0] - now_s), "target" if inside else "text")
+    cells.right(13, y, count_text(event[0] - now_s), "strong" if inside else "text")
     length = length_text(row.reach_s)
     tail = f"{row.max_el_deg:3.0f}°  {length:>4}" + (" in reach" if cells.width >= 46 else "")
     if cells.width >= WITH_AZIMUTHS:
         tail = f"{row.aos_az_deg:3.0f}° to {row.los_az_deg:3.0f}°   max {tail}"
     room = cells.width - 15 - len(tail) - 2
-    cells.put(15, y, fit(row.name, room), "target-strong" if inside else "text")
+    cells.put(15, y, fit(row.name, room), "strong" if inside else "text")
     cells.right(cells.width - 1, y, tail, "dim")
