@@ -43,7 +43,7 @@ class TestLink:
         house.plugged = []
         house.run(3)
         view = house.view("link")
-        assert (view.mark.value, view.evidence) == ("todo", "no port is chosen yet")
+        assert (view.mark.value, view.evidence) == ("todo", "No port set.")
         told = " ".join(view.words)
         assert "No serial port found. Plug the adapter into a USB port" in told
         assert "The list refreshes every 2 seconds." in told

@@ -60,7 +60,7 @@ def inside(app, engine, *, causes):
     shown = next(view for view in engine.steps() if view.name == engine.current)
     assert len(page.query(ChoiceButton)) == len(shown.choices)
     folded = page.form.folded
-    assert causes or not folded, "only where the causes need the room"
+    assert not folded or causes or app.size.height < 30, "fields fold only where there is no room for them"
     assert len(page.query(Input)) == sum(len(choice.fields) for choice in shown.choices if choice.name not in folded)
     for button in page.query(ChoiceButton):
         assert button.region.width == button.styles.width.value, "no choice is cut off"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import signal
 from collections.abc import Callable
 from concurrent.futures import Future
+from dataclasses import replace
 from functools import partial
 
 from birdcage.base.errors import BirdcageError
@@ -24,6 +25,7 @@ from birdcage.station.requests import (
     TurnSkew,
 )
 
+from birdcage_tui.adding import ask_elements, ask_place
 from birdcage_tui.commands import BY_NAME, for_key
 from birdcage_tui.commands.jog import DIRECTIONS, SKEW_DIRECTIONS, STEPS_DEG
 from birdcage_tui.dialogs import QuestionScreen
@@ -31,7 +33,9 @@ from birdcage_tui.goto import GotoLine
 from birdcage_tui.help import HelpScreen, help_words
 from birdcage_tui.jump import JumpScreen, Target, targets
 from birdcage_tui.messages import CommandChosen
+from birdcage_tui.pages.page import Page
 from birdcage_tui.palette import Palette
+from birdcage_tui.settings import Place
 from birdcage_tui.shell import Shell
 from birdcage_tui.stop_words import power_switch
 from birdcage_tui.themes import LOOKS
@@ -105,6 +109,8 @@ class BirdcageApp(Shell):
             "help": self.show_help,
             "jump": self.show_jump,
             "palette": self.show_palette,
+            "elements-add": lambda: ask_elements(self),
+            "place-set": lambda: ask_place(self),
             "theme": self.next_theme,
             "quit": self.leave,
         }
@@ -288,6 +294,14 @@ class BirdcageApp(Shell):
                 self.paint()
 
         self.push_screen(JumpScreen(targets(self.screen_stack[0])), chosen)
+
+    def move_to(self, place: Place) -> None:
+        """Let every page and the search for passes count from another place."""
+        self.settings = replace(self.settings, place=place)
+        for page in self.screen_stack[0].query(Page):
+            page.place_changed()
+        self.horizon.place_changed()
+        self._keep_sky()
 
     def next_theme(self) -> None:
         """Change to the next look, and keep it for the next start."""

@@ -234,6 +234,16 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSetti
     def load_again() -> Settings:
         return load(paths.config_file, environ={} if options.demo else None, flags=flags)
 
+    def keep_place(latitude_deg: float, longitude_deg: float, height_m: float, name: str) -> None:
+        from birdcage.base.config import edit
+        from birdcage.base.places import moved_settings
+
+        here = load_again().place
+        changes = moved_settings(here, latitude_deg, longitude_deg, height_m or None, name or None)
+        edit(paths.config_file, {**changes, "place.declination_deg": None})
+        for given in [dotted for dotted in flags if dotted.startswith("place.")]:
+            del flags[given]  # what a person says here counts over what was given at the start
+
     return session, replace(
         _app_settings(settings, paths, demo=options.demo),
         setup=make_setup,
@@ -242,6 +252,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSetti
         calibrate=make_calibrate(session, load_again, paths, environ={} if options.demo else None, flags=flags),
         horizon=ConfigHorizon(paths, settings, load_again),
         clock_check=make_check(clock, paths),
+        keep_place=keep_place,
         first_page=begin,
     )
 

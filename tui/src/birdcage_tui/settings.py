@@ -81,5 +81,7 @@ class AppSettings:
     """Where the line of trees and roofs is kept; None: nowhere."""
     clock_check: Callable[[], ClockTold] | None = field(default=None, compare=False)
     """Finds out how good this machine's clock is, on a thread after the first frame; None: nothing does."""
+    keep_place: Callable[[float, float, float, str], None] | None = field(default=None, compare=False)
+    """Writes latitude, longitude, height in metres and name of the dish's place; None: nowhere. ConfigError."""
     first_page: str = "dashboard"
     """The page that the app opens with."""

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
     from birdcage_tui.passes.model import Row, SkyPicture
     from birdcage_tui.passes.world_map_ask import Ask
+    from birdcage_tui.sky_add import Added
 
 Show = Callable[["SkyPicture"], object]
 """Takes a picture of the sky, on whichever thread made it."""
@@ -28,6 +29,9 @@ Say = Callable[[str], object]
 """Takes a sentence to be told, on any thread."""
 ShowWorld = Callable[["WorldView"], object]
 """Takes the world at one moment, on whichever thread made it."""
+
+TellAdded = Callable[["Added"], object]
+"""Takes what came of elements that were added, on whichever thread did it."""
 
 
 class SkySource(Protocol):
@@ -50,6 +54,9 @@ class SkySource(Protocol):
 
     def look_down(self, ask: Ask, show: ShowWorld) -> None:
         """Work out what a map of the world shows, and show it."""
+
+    def add_elements(self, typed: str, tell: TellAdded) -> None:
+        """Take elements into the catalogue, by a path or as text, and tell what came of it."""
 
     def close(self) -> None:
         """End soon; nothing is told any more."""
@@ -109,6 +116,13 @@ class SkyFeed:
         if self.source is None or self._closed:
             return False
         self.source.look_down(ask, show)
+        return True
+
+    def add_elements(self, typed: str, tell: TellAdded) -> bool:
+        """Take elements into the catalogue; return whether that will be done."""
+        if self.source is None or self._closed:
+            return False
+        self.source.add_elements(typed, tell)
         return True
 
     def close(self) -> None:

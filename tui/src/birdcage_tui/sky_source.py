@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from birdcage.station.state import StationState
 
     from birdcage_tui.passes.world_map_ask import Ask
-    from birdcage_tui.sky_feed import Say, Show, ShowWorld
+    from birdcage_tui.sky_feed import Say, Show, ShowWorld, TellAdded
 
 MOON_S = 20.0
 """Seconds of the clock between two looks at the Moon: it goes a tenth of a degree in that."""
@@ -129,6 +129,10 @@ class WatchedSky:
     def look_down(self, ask: Ask, show: ShowWorld) -> None:
         """Work out what a map of the world shows, and show it."""
         self._jobs.put(lambda: self._look_down(ask, show))
+
+    def add_elements(self, typed: str, tell: TellAdded) -> None:
+        """Take elements into the catalogue; their passes are searched at once."""
+        self._jobs.put(lambda: self._add_elements(typed, tell))
 
     def close(self) -> None:
         """End."""
@@ -228,6 +232,16 @@ class WatchedSky:
             self._say(f"The favourite was not saved. {problem}")
             return
         self._watch.refresh()
+
+    def _add_elements(self, typed: str, tell: TellAdded) -> None:
+        from birdcage_tui.sky_add import Added, add_elements
+
+        try:
+            added = add_elements(self._setup.catalogue, typed)
+        except BirdcageError as problem:
+            added = Added(str(problem), whole=False)
+        self._watch.refresh()
+        tell(added)
 
     def _look_down(self, ask: Ask, show: ShowWorld) -> None:
         from birdcage_tui.passes.world_map_ask import world_of

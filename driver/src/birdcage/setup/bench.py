@@ -82,6 +82,11 @@ class Bench:
             self._flags.pop(dotted, None)
         self.settings = load(self.paths.config_file, self._environ, self._flags)
 
+    def read_again(self, section: str) -> None:
+        """Read the file again: what it holds of `section` counts over what was given at the start."""
+        self._flags = {dotted: value for dotted, value in self._flags.items() if not dotted.startswith(section)}
+        self.settings = load(self.paths.config_file, self._environ, self._flags)
+
     def done(self, step: str, evidence: str, changes: Mapping[str, Value] | None = None) -> None:
         """Keep a step as done, with the settings that it makes, in one writing."""
         self._keep(step, "done", evidence, changes or {})

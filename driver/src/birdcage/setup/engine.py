@@ -87,6 +87,10 @@ class Setup:
         """The settings as they are now."""
         return self._bench.settings
 
+    def read_place(self) -> None:
+        """Read the settings again: the place was written elsewhere, and counts over what was given at the start."""
+        self._bench.read_again("place.")
+
     def causes(self) -> tuple[Cause, ...]:
         """Return what may keep the port from answering, likeliest first; empty while the dish answers."""
         link = self._steps["link"]

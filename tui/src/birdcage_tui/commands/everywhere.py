@@ -104,6 +104,22 @@ APP = (
         "App",
         footer="jump",
     ),
+    Command(
+        "elements-add",
+        ("I",),
+        "I",
+        "Add elements …",
+        "Type the path of a file with TLE or OMM, or paste its text. F7 shows its passes at once.",
+        "App",
+    ),
+    Command(
+        "place-set",
+        ("L",),
+        "L",
+        "Set location …",
+        "Type a city, a locator, or latitude and longitude. Passes follow it at once.",
+        "App",
+    ),
     Command("theme", ("T",), "T", "Next theme", "Dusk, daylight, night. Your choice is saved.", "App"),
     Command(
         "quit",

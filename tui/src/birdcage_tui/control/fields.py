@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from textual import events
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
 from textual.widgets import Input, Label, Static
@@ -13,6 +14,8 @@ from birdcage_tui.dialogs import Dialog
 from birdcage_tui.status import TopRow
 
 Values = tuple[str, ...]
+LINE_END = "␤"
+"""Stands for the end of a line in a field of one row."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,6 +25,18 @@ class Field:
     label: str
     value: str = ""
     hint: str = ""
+    pastes: bool = False
+    """Whether a text of several lines may be pasted: their ends are `LINE_END`."""
+
+
+class PasteInput(Input):
+    """A field that takes a pasted text whole."""
+
+    def _on_paste(self, event: events.Paste) -> None:
+        event.prevent_default()
+        event.stop()
+        start, end = self.selection
+        self.replace(LINE_END.join(event.text.splitlines()), start, end)
 
 
 class FieldsScreen(Dialog[Values | None]):
@@ -38,8 +53,11 @@ class FieldsScreen(Dialog[Values | None]):
     KEYS = "Enter saves, Tab next line"
     BINDINGS = [("escape", "leave", "close")]  # noqa: RUF012
 
-    def __init__(self, title: str, words: str, fields: Sequence[Field], check: Callable[[Values], str]) -> None:
+    def __init__(
+        self, title: str, words: str, fields: Sequence[Field], check: Callable[[Values], str], wrong: str = ""
+    ) -> None:
         super().__init__()
+        self._wrong = wrong
         self._title, self._words, self._fields, self._check = title, words, fields, check
 
     def compose(self) -> ComposeResult:
@@ -53,8 +71,10 @@ class FieldsScreen(Dialog[Values | None]):
                     label = Label(field.label)
                     label.styles.width = 12  # the sheet of the app gives every text in a dialog the whole width
                     yield label
-                    yield Input(field.value, placeholder=field.hint, select_on_focus=False)
-            yield Static("", id="wrong", markup=False)
+                    kind = PasteInput if field.pastes else Input
+                    # What stands in a later field is replaced by typing there.
+                    yield kind(field.value, placeholder=field.hint, select_on_focus=field is not self._fields[0])
+            yield Static(f"▲ {self._wrong}" if self._wrong else "", id="wrong", markup=False)
 
     def on_mount(self) -> None:
         """Give the focus to the first line: a person has asked for it."""

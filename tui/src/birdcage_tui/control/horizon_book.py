@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 
 from birdcage.base.errors import ConfigError
@@ -92,6 +93,14 @@ class HorizonBook:
         file.write(after)
         self._before = [*self._before[-KEPT_CHANGES:], there]
         self.mask = file.read()
+
+    def place_changed(self) -> None:
+        """Take the horizon of another place; where it can't be read, the one before stays."""
+        if self._file is None:
+            return
+        with suppress(ConfigError):
+            self.mask = self._file.read()
+            self._before.clear()
 
     def _writable(self) -> HorizonFile:
         if self._file is None:

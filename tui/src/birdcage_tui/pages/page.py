@@ -33,6 +33,9 @@ class Page(Container):
         for pane in self.walk_children(Pane):
             pane.show(view)
 
+    def place_changed(self) -> None:
+        """Take in that the dish stands elsewhere; a page that keeps no place of its own does nothing."""
+
     def do(self, command: str) -> bool:  # noqa: ARG002 - a page without commands of its own
         """Carry out a command of this page; return False for one that it does not know."""
         return False

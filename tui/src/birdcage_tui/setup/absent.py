@@ -23,6 +23,9 @@ class AbsentSetup:
     finished = False
     begin_anew = ""
 
+    def read_place(self) -> None:
+        """There is nothing to read."""
+
     def causes(self) -> tuple[Cause, ...]:
         """Return nothing: no port was tried."""
         return ()

@@ -50,6 +50,8 @@ class SetupBody(SetupLayout):
         self.chosen = 0
         """Which of the causes is unfolded."""
         self.causes: tuple[Cause, ...] = ()
+        self._place: Place | None = None
+        """Where the dish stands, as the other pages were told last."""
         self._busy: tuple[str, float] | None = None
         self._shape: object = None
 
@@ -190,13 +192,18 @@ class SetupBody(SetupLayout):
         self.chosen = min(max(self.chosen + by, 0), max(len(self.causes) - 1, 0))
         self.host.paint()
 
+    def place_changed(self) -> None:
+        """Read the place again: it was set from another page."""
+        self.engine.read_place()
+
     def _tell_place(self) -> None:
         """Let every page know where the dish stands, as soon as the setup does."""
         place, host = self.engine.settings.place, self.host
         if place.latitude_deg is None or place.longitude_deg is None:
             return
         here = Place(place.latitude_deg, place.longitude_deg, place.name or "")
-        if host.settings.place != here:
+        if here != self._place:
+            self._place = here
             host.settings = replace(host.settings, place=here)
 
     def _fill(self, view: View) -> None:

@@ -33,6 +33,9 @@ class SetupEngine(Protocol):
     def finished(self) -> bool:
         """Whether every step is done, skipped or for later."""
 
+    def read_place(self) -> None:
+        """Read the settings again: the place was written elsewhere."""
+
     def causes(self) -> tuple[Cause, ...]:
         """Return what may keep the port from answering, likeliest first; empty while the dish answers."""
 

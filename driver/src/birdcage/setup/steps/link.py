@@ -91,7 +91,7 @@ class LinkStep(Step):
         if state.link.state is Link.SILENT:
             return f"{_short(state.port)} opens, and at {self._rate} baud no dish answers"
         if not state.port:
-            return "no port is chosen yet"
+            return "No port set."
         if state.link.state in (Link.LOST, Link.OPENING):
             return state.link.detail
         return super().evidence()

@@ -57,9 +57,9 @@ class PlaceStep(Step):
     def words(self) -> tuple[str, ...]:
         """Ask for both."""
         return (
-            "Say where the dish stands: from a map, a locator, a city near by, or GPS. 0.1° is plenty for pointing.",
-            "GPS tells the place and the clock at once: `gpsd` where that runs, or the receiver's own port.",
-            f"Clock: {self.bench.utc:%H:%M:%S} UTC. Compare it with a watch set by radio or network, or trust it.",
+            "Where does the dish stand? 0.1° is plenty for pointing.",
+            "GPS tells place and clock: type gpsd, or the port of the receiver.",
+            f"Clock: {self.bench.utc:%H:%M:%S} UTC. Compare it with an exact watch, or trust it.",
         )
 
     def choices(self) -> tuple[Choice, ...]:

@@ -1,0 +1,74 @@
+"""What a person adds from any page: elements, and the place of the dish."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING
+
+from birdcage.base.errors import BirdcageError
+
+from birdcage_tui.control.fields import LINE_END, Field, FieldsScreen, Values
+from birdcage_tui.settings import Place
+
+if TYPE_CHECKING:
+    from birdcage_tui.app import BirdcageApp
+    from birdcage_tui.sky_add import Added
+
+
+def ask_elements(app: BirdcageApp, typed: str = "", wrong: str = "") -> None:
+    """Ask for a path or a text; what can't be read stands there again, with the lines that are wrong."""
+
+    def check(values: Values) -> str:
+        return "" if values[0].strip() else "Type a path, or paste elements."
+
+    def told(text: str, added: Added) -> None:
+        if added.whole:
+            app.say(added.words)
+        else:
+            ask_elements(app, text, added.words)
+
+    def answered(values: Values | None) -> None:
+        if values is None:
+            return
+        text = values[0]
+        if not app.sky.add_elements(text.replace(LINE_END, "\n"), lambda added: app.soon(partial(told, text, added))):
+            app.say("This app watches no sky, so it has no elements.")
+
+    words = "Type the path of a file with TLE or OMM, or paste its text. The newest elements of each satellite count."
+    fields = (Field("elements", typed, "~/Downloads/iss.txt, or paste", pastes=True),)
+    app.push_screen(FieldsScreen("Add elements", words, fields, check, wrong), answered)
+
+
+def ask_place(app: BirdcageApp) -> None:
+    """Ask where the dish stands; it counts at once."""
+    from birdcage.sky.whereabouts import parse_place
+
+    keep: Callable[[float, float, float, str], None] | None = app.settings.keep_place
+    if keep is None:
+        app.say("This app keeps no settings, so it can't save a location.")
+        return
+
+    def check(values: Values) -> str:
+        try:
+            parse_place(values[0])
+        except ValueError as problem:
+            return str(problem)
+        return ""
+
+    def answered(values: Values | None) -> None:
+        if values is None:
+            return
+        found = parse_place(values[0])
+        try:
+            keep(found.latitude_deg, found.longitude_deg, found.height_m, found.name)
+        except BirdcageError as problem:
+            app.say(str(problem))
+            return
+        app.move_to(Place(found.latitude_deg, found.longitude_deg, found.name))
+        where = f"{found.name}, " if found.name else ""
+        app.say(f"Location set: {where}{found.latitude_deg:.4f}°, {found.longitude_deg:.4f}°.")
+
+    words = "Type a city, a locator, or latitude and longitude. Passes follow it at once."
+    app.push_screen(FieldsScreen("Set location", words, (Field("place", "", "Rotterdam, JO21jv, 51.9 4.8"),), check),
+                    answered)  # fmt: skip
