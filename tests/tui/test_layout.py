@@ -65,7 +65,7 @@ def test_health_is_whole_when_there_is_room(size):
 
 def test_the_geostationary_arc_names_its_slots_and_only_with_a_place():
     assert "129°W" in run(read, "idle")
-    assert "119°W EchoStar" in run(read, "idle", (160, 48))
+    assert "119°W EchoStar" in run(read, "idle", (160, 49))
     assert "119°W" not in run(read, "opening", (160, 48))
 
 

@@ -138,7 +138,7 @@ def test_a_deleted_one_is_told_and_u_brings_it_back_where_it_was(path):
         return gone, kept, back, await settled(app, pilot)
 
     gone, kept, back, again = run(delete, path)
-    assert 'Deleted "Astra 28.2E". u restores it.' in gone.splitlines()[-2]
+    assert 'Deleted "Astra 28.2E". u restores it.' in gone.splitlines()[-3]
     assert kept == (WALL, PARK)
     assert 'Restored "Astra 28.2E".' in back
     assert load_presets(path).entries == (WALL, ASTRA, PARK)
@@ -205,7 +205,7 @@ def test_a_damaged_file_is_named_shown_as_far_as_it_is_good_and_not_written(path
     assert "Wall" in text
     assert "Park" in text
     assert "presets.toml" in text
-    assert "presets.toml" in after.splitlines()[-2]
+    assert "presets.toml" in after.splitlines()[-3]
     assert screens == 1
     assert path.read_bytes() == before
 

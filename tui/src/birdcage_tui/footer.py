@@ -1,11 +1,47 @@
-"""The last row: the keys that hold here, each of them clickable."""
+"""The last rows: where one can go, and the keys that hold here; each of them clickable."""
 
 from __future__ import annotations
 
+from textual.widgets import ContentSwitcher
+
 from birdcage_tui.canvas import Cells
-from birdcage_tui.commands import in_force
+from birdcage_tui.commands import PAGES, in_force
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
+
+LACKED = frozenset({"motor"})
+"""Pages for hardware that none of the dishes has whose both axes this program moves."""
+PARTS = {"calibrate": "setup"}
+"""Pages that stand behind a tab of another."""
+
+
+class PageBar(Pane):
+    """The pages by number and name, the one that is seen lit; the console too while it lies over it.
+
+    Only where there is room for a row of its own: 100 columns and 30 rows.
+    """
+
+    INK = "bar-dim"
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Write them from the left, and leave out what this dish has no use for."""
+        here, x = self._here(), 1
+        for number, (name, title, _) in enumerate(PAGES, 1):
+            if name in LACKED and view.state.dish is not None:
+                continue
+            key = f"F{number}" if view.typing else str(number % 10)
+            lit, start = name in here, x
+            x = cells.put(x, 0, f" {key} ", "accent-row" if lit else "key")
+            x = cells.put(x, 0, f"{title} " if lit else title, "accent-row" if lit else "bar")
+            self.heat(start, 0, x - start, f"page-{name}")
+            x += 0 if lit else 1
+
+    def _here(self) -> set[str]:
+        """Return the page that is seen, and the console while that is open."""
+        screen = self.app.screen_stack[0]
+        shown = (screen.query_one("#pages", ContentSwitcher).current or "").removeprefix("page-")
+        console = any(sheet.display for sheet in screen.query("ConsoleOverlay"))
+        return {PARTS.get(shown, shown), *({"console"} if console else ())}
 
 
 class KeyBar(Pane):

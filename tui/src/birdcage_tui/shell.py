@@ -29,7 +29,7 @@ from birdcage_tui.control.book import PresetBook
 from birdcage_tui.control.horizon_book import HorizonBook
 from birdcage_tui.dialogs import Dialog
 from birdcage_tui.esc_field import EscField
-from birdcage_tui.footer import KeyBar
+from birdcage_tui.footer import KeyBar, PageBar
 from birdcage_tui.goto import GotoLine
 from birdcage_tui.key_queue import KeyQueue
 from birdcage_tui.messages import SkyChanged, StationEvent
@@ -132,7 +132,7 @@ class Shell(Surface):
         with Container(id="stage"), ContentSwitcher(initial="page-dashboard", id="pages"):
             yield DashboardPage(id="page-dashboard")
         yield GotoLine()
-        yield KeyBar()
+        yield from (PageBar(), KeyBar())
 
     def on_mount(self) -> None:
         """Show a first frame; the session begins only after it has been painted."""
@@ -217,7 +217,7 @@ class Shell(Surface):
         with self.batch_update():
             for part in (
                 *(screen.query_one_optional(TopRow) for screen in self.screen_stack),
-                *(base.query_one_optional(kind) for kind in (BadDayRow, KeyBar, GotoLine)),
+                *(base.query_one_optional(kind) for kind in (BadDayRow, PageBar, KeyBar, GotoLine)),
                 self.sheet if self.sheet is not None and self.sheet.is_open else None,
                 self._seen(),
                 *(screen for screen in self.screen_stack if isinstance(screen, Dialog)),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from textual.geometry import Region
 
-ROOMY = (100, 26)
+ROOMY = (100, 25)
 """From this size on all lists are seen at once."""
 GRAND = (150, 38)
 """From this size on both pictures are, and the signal."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from birdcage_tui.control.tape import ROWS
 
 FRAME = 2
-ROOMY = (100, 25)
+ROOMY = (100, 24)
 """From this size on each part has a frame of its own, and the presets are always seen."""
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-ROOMY = (100, 26)
+ROOMY = (100, 25)
 """From this size on passes, autotrack and radio are always seen."""
 VIEWS = ("curves", "passes", "autotrack", "radio")
 """What takes turns where there is no room for all."""
@@ -36,7 +36,7 @@ def layout(width: int, height: int, shown: str = VIEWS[0]) -> Layout:
     roomy = width >= ROOMY[0] and height >= ROOMY[1]
     if not roomy:
         return Layout(False, 3, min(max((height - 3 - FRAME) * 2 + 6, 24), width - 42), 5, 0)
-    head, lower = 4, min(max(height // 4, 8), 14)
+    head, lower = 4, min(max(height // 4, 7 if height < 26 else 8), 14)  # the curves need four rows
     if shown in LISTS:
         lower = max(lower, min(lower + 6, height - head - 14))
     upper = height - head - lower
