@@ -189,7 +189,7 @@ async def test_another_holder_is_named_and_taken_over(at):
     await at.step(0.2)
     since = len(at.wire)
     await at.send("life", 0.5)
-    assert "Gpredict has control" in at.words()
+    assert "Gpredict controls the dish" in at.words()
     assert b"life\r" not in at.went_out(since)
     await at.press("y")
     await at.step(1)
