@@ -16,6 +16,8 @@ def test_looking_ahead_shows_what_a_step_will_ask_and_changes_nothing(size):
         for words in ("Stock LNB", "L-band helix", "Another feed", "stow allowed"):
             assert words in text, words
         assert "Just looking: step 4, Home, stays the present one." in " ".join(text.replace("│", " ").split())
+        assert "Enter  Go to this step" in text
+        assert "Enter  Stock LNB" not in text, "a key that does nothing yet is not named"
         assert all(box.disabled for box in app.page.query(Input))
         await pilot.click(next(button for button in app.query(ChoiceButton) if button.choice.name == "feed-1"))
         await press(app, pilot, "tab")

@@ -237,7 +237,7 @@ class SetupBody(SetupLayout):
 
     def _only_looking(self) -> str:
         step = next(step for step in self.views if step.name == self.present)
-        return f"Just looking: step {step.number}, {step.title}, stays the present one. Esc: back to it."
+        return f"Just looking: step {step.number}, {step.title}, stays the present one. Esc goes back."
 
 
 def _finished(views: Sequence[StepView]) -> tuple[str, ...]:

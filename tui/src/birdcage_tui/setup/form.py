@@ -62,7 +62,9 @@ class ChoiceButton(Pane, can_focus=True):
     def draw(self, cells: Cells, view: View) -> None:  # noqa: ARG002 - it looks the same whatever happens
         """Write the key, the words, and whether it moves the dish."""
         key_ink = "accent-row" if self.has_focus else "key" if self.live else "dim"
-        x = cells.put(0, 0, f" {key_text(self.choice)} ", key_ink) + 1
+        # A key that does nothing yet is not named: Enter goes to the step.
+        key = key_text(self.choice) if self.live else " " * len(key_text(self.choice))
+        x = cells.put(0, 0, f" {key} ", key_ink) + 1
         label = cut(self.choice.label, cells.width - x)
         x = cells.put(x, 0, label, "accent-strong" if self.has_focus else "strong" if self.live else "dim")
         if self.choice.moves:
