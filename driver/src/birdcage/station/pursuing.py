@@ -87,9 +87,9 @@ class Pursuing:
         if live is not None and live.holder == request.holder and same_pass(live.plan, request.plan):
             self._renew(request.plan)
             return live.number
-        (voyage, name), link = voyage_for(request, self._board, self._antenna, self._hear), self._board.state.link
-        if link.state is not Link.UP:
+        if (link := self._board.state.link).state is not Link.UP:
             raise LinkError(f"No link to the dish, so nothing is followed ({link.detail}).", reason=link.state.value)
+        voyage, name = voyage_for(request, self._board, self._antenna, self._hear)
         self._antenna.protocol.gate.require_position()
         self._control.refuse(request.holder)
         if live is not None:
