@@ -10,6 +10,8 @@ from birdcage.base.paths import Paths
 from birdcage.base.places import moved_settings
 from birdcage.base.presets import load_presets
 from birdcage.sky.catalogue import Catalogue
+from birdcage_tui import main
+from birdcage_tui import run as run_module
 from birdcage_tui.settings import Place
 from birdcage_tui.sky_feed import make_sky
 from textual import events
@@ -253,3 +255,17 @@ def test_the_palette_finds_all_three(tmp_path, size):
             await garden.press("escape")
 
     run(find, tmp_path, size)
+
+
+def test_a_place_that_is_set_in_the_demo_counts_over_the_one_it_began_with(tmp_path):
+    paths = Paths.in_folder(tmp_path)
+    session, settings = run_module._build(main.parser().parse_args(["--demo"]), paths)
+    try:
+        before = settings.setup()
+        settings.keep_place(-33.5, 151.2, 0.0, "Sydney")
+        before.read_place()
+        for engine in (before, settings.setup()):
+            place = engine.settings.place
+            assert (place.name, place.latitude_deg, place.longitude_deg) == ("Sydney", -33.5, 151.2)
+    finally:
+        session.close()

@@ -229,7 +229,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSetti
 
         # The demo offers no port of this machine: a single key would open it.
         ports = list if options.demo else list_ports
-        return Setup(session, settings, paths, environ={} if options.demo else None, flags=flags, ports=ports)
+        return Setup(session, load_again(), paths, environ={} if options.demo else None, flags=flags, ports=ports)
 
     def load_again() -> Settings:
         return load(paths.config_file, environ={} if options.demo else None, flags=flags)
