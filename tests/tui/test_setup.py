@@ -289,7 +289,7 @@ def test_an_app_without_a_setup_says_so_and_crashes_on_no_key():
             return text, moved(app)
 
     text, motions = asyncio.run(body())
-    assert "`birdcage setup` does the same steps" in " ".join(text.replace("│", " ").split())
+    assert "Use `birdcage setup` in a terminal." in " ".join(text.replace("│", " ").split())
     assert motions == []
 
 

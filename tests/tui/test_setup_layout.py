@@ -104,7 +104,7 @@ def test_a_finished_setup_says_so_and_what_comes_next():
     async def done(app, pilot, engine):
         text = " ".join(stand_in.text_of(app).replace("│", " ").split())
         assert "The setup is complete, but for Level (skipped)." in text
-        assert "after each power-up" in text.lower()
+        assert "To repeat a step, select it with the arrows" in text
         assert text.count("as answered") >= 4
 
     for size in SIZES:

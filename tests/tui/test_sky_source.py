@@ -156,13 +156,13 @@ def test_a_folder_that_cannot_be_written_is_told(stage):
     (stage.paths.catalogue.parent / "passes").write_text("in the way")
     stage.source.export(sky.rows[:2])
     stage.source.step()
-    assert "No file was written in" in stage.said[0]
+    assert "Cannot write to" in stage.said[0]
 
 
 def test_without_a_catalogue_the_elements_that_ship_are_marked(tmp_path):
     sky = Stage(tmp_path, demo=False).step()
     assert sky.source == "elements that ship"
-    assert re.search(r"the newest of \d{4}-\d\d-\d\d: no dish finds", sky.note)
+    assert re.search(r"the newest of \d{4}-\d\d-\d\d\. They are too old", sky.note)
 
 
 def test_an_exported_pass_tells_what_the_feed_listens_to(tmp_path):
