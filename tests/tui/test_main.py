@@ -134,7 +134,7 @@ def test_an_unknown_firmware_and_a_missing_file_are_one_sentence(monkeypatch, ca
     assert run.run(main.parser().parse_args(["--port", "/dev/null", "--firmware", "nosuch"])) == 1
     assert "nosuch" in capsys.readouterr().err
     assert run.run(main.parser().parse_args(["--config", str(tmp_path / "none")])) == 1
-    assert "no file" in capsys.readouterr().err
+    assert "is not a file" in capsys.readouterr().err
 
 
 def test_the_only_adapter_is_taken_when_none_is_named(monkeypatch):
