@@ -96,8 +96,8 @@ def test_favourites_of_the_catalogue_count_with_their_priorities(autotrack, as_j
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (("--engage", "--dry-run"), "are for looking"),
-        (("--engage", "--hours", 3), "are for looking"),
+        (("--engage", "--dry-run"), "move nothing"),
+        (("--engage", "--hours", 3), "move nothing"),
         (("--until", "2026-11-22"), "go with --engage"),
         (("--speed", 5), "go with --engage"),
         (("--engage", "--speed", 5, "--port", "/dev/ttyUSB0"), "--speed is for a simulated dish"),

@@ -44,5 +44,5 @@ def test_the_diagnosis_quotes_text_and_no_colours():
 
 def test_a_prompt_without_our_enter_names_the_missing_echo():
     told = str(no_reply("/dev/ttyUSB0", "", b"MOT>", 2.0))
-    assert "half-duplex" in told
+    assert "half duplex" in told
     assert "may be starting" not in told

@@ -102,7 +102,7 @@ def test_every_byte_is_in_the_transcript_with_its_time(port):
 def test_a_port_that_is_gone_is_lost_whatever_is_asked(port, error, use):
     link = Link(port, VirtualClock())
     port.error = error
-    with pytest.raises(LinkError, match="slow is gone: the adapter") as lost:
+    with pytest.raises(LinkError, match="slow is gone: unplugged") as lost:
         use(link)
     assert lost.value.reason == "lost"
     link.close()

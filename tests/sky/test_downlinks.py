@@ -53,7 +53,7 @@ def test_since_when_something_is_silent_goes_with_its_being_off_the_air(own):
     assert own(row.format('alive = false\nsilent_since = "2024-05"')).entries[0].silent_since == "2024-05"
     for wrong, words in (
         ('alive = true\nsilent_since = "2024"', "silent_since goes with alive = false"),
-        ('alive = false\nsilent_since = "May"', "silent_since is 'May', not such as 2025-08-13"),
+        ('alive = false\nsilent_since = "May"', "silent_since is 'May', not a date"),
     ):
         assert words in only(own(row.format(wrong)).problems)
 
@@ -265,12 +265,12 @@ GOOD = '[[downlink]]\nsatellite = "X"\nfreq_mhz = 1\n'
             ":4: polarization is 'left', not one of RHCP, LHCP, circular, horizontal, vertical, linear.",
         ),
         ('[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\nalive = "yes"\n', "alive is 'yes', not true, false or"),
-        ('[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\ndate = "May"\n', "date is 'May', not such as 2026-10-16"),
+        ('[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\ndate = "May"\n', "date is 'May', not a date"),
         ('[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\nnorad_id = -1\n', "norad_id is -1, not a catalogue number."),
-        ('[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\npipeline = "a; rm b"\n', "pipeline is 'a; rm b', not a name"),
+        ('[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\npipeline = "a; rm b"\n', "pipeline is 'a; rm b', not the name of a pipeline"),
         ('[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\nsymbol_rate_baud = 0\n', "symbol_rate_baud is 0, not a number"),
         ('[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\npipeline_live = 1\n', "pipeline_live is 1, not true or false"),
-        ('[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\nnames = ["*"]\n', "names is ['*'], not a list such as"),
+        ('[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\nnames = ["*"]\n', "names is ['*'], not a list of names"),
         ('[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\nlongitude_deg = 190\n', "longitude_deg is 190, not a number"),
         ('[[downlink]]\nsatellite = "x"\nfreq_mhz = 1.0\n', ":4: satellite 'x' has that freq_mhz before."),
         ('[[downlnk]]\nsatellite = "A"\nfreq_mhz = 5\n', "downlnk is no table of it; did you mean downlink?"),

@@ -130,7 +130,7 @@ def test_fixed_directions(typed, az, el):
         ("ra 25h dec 3", "right ascension is 0 to 360 degrees, not 375"),
         ("ra 5h34m dec 91", "declination"),
         ("gal 10,-95", "galactic latitude"),
-        ("gal x,y", "'x' is no angle"),
+        ("gal x,y", "'x' is not an angle"),
         ("ra 5h61m dec 3", "60 minutes"),
         ("ra 5 34 dec 3", "5h34m or 5d34m"),
         ("200E", "200E is no longitude"),

@@ -117,9 +117,23 @@ def test_a_dish_that_is_not_homed_says_so_and_is_not_sent(tmp_path):
         return text, house.app.view().state.homed, pursuits(house)
 
     text, homed, asked = play(tmp_path, lost)
-    if homed is False:
-        assert "home it first" in text
-        assert asked == []
+    assert homed is False
+    assert "home it first" in text
+    assert asked == []
+
+
+def test_help_has_what_enter_does_there(tmp_path):
+    async def ask(house):
+        await to_passes(house, "slash", *"noaa 20", "enter")
+        await house.press("f")
+        await house.look()
+        scopes = house.app.view().scopes
+        await house.press("question_mark")
+        return scopes, " ".join(stand_in.text_of(house.app).split())
+
+    scopes, text = play(tmp_path, ask)
+    assert scopes == ("offer", "craft")
+    assert "Enter Follow the picked pass" in text
 
 
 def test_favourites_only_has_moved_to_a_capital(tmp_path):

@@ -15,6 +15,8 @@ from birdcage.base.paths import write_aside_and_rename
 FILE = "held.json"
 LONGEST = 4096
 """Bytes that are read of a file: ours has a few hundred."""
+LONGEST_PORT = 1024
+"""Characters of a port's name that are shown: a cut one names no port."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +60,7 @@ class HeldFile:
                 told = json.loads(file.read(LONGEST))
             utc = datetime.fromisoformat(told["utc"]).astimezone(UTC)
             by = _who(_plain(told["by"]), _plain(told["user"]))
-            return HeldNote(by, utc, _plain(told["reason"]), _plain(told["port"]))
+            return HeldNote(by, utc, _plain(told["reason"]), _plain(told["port"], LONGEST_PORT))
         except (FileNotFoundError, NotADirectoryError):
             return None
         except OSError as error:
@@ -84,10 +86,10 @@ class HeldFile:
             self.path.unlink()
 
 
-def _plain(text: object) -> str:
+def _plain(text: object, longest: int = 80) -> str:
     if not isinstance(text, str):
         raise TypeError("no text")
-    return "".join(letter for letter in text if letter.isprintable())[:80]
+    return "".join(letter for letter in text if letter.isprintable())[:longest]
 
 
 def _who(by: str, user: str) -> str:

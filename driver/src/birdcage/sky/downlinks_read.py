@@ -83,10 +83,10 @@ def _downlink(row: object, own: bool) -> Downlink:
         raise ValueError(f'alive is {alive!r}, not true, false or "unknown"')
     date = str(row.get("date", ""))
     if (date or not own) and not _DATE.fullmatch(date):
-        raise ValueError(f"date is {date!r}, not a date: 2026-10-16, 2026-10 or 2026")
+        raise ValueError(f"date is {date!r}, not a date. Write 2026-10-16, 2026-10 or 2026")
     silent_since = str(row.get("silent_since", ""))
     if silent_since and not _DATE.fullmatch(silent_since):
-        raise ValueError(f"silent_since is {silent_since!r}, not a date: 2025-08-13, 2025-08 or 2025")
+        raise ValueError(f"silent_since is {silent_since!r}, not a date. Write 2025-08-13, 2025-08 or 2025")
     if silent_since and alive is not False:
         raise ValueError("silent_since goes with alive = false")
     norad_id = row.get("norad_id", 0)
@@ -164,7 +164,7 @@ def _pipeline(row: Mapping[str, object]) -> str:
     value = row.get("pipeline", "")
     # It goes into a command line: nothing but what SatDump's own names are made of.
     if not isinstance(value, str) or (value and not _PIPELINE.fullmatch(value)):
-        raise ValueError(f"pipeline is {value!r}, not a pipeline of SatDump: metop_ahrpt")
+        raise ValueError(f"pipeline is {value!r}, not the name of a pipeline. Write metop_ahrpt")
     return value
 
 
@@ -178,5 +178,5 @@ def _flag(row: Mapping[str, object], key: str, *, default: bool) -> bool:
 def _names(row: Mapping[str, object]) -> tuple[str, ...]:
     value = row.get("names", [])
     if not isinstance(value, list) or not all(isinstance(each, str) and each.strip("* ") for each in value):
-        raise ValueError(f'names is {value!r}, not a list: ["IRIDIUM*"]')
+        raise ValueError(f'names is {value!r}, not a list of names. Write ["IRIDIUM*"]')
     return tuple(value)
