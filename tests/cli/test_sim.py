@@ -37,7 +37,7 @@ def test_the_other_firmware_speaks_at_its_own_rate(start) -> None:
     assert told["firmware"] == "hal205"
     with serial.serial_for_url(told["port"], baudrate=57600, timeout=5) as port:
         port.write(b"motor\ra\r")
-        assert b"AZ =   8.34\r\n" in port.read_until(b"WRAP")
+        assert b"AZ =   8.34 EL =" in port.read_until(b"WRAP")
 
 
 @pytest.mark.parametrize("words", [

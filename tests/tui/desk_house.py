@@ -26,7 +26,7 @@ NAMES = (("ISS (ZARYA)", 25544), ("ISS (NAUKA)", 49044), ("RADFXSAT (FOX-1B)", 4
 class House:
     """The app over a simulated dish, with a catalogue and a desk; all in one thread on a virtual clock."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, port="sim:g2"):
         self.clock = VirtualClock()
         paths = Paths.in_folder(folder)
         paths.config_file.write_text(PLACE)
@@ -35,7 +35,7 @@ class House:
             catalogue.add(replace(orbits[0], name=name, norad_id=number) for name, number in NAMES)
         settings = load(paths.config_file, environ={})
         self.session = open_session(
-            port="sim:g2", firmware="g2", baud=None, settings=settings, paths=paths, clock=self.clock
+            port=port, firmware="g2", baud=None, settings=settings, paths=paths, clock=self.clock
         )
         self.session.start = lambda: None
         self.app = BirdcageApp(
@@ -72,9 +72,9 @@ class House:
         return await self.look()
 
 
-def play(folder, story, size=(80, 24)):
+def play(folder, story, size=(80, 24), port="sim:g2"):
     async def body():
-        house = House(folder)
+        house = House(folder, port)
         async with house.app.run_test(size=size) as house.pilot:
             await house.pilot.pause()
             for _ in range(6):

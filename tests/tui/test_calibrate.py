@@ -216,7 +216,7 @@ def test_a_fit_is_kept_under_a_name_and_a_kept_set_is_used():
         assert "Saved: Roof, Van" in " ".join(stand_in.text_of(app).replace("│", " ").split())
         await press(app, pilot, *["backspace"] * 4)
         await press(app, pilot, "enter")
-        assert "A name, please" in stand_in.text_of(app)
+        assert "Type a name" in stand_in.text_of(app)
         await press(app, pilot, *"Shed")
         await press(app, pilot, "enter")
         await press(app, pilot, "s")

@@ -39,7 +39,7 @@ async def test_a_leaning_dish_is_calibrated_by_keys_and_points_true(house):
     best = house.guide.proposals[0].candidate.name
     assert f"Next best: {best}" in house.text()
     await house.take_one()
-    assert "Peak 1 is taken" in house.text()
+    assert "Peak 1 saved" in house.text()
     assert "--, " in house.text() or "-- for each" in house.text()
     assert best not in [each.candidate.name for each in house.guide.proposals], "another one is proposed"
     for _ in range(4):

@@ -181,7 +181,7 @@ def test_the_first_enter_takes_control_and_another_holder_is_named_first():
         await at.type("a")
         await at.press("enter")
         await at.look()
-        assert "Gpredict has control" in at.words()
+        assert "Gpredict controls the dish." in at.words()
         assert at.app.station.asked_for(AcquireLease) == []
         await at.press("y")
         return at.app.station.asked_for(AcquireLease)

@@ -235,7 +235,7 @@ def test_what_was_done_stands_once_and_what_was_done_before_it_has_its_own_pane(
         return stand_in.text_of(app).splitlines()
 
     rows = run(tell, size=size)
-    assert "12:00:05Z  The second." in rows[-2]
+    assert "12:00:05Z  The second." in rows[-3]
     assert sum("The second." in row for row in rows) == 1
     assert sum("12:00:00Z  The first." in row for row in rows) == (size[0] >= 160)
 

@@ -112,10 +112,10 @@ def test_nothing_is_nudged_when_the_dish_cannot_take_it(name):
 
 QUESTIONS = [
     ("H", Home("you"), "runs into its end stops"),
-    ("E", Engage("you"), "put back on the motors"),
+    ("E", Engage("you"), "switches the motor current on"),
     ("R", ReleaseMotors("you"), "may fall under its own weight"),
     ("R", ReleaseMotors("you"), "position is unknown afterwards"),
-    ("W", Stow("you"), "would be crushed"),
+    ("W", Stow("you"), "crushes whatever is mounted in place of the stock feed"),
 ]
 
 
@@ -160,8 +160,8 @@ def without(**lacking):
     [
         ("W", {"has_stow": False}, "has no stow"),
         ("v", {"has_speeds": False}, "This dish has no speed setting."),
-        ("R", {"has_motor_power": False}, "no command for the current of its motors"),
-        ("H", {"homing_s": None}, "homes only by itself"),
+        ("R", {"has_motor_power": False}, "has no motor current command."),
+        ("H", {"homing_s": None}, "homes only at power-up. Switch it off and on."),
     ],
 )
 def test_what_a_dish_lacks_says_so(key, lacking, says):
@@ -290,7 +290,11 @@ def test_esc_leads_from_the_digits_back_to_the_rose():
 
 @pytest.mark.parametrize(
     ("keys", "hint"),
-    [([], "Arrows or hjkl step 1°"), (["n"], "← → choose a digit"), (["p"], "Enter turns the dish there")],
+    [
+        ([], "Arrows or hjkl step 1°"),
+        (["n"], "← → select a digit of the target"),
+        (["p"], "Enter turns the dish there"),
+    ],
 )
 def test_the_last_row_says_what_the_arrows_do_where_the_focus_is(keys, hint):
     async def read(app, pilot):

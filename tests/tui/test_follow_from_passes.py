@@ -116,9 +116,9 @@ def test_a_dish_that_is_not_homed_says_so_and_is_not_sent(tmp_path):
         await house.look()
         return text, house.app.view().state.homed, pursuits(house)
 
-    text, homed, asked = play(tmp_path, lost)
+    text, homed, asked = play(tmp_path, lost, port="sim:g2?seed=1&unhomed=1")
     assert homed is False
-    assert "home it first" in text
+    assert "▶ ISS (ZARYA): home the dish first (H). " in text
     assert asked == []
 
 

@@ -97,7 +97,7 @@ def test_a_preset_counts_by_its_whole_name_and_is_ambiguous_by_a_part_that_targe
     shown = play(tmp_path, go)
     assert "noaa: az 10.00°" in shown["noaa"]
     assert "Polaris: az 0." in shown["polaris"], "a whole name, and of the preset a part"
-    assert "met may be the preset Met mast or one of several targets: type the whole name." in shown["met"]
+    assert "met matches the preset Met mast and one of several targets. Type the whole name." in shown["met"]
     assert "Met mast: az 30.00°" in shown["met ma"]
 
 

@@ -210,7 +210,7 @@ def test_the_go_to_line_leaves_status_and_stop_in_sight():
     [
         ("H", ("area is clear: home", "Esc  do nothing")),
         ("question_mark", ("The pocket view", "Space", "Esc closes")),
-        ("colon", ("Search for commands", "STOP")),
+        ("colon", ("Type part of a command", "STOP")),
         ("semicolon", (" a ", " w ", "■ STOP")),
     ],
 )

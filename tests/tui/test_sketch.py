@@ -90,7 +90,7 @@ def test_arrows_draw_too_and_z_takes_it_back():
     drawn, text, after = run(draw, file=File(HorizonMask()))
     assert max(el_deg for _, el_deg in drawn.points) == 3.0
     assert after == HorizonMask()
-    assert "took back" in text
+    assert "undid the last change" in text
 
 
 def test_esc_keeps_nothing():

@@ -103,9 +103,9 @@ def test_turning_the_skew_is_told_with_its_own_way():
 @pytest.mark.parametrize(
     ("command", "reason"),
     [
-        ("home", "homes only by itself, at power-up: switch it off and on"),
-        ("engage", "no command for the current of its motors"),
-        ("release-motors", "no command for the current of its motors"),
+        ("home", "homes only at power-up. Switch it off and on."),
+        ("engage", "has no motor current command."),
+        ("release-motors", "has no motor current command."),
         ("speeds", "no speed setting"),
         ("stow", "Stow is locked"),
     ],
@@ -127,7 +127,9 @@ def test_what_it_lacks_is_refused_with_the_reason(command, reason):
 def test_the_place_of_the_signal_is_not_left_empty(size):
     text = run(read, "travler", size, heard=False)
     assert "Nothing heard" not in text
-    assert "Signal" not in text
+    panes = "\n".join(row for row in text.splitlines() if "1 Dashboard" not in row)
+    assert (panes != text) is (size[0] >= 100), "page names stand from 100x30 on"
+    assert "Signal" not in panes
     assert "0..180°" in text or "180°" in text
 
 
@@ -175,7 +177,7 @@ def test_an_unhomed_travler_is_sent_to_its_power_switch():
     assert ink == "warn-row"
     assert "Switch it off and on: it homes by itself" in words
     assert "H home" not in words
-    assert "switch it off and on" in BY_NAME["left"].refused(view_of("travler-not-homed"))
+    assert "Switch it off and on: it homes by itself" in BY_NAME["left"].refused(view_of("travler-not-homed"))
 
 
 def test_keys_turn_the_skew_in_steps_from_where_it_was_sent_last():

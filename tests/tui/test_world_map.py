@@ -194,7 +194,7 @@ def test_places_are_told_with_their_hemispheres():
 
 
 def test_without_a_world_or_room_it_says_so():
-    assert "first look at the sky" in rows_of(drawn(None)[1])[0]
+    assert "Loading the map …" in rows_of(drawn(None)[1])[0]
     assert "Too small" in rows_of(drawn(BARE, 24, 4)[1])[0]
     assert "No pass selected" in rows_of(drawn(BARE)[1])[-1]
 

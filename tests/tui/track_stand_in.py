@@ -260,6 +260,9 @@ class Source:
         self.now = replace(self.now, query=text, found=found)
         self.show(self.now)
 
+    def locate(self, text):
+        self.asked.append(("locate", text))
+
     def choose(self, text):
         self.asked.append(("choose", text))
 

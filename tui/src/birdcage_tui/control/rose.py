@@ -144,9 +144,14 @@ class RosePane(Pane, can_focus=True):
             middle = low + (high - low) % 360.0 / 2
             limit = f"below {below:.0f}°"
             for words in (f"{reason} {limit}".strip(), reason, limit):
-                places = [compass.cell(middle, part) for part in (0.5, 0.42, 0.34)] if words else []
-                starts = [(x - cell_len(words) // 2, y) for x, y in places]
-                spot = next(((x, y) for x, y in starts if cells.free(x - 1, y, cell_len(words) + 2, *QUIET)), None)
+                places = [compass.cell(middle, part) for part in (0.5, 0.42, 0.34, 0.26)] if words else []
+                length, outward = cell_len(words), 1 if middle % 360.0 < 180.0 else -1
+                spots = [
+                    (x - length // 2 + outward * away, y, () if away else QUIET)  # moved aside, it covers no line
+                    for away in range(length // 2 + 1)
+                    for x, y in places
+                ]
+                spot = next(((x, y) for x, y, over in spots if cells.free(x - 1, y, length + 2, *over)), None)
                 if spot is not None:
                     cells.put(*spot, words, "warn")
                     break

@@ -8,7 +8,7 @@ from typing import cast
 from textual import events
 
 from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import cell_len, fit, wrap
+from birdcage_tui.cell_text import cell_len, cut, fit, wrap
 from birdcage_tui.host import Host
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
@@ -103,7 +103,7 @@ class FoundList(Pane):
                 cells.put(0, y, " " * cells.width, ink)
             cells.put(0, y, f"{'▶' if here else ' '}{'★' if row.favourite else ' '} ", ink if here else "target")
             cells.put(3, y, fit(row.name, width), ink)
-            cells.put(4 + width, y, fit(row.detail, max(cells.width - 5 - width, 0)), ink if here else "dim")
+            cells.put(4 + width, y, cut(row.detail, max(cells.width - 5 - width, 0)), ink if here else "dim")
 
     def _note(self, cells: Cells, view: View) -> int:
         """Say above the rows why none of them is what was typed; return how many rows that takes."""

@@ -36,7 +36,7 @@ def layout(width: int, height: int, shown: str = VIEWS[0]) -> Layout:
     roomy = width >= ROOMY[0] and height >= ROOMY[1]
     if not roomy:
         return Layout(False, 3, min(max((height - 3 - FRAME) * 2 + 6, 24), width - 42), 5, 0)
-    head, lower = 4, min(max(height // 4, 7 if height < 26 else 8), 14)  # the curves need four rows
+    head, lower = 4, min(max(-(-height // 4), 7 if height < 26 else 8), 14)  # the curves need four rows
     if shown in LISTS:
         lower = max(lower, min(lower + 6, height - head - 14))
     upper = height - head - lower

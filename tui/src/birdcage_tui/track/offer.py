@@ -11,7 +11,7 @@ from textual import events
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import cut, fit, pad
 from birdcage_tui.commands.table import can_release
-from birdcage_tui.commands.track import can_follow
+from birdcage_tui.commands.track import can_follow, can_watch
 from birdcage_tui.host import Host
 from birdcage_tui.pane import Pane
 from birdcage_tui.passes.words import clock_text
@@ -68,6 +68,11 @@ def offer_words(offer: Offer, view: View) -> tuple[str, str]:
             first = "asks about the dish's own limits"
         return "warn-row", f"Enter {first}. Enter again follows {name}."
     if (reason := can_follow(view)) is not None:
+        if view.link_up and view.state.homed is False and can_watch(view) is None:  # why stands above
+            dish = view.state.dish
+            by_itself = dish is not None and dish.homing_s is None
+            how = "switch the dish off and on, and it homes by itself" if by_itself else "home the dish first (H)"
+            return "warn-row", f"{name}: {how}."
         return "warn-row", f"{name}: {reason}"
     assert plan is not None, "it is of this pass"
     t_s = view.utc.timestamp()
