@@ -53,7 +53,7 @@ FORM = f"{STEPS} AnswerForm/ChoiceButton AnswerForm/Input"
 BUTTONS = f"{STEPS} AnswerForm/ChoiceButton"
 LOG, TYPED, FOUND = (f"ConsoleOverlay/{kind}" for kind in ("LogView", "ConsoleInput", "FindInput"))
 FIELDS = {"dialog": "FieldsScreen", "holds": "FieldsScreen/Input"}
-FORMS = {"mute": FORM, "feed": FORM, "place": FORM, "north": FORM, "level": f"{STEPS} AnswerForm/Input",
+FORMS = {"feed": FORM, "place": FORM, "north": FORM, "level": f"{STEPS} AnswerForm/Input",
          "busy": STEPS, "dish": STEPS, "search": STEPS}  # fmt: skip
 """What the form of a step holds, where that is not buttons alone."""
 POCKET = (40, 12)
@@ -103,6 +103,8 @@ PLACES = (
     _page("pocket", size=POCKET),
     _page("pocket, go to", "g", holds="GotoLine/EscField", size=POCKET),
     _dialog("home", "BirdcageApp.ask_home", "H"),
+    _dialog("add elements", "ask_elements", "I", dialog="FieldsScreen", holds="FieldsScreen/PasteInput"),
+    _dialog("set the location", "ask_place", "L", **FIELDS),
     _dialog("end the search", "BirdcageApp.ask_end_search", "K", state={"dish": TRAVLER}),
     _dialog("own limits", "BirdcageApp.ask_limits", "enter", state={"motion_refused_because": "line 7: not a number."}),
     _dialog("engage", "ControlPage._question", "f2", "E"),
@@ -146,7 +148,7 @@ def at(place, folder, test, *, state="slewing", size=None, **settings):
         asked = []
         app = stand_in.app_in(
             state, setup=setup_stand_in.ENGINES[place.engine], presets_file=presets, history_file=folder / "history",
-            sky=sky_stand_in.make(), horizon=horizon_stand_in.File(),
+            sky=sky_stand_in.make(), horizon=horizon_stand_in.File(), keep_place=lambda *_place: None,
             calibrate=calibrate_stand_in.make(place.calibrate), **settings,
         )  # fmt: skip
         app.track._make = track_stand_in.Source(track_stand_in.desk_in(place.track, app.session.clock))

@@ -71,9 +71,12 @@ class FieldsScreen(Dialog[Values | None]):
                     label = Label(field.label)
                     label.styles.width = 12  # the sheet of the app gives every text in a dialog the whole width
                     yield label
-                    kind = PasteInput if field.pastes else Input
                     # What stands in a later field is replaced by typing there.
-                    yield kind(field.value, placeholder=field.hint, select_on_focus=field is not self._fields[0])
+                    replaces = field is not self._fields[0]
+                    if field.pastes:
+                        yield PasteInput(field.value, placeholder=field.hint, select_on_focus=replaces)
+                    else:
+                        yield Input(field.value, placeholder=field.hint, select_on_focus=replaces)
             yield Static(f"▲ {self._wrong}" if self._wrong else "", id="wrong", markup=False)
 
     def on_mount(self) -> None:
