@@ -267,7 +267,10 @@ GOOD = '[[downlink]]\nsatellite = "X"\nfreq_mhz = 1\n'
         ('[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\nalive = "yes"\n', "alive is 'yes', not true, false or"),
         ('[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\ndate = "May"\n', "date is 'May', not a date"),
         ('[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\nnorad_id = -1\n', "norad_id is -1, not a catalogue number."),
-        ('[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\npipeline = "a; rm b"\n', "pipeline is 'a; rm b', not the name of a pipeline"),
+        (
+            '[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\npipeline = "a; rm b"\n',
+            "pipeline is 'a; rm b', not the name of a pipeline",
+        ),
         ('[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\nsymbol_rate_baud = 0\n', "symbol_rate_baud is 0, not a number"),
         ('[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\npipeline_live = 1\n', "pipeline_live is 1, not true or false"),
         ('[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\nnames = ["*"]\n', "names is ['*'], not a list of names"),
