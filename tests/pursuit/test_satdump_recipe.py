@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import subprocess
+import sys
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
@@ -21,11 +22,18 @@ from .pass_events import wait_for
 
 RECIPE = Path(__file__).parents[2] / "docs" / "recipes" / "record-with-satdump"
 STATION = "DEMO LEO 2 station"
-STAND_IN = """#!/bin/sh
-printf '%s\\n' "$@" >"$SATDUMP_FOLDER/told.new"
-mv "$SATDUMP_FOLDER/told.new" "$SATDUMP_FOLDER/told"
-trap 'echo interrupted >"$SATDUMP_FOLDER/ended"; exit 0' INT
-while :; do sleep 0.1 & wait $!; done
+STAND_IN = f"""#!{sys.executable}
+import os, pathlib, signal, sys, time
+folder = pathlib.Path(os.environ["SATDUMP_FOLDER"])
+def interrupted(*_):
+    (folder / "ended").write_text("interrupted\\n")
+    sys.exit(0)
+# SatDump takes an interrupt even where it was started with interrupts ignored, which no shell can.
+signal.signal(signal.SIGINT, interrupted)
+(folder / "told.new").write_text("".join(f"{{each}}\\n" for each in sys.argv[1:]))
+(folder / "told.new").rename(folder / "told")
+while True:
+    time.sleep(60)
 """
 METOP = next(each for each in shipped() if each.satellite == "METOP-B" and each.pipeline == "metop_ahrpt")
 
@@ -92,7 +100,7 @@ FACTS = PassFacts("METOP-B", NOON, NOON + timedelta(seconds=600.4), freq_hz=1701
 def run(facts, satdump, event="reach_start", **more):
     """Run it by itself, in the environment that a hook gets."""
     ends_at_once = satdump.parent / "bin" / "satdump"
-    ends_at_once.write_text(STAND_IN[: STAND_IN.index("trap")])
+    ends_at_once.write_text(STAND_IN[: STAND_IN.index("while")])
     return subprocess.run(
         [str(RECIPE)], env={**os.environ, **facts.environment(event), **more}, capture_output=True, text=True,
         timeout=30, check=False,
