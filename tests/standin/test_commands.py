@@ -26,6 +26,7 @@ SOME = (
     {"second_other": "ignore", "move_answer": "empty", "az_speed": 30.0, "el_speed": 4.0, "accel": 60.0},
     {"second_same": "block", "second_other": "block", "az_speed": 12.0, "sleep_s": 45.0, "move_answer": "OK"},
     {"query_blocks": True, "jitter_s": 0.08, "echo_while_busy": True, "homed": False, "decimals": 1},
+    {"az_speed": 30.0, "el_speed": 4.0, "accel": 60.0},  # runs past its STOP target, and comes back
     {"takes_moves": False, "echo": "lower", "latency_s": 0.6, "tracker": True, "root_q": "unknown"},
 )
 """Of the fast set; the soak has every two values of two switches, and hundreds drawn at random."""

@@ -23,6 +23,10 @@ PRINTED_DEG = 0.01
 """Angles are printed in hundredths, as far as sources show: two that differ by less may be printed alike."""
 CREEPS_DEG_S = 0.5
 """The least speed that readings in coarser numbers must tell from rest."""
+AWAY_DEG = 0.15
+"""Further from its STOP target than overshoot and print explain, a dish has run past it, and may come back."""
+TURNS_S = 0.3
+"""Around the moment at which a dish turns round, two readings agree; over so long one between them does not."""
 QUEUED_STILL_S = 0.3
 """On a dish that speeds up slowly, readings in shorter order agree in mid-move too."""
 
@@ -71,6 +75,10 @@ class StopWay(ABC):
 
         `slowest`: whether it may move as slowly as its motors can.
         """
+
+    def turns_s(self, pointing: Pointing) -> float:  # noqa: ARG002 - only what aims can miss
+        """Return for how many mechanical seconds readings must agree there at least: it may just be turning round."""
+        return 0.0
 
     @abstractmethod
     def lasts_s(self, means: str) -> float:
@@ -131,6 +139,15 @@ class Retarget(StopWay):
             speed_deg_s = told_deg_s or seen_deg_s or axis.step_deg
             still_s = max(still_s, (STILL_DEG + PRINTED_DEG + axis.step_deg) / speed_deg_s)
         return still_s
+
+    def turns_s(self, pointing: Pointing) -> float:
+        """Ask for more where it stands away from its target: one that speeds up slower than modelled comes back."""
+        motion = self._antenna.motion
+        if motion is None:
+            return 0.0
+        off_az = abs(shortest_turn(motion.azimuth.slew.end_deg, pointing.dish_az_deg))
+        off_deg = max(off_az, abs(motion.elevation.slew.end_deg - pointing.dish_el_deg))
+        return TURNS_S if off_deg > AWAY_DEG else 0.0
 
     def lasts_s(self, means: str) -> float:  # noqa: ARG002
         """Return the stopping power, and some grace."""

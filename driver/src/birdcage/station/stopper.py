@@ -221,7 +221,8 @@ class Stopper:
         return asked >= self._proof_at(pending, still_from) and self.way.is_there(now)
 
     def _proof_at(self, pending: Pending, still_from: Pointing) -> float:
-        return still_from.at + self.way.still_s(slowest=pending.slowest) / self._board.clock.rate
+        still_s = self.way.still_s(slowest=pending.slowest)
+        return still_from.at + max(still_s, self.way.turns_s(still_from)) / self._board.clock.rate
 
     def _complete(self, pending: Pending) -> None:
         try:
