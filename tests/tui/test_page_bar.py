@@ -71,3 +71,10 @@ def test_there_is_none_where_there_is_no_room(size):
     shown, footer = run(look, size=size)
     assert not shown
     assert "1-0 pages" in footer
+
+
+def test_the_footer_does_not_say_again_what_the_row_of_pages_says():
+    async def look(app, _pilot):
+        return stand_in.text_of(app).splitlines()[-1]
+
+    assert "pages" not in run(look, size=(120, 36))

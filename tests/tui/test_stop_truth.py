@@ -202,7 +202,7 @@ def test_while_homing_nothing_says_that_stop_holds_the_dish():
     bench.station.submit(Home("you"))
     bench.step(40)
     assert "Homing has no STOP: 12 V switch" in told
-    assert not [words for words in told if "STOP holds" in words or "STOP in" in words or "At rest" in words]
+    assert not [words for words in told if "STOP holds" in words or "STOP takes" in words or "At rest" in words]
 
 
 # All states, also those that a dish has not shown yet: no line may claim what the state does not bear out.

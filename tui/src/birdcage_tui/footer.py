@@ -53,8 +53,8 @@ class KeyBar(Pane):
     INK = "bar-dim"
 
     def draw(self, cells: Cells, view: View) -> None:
-        """Write STOP, then the keys from the nearest scope outward; at the right, the pages."""
-        pages = " F1-F10 pages " if view.typing else " 1-0 pages "
+        """Write STOP, then the keys from the nearest scope outward; at the right, the pages where no row names them."""
+        pages = " F1-F10 pages " if view.typing else "" if self._pages_are_named() else " 1-0 pages "
         x = 1
         for command in in_force(view.scopes):
             shown = command.shown
@@ -70,6 +70,10 @@ class KeyBar(Pane):
             x = cells.put(x, 0, command.footer, "bar-dim" if dim else "bar")
             self.heat(start, 0, x - start, command.name)
             x += 2
-        start = cells.width - len(pages)
-        cells.put(start, 0, pages, "bar")
-        self.heat(start, 0, len(pages), "help")
+        if pages:
+            start = cells.width - len(pages)
+            cells.put(start, 0, pages, "bar")
+            self.heat(start, 0, len(pages), "help")
+
+    def _pages_are_named(self) -> bool:
+        return any(bar.display for bar in self.app.screen_stack[0].query(PageBar))

@@ -51,7 +51,7 @@ def _in_motion(view: View, motion: Motion, switch: str) -> str:
     if motion.stop_means == "none" or motion.stop_power_s is None:
         return f"No STOP, {max(0.0, motion.eta - view.now):.0f} s left: {switch}"
     tail = {"release": ", by motor release", "abort": ", any byte ends it"}.get(motion.stop_means, "")
-    return f"STOP in {motion.stop_power_s:.1f} s{tail}"
+    return f"STOP takes {motion.stop_power_s:.1f} s{tail}"
 
 
 def _without_plan(view: View, switch: str) -> str:

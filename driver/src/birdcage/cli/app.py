@@ -127,7 +127,7 @@ def _version(context: click.Context, _parameter: click.Parameter, asked: bool) -
 )
 @global_options()
 def cli() -> None:
-    """Drive a surplus motorised satellite dish through its serial console.
+    """Drive a used motorised satellite dish through its serial console.
 
     Options may stand before or after the command. A flag counts before its variable, and that before birdcage.toml.
     """
