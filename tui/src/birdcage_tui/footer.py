@@ -6,6 +6,8 @@ from textual.widgets import ContentSwitcher
 
 from birdcage_tui.canvas import Cells
 from birdcage_tui.commands import PAGES, in_force
+from birdcage_tui.commands.mending import offered
+from birdcage_tui.commands.table import can_move
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
 
@@ -47,7 +49,7 @@ class PageBar(Pane):
 class KeyBar(Pane):
     """Keys and words from the table of commands; while one types, only those that still hold.
 
-    What cannot be done now is dim, and says why when pressed.
+    What cannot be done now is dim, and says why when pressed; of a motion, what mends it stands in its place.
     """
 
     INK = "bar-dim"
@@ -55,20 +57,32 @@ class KeyBar(Pane):
     def draw(self, cells: Cells, view: View) -> None:
         """Write STOP, then the keys from the nearest scope outward; at the right, the pages where no row names them."""
         pages = " F1-F10 pages " if view.typing else "" if self._pages_are_named() else " 1-0 pages "
-        x = 1
+        still = can_move(view) is not None
+        room, x = cells.width - len(pages), 1
+        told: set[str] = set()
         for command in in_force(view.scopes):
-            shown = command.shown
-            if view.typing and len(shown) == 1:
-                continue  # the field takes it
-            if view.typing and command.name == "stop":
+            if not command.footer or (view.typing and len(command.shown) == 1):
+                continue  # a field takes it
+            name, shown, word = command.name, command.shown, command.footer
+            if still and command.footer_still:
+                word = command.footer_still
+            if view.typing and name == "stop":
                 shown = "Ctrl+C"
-            if not command.footer or x + len(shown) + len(command.footer) + 3 > cells.width - len(pages):
-                continue
-            start = x
             dim = command.refused(view) is not None
-            x = cells.put(x, 0, f" {shown} ", "bar-dim" if dim else "key")
-            x = cells.put(x, 0, command.footer, "bar-dim" if dim else "bar")
-            self.heat(start, 0, x - start, command.name)
+            mend = offered(command, view)
+            if mend is not None and mend.words not in told:
+                name, shown, word, dim = mend.command, mend.shown, mend.words, not mend.command
+                told.add(word)
+            elif mend is not None or name in told:
+                continue  # what comes first stands there already
+            if x + len(shown) + len(word) + 3 > room:
+                continue
+            told.add(name)
+            start = x
+            if shown:
+                x = cells.put(x, 0, f" {shown} ", "bar-dim" if dim else "key")
+            x = cells.put(x, 0, word, "bar-dim" if dim else "bar")
+            self.heat(start, 0, x - start, name or command.name)
             x += 2
         if pages:
             start = cells.width - len(pages)

@@ -10,6 +10,7 @@ from birdcage.base.geometry import shortest_turn
 from birdcage_tui.calibrate.words import aside, direction, put_wrapped
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import cell_len, cut
+from birdcage_tui.commands.mending import motion_mend
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import Heard, View
 
@@ -113,7 +114,9 @@ class AimPane(Pane, can_focus=True):
         elif now.told:
             ink, words = "good", now.told
         elif guide.target and not guide.busy and not view.moving:
+            first = motion_mend(view)
             ink, words = "dim", guide.may_not_take or "Nudge to the highest signal, then press Enter."
+            words = words if first is None else f"{first.sentence}."
         else:
             return
         if y + 1 < end and cells.height >= 10:

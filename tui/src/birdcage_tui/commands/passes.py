@@ -22,8 +22,9 @@ def can_hear(view: View) -> str | None:
     return None if view.sky.feed else "The feed has no band. Set freq_min_hz and freq_max_hz in birdcage.toml."
 
 
-def _pass(name: str, keys: tuple[str, ...], shown: str, title: str, text: str, footer: str = "") -> Command:
-    return Command(name, keys, shown, title, text, "Passes", can_choose, footer, HERE)
+def _pass(name: str, keys: tuple[str, ...], shown: str, title: str, text: str, footer: str = "",
+          footer_still: str = "") -> Command:  # fmt: skip
+    return Command(name, keys, shown, title, text, "Passes", can_choose, footer, HERE, footer_still=footer_still)
 
 
 def _time(name: str, keys: tuple[str, ...], shown: str, title: str, text: str, footer: str = "") -> Command:
@@ -49,7 +50,7 @@ PASSES = (
             "Path, elevation, figures and timeline take turns on a small screen; elevation and figures on a large one.",
             "Passes", where=HERE, footer="view"),
     _pass("pass-follow", ("f",), "f", "Plan and follow",
-          "Show the plan of the selected pass on F2. Nothing moves until you press Enter there.", "follow"),
+          "Show the plan of the selected pass on F2. Nothing moves until you press Enter there.", "follow", "plan"),
     _pass("pass-favourites", ("F",), "F", "Favourites only", "Hide or show all other satellites."),
     _pass("pass-favourite", ("asterisk",), "*", "Favourite", "Mark or unmark the satellite of the selected pass.",
           "favourite"),

@@ -75,3 +75,5 @@ class Command:
     """Whether its key is taken before the widget that has the focus sees it."""
     page: str = ""
     """The page on which its scope is, where that is a widget's."""
+    footer_still: str = ""
+    """The word instead while the dish can't be moved; empty: the same."""

@@ -70,7 +70,7 @@ TRACK = (
     _tab("network", "N", "Network", "Who may move the dish, and how."),
     Command(
         "open-craft", ("f",), "f", "Follow a target", "Open Track: search, passes, following.", "Craft",
-        footer="follow", where=("dashboard",), page=PAGE,
+        footer="follow", footer_still="targets", where=("dashboard",), page=PAGE,
     ),
     _craft("search", ("slash",), "/", "Search", "Type a name, a number, a slot (19.2E), a body, or 180 45.",
            can_search, "search"),

@@ -7,6 +7,7 @@ from birdcage.pursuit.now import Mode
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import cell_len, fit
 from birdcage_tui.commands import BY_NAME
+from birdcage_tui.commands.mending import motion_mend, release_mend, then_words
 from birdcage_tui.pane import Pane
 from birdcage_tui.track.pursuing import plan_of, pursuit_of, shown_is_followed
 from birdcage_tui.track.words import expected_words, offset_words, pass_words, reach_words
@@ -18,7 +19,8 @@ NO_PLACE = "No location set, so targets in the sky can't be followed."
 SET_PLACE = "Set it in Setup (8), step 9. In a shell: birdcage place add home JO21jv --use"
 NO_TARGET = "No target selected. Enter selects the row under the cursor; / searches."
 
-HOW = "Then f follows it. / finds names and numbers; 19.2E is the slot there."
+FIND = "/ finds names and numbers; 19.2E is the slot there."
+HOW = f"Then f follows it. {FIND}"
 
 
 class TrackHead(Pane):
@@ -55,8 +57,12 @@ class TrackHead(Pane):
         elif chosen is not None:
             cells.put(1, 0, f"{chosen}: computing the pass …", "text")
         else:
-            cells.put(1, 0, NO_TARGET, "text")
-            cells.put(1, 1, HOW, "dim")
+            first = release_mend(view)
+            cells.put(
+                1, 0, NO_TARGET if first is None else f"No target selected. {first.sentence}; / searches.", "text"
+            )
+            cells.put(1, 1, HOW if motion_mend(view) is None else f"{then_words(view, 'f follows a target')} {FIND}",
+                      "dim")  # fmt: skip
 
     def _selector(self, cells: Cells, y: int, view: View) -> None:
         desk, pursuit = view.track, pursuit_of(view)

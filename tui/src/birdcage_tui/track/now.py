@@ -8,6 +8,7 @@ from birdcage.station.pursuit import Phase
 
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import fit, wrap
+from birdcage_tui.commands.mending import motion_mend, then_words
 from birdcage_tui.digits import put_big, width_of
 from birdcage_tui.pane import Pane
 from birdcage_tui.passes.words import count_text
@@ -114,11 +115,13 @@ class TrackNow(Pane):
         shown = plan_of(view)
         followable = shown is not None and any(leg.end_s > view.utc.timestamp() for leg in shown.legs)
         if shown is not None and followable and not shown_is_followed(view):
-            found.append(("text", f"f follows {shown.aim.name} instead."))
+            found.append(("text", then_words(view, f"f follows {shown.aim.name} instead")))
         if pursuit.why:
             found.append(("dim" if sample is not None else "text", pursuit.why))
         if pursuit.phase in (Phase.YIELDED, Phase.INTERRUPTED):
-            found.append(("text", "f: follow again. x: end."))
+            mend = motion_mend(view)
+            again = "f: follow again. x: end." if mend is None else f"{mend.sentence}, then f follows again. x: end."
+            found.append(("text", again))
         found += [("dim", dish)] if whole and pursuit.rms_error_deg is not None else []
         steers = f"{pursuit.controller} controller" if pursuit.controller else ""
         if pursuit.latency_s is not None:
@@ -187,16 +190,15 @@ def _chance(view: View, plan: Plan, t_s: float) -> str:
     spans = [(one.start.timestamp(), one.end.timestamp()) for one in plan.reach.intervals]
     heard = next(((start, end) for start, end in spans if end > t_s), None)
     leg = next((each for each in plan.legs if each.end_s > t_s), None)
-    held = view.state.held is not None
     if heard is not None and heard[0] <= t_s:
-        does = "Enter releases the dish, then f follows it." if held else "f follows it now."
+        does = then_words(view, "f follows it", "f follows it now")
         return f"In reach for {count_text(heard[1] - t_s)}: {does}"
     if leg is not None and leg.start_s <= t_s and is_hidden(plan, t_s):
-        does = "Enter releases the dish, then f follows it." if held else "f follows it anyway."
+        does = then_words(view, "f follows it", "f follows it anyway")
         return f"Behind the horizon mask: {does}"
     starts_s = [*([] if heard is None else [heard[0]]), *([] if leg is None else [leg.start_s])]
     if starts_s and (begins_s := min(starts_s)) > t_s:
-        does = "Enter releases the dish, then f waits for it." if held else "f waits for it and follows."
+        does = then_words(view, "f waits for it", "f waits for it and follows")
         what = "In reach" if heard is not None else "Behind the horizon mask"
         return f"{what} in {count_text(begins_s - t_s)}: {does}"
     if plan.passing is None:

@@ -10,6 +10,7 @@ from textual import events
 
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import cut, fit, pad
+from birdcage_tui.commands.mending import release_mend
 from birdcage_tui.commands.table import can_release
 from birdcage_tui.commands.track import can_follow, can_watch
 from birdcage_tui.host import Host
@@ -62,11 +63,9 @@ def offer_words(offer: Offer, view: View) -> tuple[str, str]:
         return "bar", f"{name}: its pass is worked out …"
     if shown_is_followed(view) and pursuit_of(view) is not None:
         return "bar", f"{name} is followed already."
-    if can_release(view) is None:
-        first = "acknowledges the fault" if view.state.fault is not None else "releases the dish"
-        if view.state.fault is None and view.state.held is None:
-            first = "asks about the dish's own limits"
-        return "warn-row", f"Enter {first}. Enter again follows {name}."
+    first = release_mend(view)
+    if first is not None:
+        return "warn-row", f"{first.sentence}. Enter again follows {name}."
     if (reason := can_follow(view)) is not None:
         if view.link_up and view.state.homed is False and can_watch(view) is None:  # why stands above
             dish = view.state.dish
