@@ -127,7 +127,7 @@ class House:
         await self.step(2.0)
 
     async def take_one(self):
-        await self.press("n")
+        await self.press("n", "enter")
         await self.rest()
         await self.peak_up()
         await self.press("enter")

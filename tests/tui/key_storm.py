@@ -36,7 +36,7 @@ WAYS = tuple(
 MOVES = {
     ask.Jog: {"left", "right", "up", "down", *"hjkl", "enter"},
     ask.TurnSkew: {"enter", "less_than_sign", "greater_than_sign"},
-    ask.Goto: {"enter", "up", "down", *"jkn"},  # n: the next object of a calibration
+    ask.Goto: {"enter", "up", "down", *"jk"},
     ask.Home: {"y"},
     ask.Stow: {"y"},
     ask.Engage: {"y"},

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import re
 from concurrent.futures import Future
 from dataclasses import replace
 
@@ -20,6 +21,7 @@ from birdcage_tui.commands.table import can_move
 from birdcage_tui.footer import KeyBar
 from birdcage_tui.signal_book import SignalBook
 from birdcage_tui.status import BadDayRow, StatusLine, StopButton
+from burst import write
 
 SIZES = [(80, 24), (120, 36), (160, 48), (200, 60)]
 OWN = (SetupTabs, ScatterPane, AimPane, ObjectsPane, FiguresPane, PeaksPane, SetsPane, OverSkyPane)
@@ -93,7 +95,7 @@ def test_the_first_question_and_its_controls_at_every_size(size):
     for words in (
         "Measure the alignment of the dish",
         "Next best: 82°W Nimiq 4",
-        "n go there",
+        "n next object",
         "▼ Calibrate",
         "8 Setup",
     ):
@@ -148,12 +150,13 @@ def test_a_peak_lies_where_its_residual_says():
 
 def test_keys_ask_for_what_they_say():
     async def play(app, pilot, source):
-        for keys in (("right",), ("up",), ("minus",), ("h",), ("n",), ("enter",), ("m",), ("u",), ("r",)):
+        for keys in (("right",), ("up",), ("minus",), ("h",), ("enter",), ("n",), ("enter",), ("m",), ("enter",),
+                     ("u",), ("r",)):  # fmt: skip
             await press(app, pilot, *keys)
         asked = [tuple(each for each in one if not isinstance(each, Future)) for one in source.asked]
         assert asked == [
-            ("nudge", 1.0, 0.0), ("nudge", 0.0, 1.0), ("nudge", -0.5, 0.0),
-            ("go", calibrate_stand_in.SCENES["five"].guide.proposals[0].candidate), ("take",), ("go", None),
+            ("nudge", 1.0, 0.0), ("nudge", 0.0, 1.0), ("nudge", -0.5, 0.0), ("take",),
+            *[("go", calibrate_stand_in.SCENES["five"].guide.proposals[0].candidate)] * 2,
             ("undo",), ("refresh",),
         ]  # fmt: skip
         ways = [each for one in source.asked for each in one if isinstance(each, Future)]
@@ -186,10 +189,49 @@ def test_a_click_chooses_an_object_and_a_button_goes_there():
         await settle(app, pilot)
         assert pane.at == 1
         aim = app.screen.query_one(AimPane)
-        spot = next(region for region, command in aim.hot if command == "calibrate-next")
+        spot = next(region for region, command in aim.hot if command == "calibrate-object-go")
         await pilot.click(aim, offset=(spot.x + 3, spot.y + 1))
         await settle(app, pilot)
         assert source.asked[0][:2] == ("go", calibrate_stand_in.SCENES["five"].guide.proposals[1].candidate)
+
+    run(play)
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+@pytest.mark.parametrize(("key", "name"), [("n", "82°W Nimiq 4"), ("m", "Sun")])
+def test_a_letter_selects_an_object_in_sight_and_the_footer_says_that_enter_goes_there(key, name, size):
+    """Whatever list was shown before, and wherever its cursor was."""
+
+    async def play(app, pilot, source):
+        now = calibrate_stand_in.SCENES["five"]
+        app.calibrate.now = replace(now, guide=replace(now.guide, target="Sun", expected=(223.0, 42.0)))
+        await press(app, pilot, "o")
+        await press(app, pilot, "down")
+        await press(app, pilot, "s")
+        await press(app, pilot, key)
+        objects, text = app.page.query_one(ObjectsPane), stand_in.text_of(app)
+        assert app.focused is objects
+        assert objects.region.area > 0
+        assert f"▶ {name}" in text
+        assert re.search(r"Enter\s+go there", text.splitlines()[-1])
+        assert [each[0] for each in source.asked] == []
+        bar = app.query_one(KeyBar)
+        spot = next(region for region, command in bar.hot if command == "calibrate-object-go")
+        await pilot.click(bar, offset=(spot.x + 1, spot.y))
+        await settle(app, pilot)
+        candidate = {"n": now.guide.proposals[0].candidate, "m": None}[key]
+        assert source.asked[0][:2] == ("go", candidate)
+        assert app.focused is app.page.query_one(AimPane)
+
+    run(play, size=size)
+
+
+def test_enter_right_behind_the_letter_goes_there_and_takes_no_peak():
+    async def play(app, pilot, source):
+        write(app, "n", "enter")
+        for _ in range(4):
+            await settle(app, pilot)
+        assert [each[0] for each in source.asked] == ["go"]
 
     run(play)
 
@@ -242,7 +284,6 @@ def test_enter_releases_first_while_stop_is_latched():
         assert can_move(app.view()) is not None
         await press(app, pilot, "right")
         await press(app, pilot, "n")
-        assert source.asked == []
         await press(app, pilot, "enter")
         assert source.asked == []
         assert type(app.station.asked[-1]).__name__ == "Release"

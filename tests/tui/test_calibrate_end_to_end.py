@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import functools
+import re
 
 import pytest
 from birdcage.base.alignments import load_sets
@@ -66,7 +67,7 @@ async def test_a_leaning_dish_is_calibrated_by_keys_and_points_true(house):
 
 @played
 async def test_stop_in_mid_way_holds_and_nothing_goes_on_after_it(house):
-    await house.press("n")
+    await house.press("n", "enter")
     await house.step(0.3)
     assert house.device.truth().moving
     await house.pilot.press("escape")
@@ -75,7 +76,6 @@ async def test_stop_in_mid_way_holds_and_nothing_goes_on_after_it(house):
     assert house.station.state.held is not None
     assert not house.app.under_way
     where = house.device.truth()
-    await house.press("n")
     await house.press("right")
     await house.step(3.0)
     assert house.device.truth() == where
@@ -84,7 +84,7 @@ async def test_stop_in_mid_way_holds_and_nothing_goes_on_after_it(house):
     await house.step(1.0)
     assert house.station.state.held is None, "Enter releases, and takes no peak"
     assert house.guide.peaks == ()
-    await house.press("n")
+    await house.press("n", "enter")
     await house.rest()
     assert house.station.state.activity is Activity.IDLE
     assert house.guide.nudged is not None
@@ -94,7 +94,7 @@ async def test_stop_in_mid_way_holds_and_nothing_goes_on_after_it(house):
 async def test_stop_before_the_order_reaches_the_guide_counts_for_it(house):
     """Space comes while the guide computes: what it then asks for is refused."""
     where = house.device.truth()
-    await house.pilot.press("n")
+    await house.pilot.press("n", "enter")
     assert house.app.view_may_move()
     await house.pilot.press("space")
     await house.step(5.0)
@@ -105,7 +105,7 @@ async def test_stop_before_the_order_reaches_the_guide_counts_for_it(house):
 
 @played
 async def test_a_peak_is_taken_once_and_only_at_rest(house):
-    await house.press("n")
+    await house.press("n", "enter")
     await house.step(0.3)
     await house.press("enter")
     assert house.guide.peaks == ()
@@ -116,6 +116,37 @@ async def test_a_peak_is_taken_once_and_only_at_rest(house):
     await house.step(1.0)
     assert len(house.guide.peaks) == 1
     assert "Already saved as peak 1" in house.text()
+
+
+@played
+async def test_a_letter_selects_an_object_and_enter_goes_there(house):
+    """`n` the next best one, `m` the present one, which is no longer proposed once it is peaked."""
+    where = house.device.truth()
+    await house.press("n")
+    await house.step(5.0)
+    assert house.device.truth() == where
+    best = house.guide.proposals[0].candidate.name
+    assert re.search(rf"▶ {best}", house.text())
+    assert re.search(r"Enter\s+go there", house.text().splitlines()[-1])
+    await house.press("enter")
+    await house.rest()
+    assert house.guide.target == best
+    await house.peak_up()
+    await house.press("enter")
+    await house.step(1.0)
+    stands = house.device.truth()
+    house.station.submit(Goto(stands.az_deg + 30.0, 30.0, "you"))
+    await house.step(20.0)
+    assert best not in [each.candidate.name for each in house.guide.proposals]
+    await house.press("m")
+    await house.step(5.0)
+    assert house.beam_error(*house.guide.expected) > 20.0, "nothing moves before Enter"
+    assert re.search(rf"▶ {best}", house.text())
+    await house.press("enter")
+    await house.rest()
+    assert house.beam_error(*house.guide.expected) < 1.0
+    assert house.guide.target == best
+    assert len(house.guide.peaks) == 1
 
 
 @played

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.geometry import shortest_turn
 
+from birdcage_tui.calibrate.lists import ObjectsPane
 from birdcage_tui.calibrate.words import aside, direction, put_wrapped
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import cell_len, cut
@@ -33,8 +34,8 @@ class AimPane(Pane, can_focus=True):
     """Expected and read directions, how far it was nudged, what is heard; buttons below."""
 
     HELP = (
-        "Go to an object, nudge with the arrows until its signal is highest, then press Enter. Steps are degrees on "
-        "the sky. The dish uses the peaks so far, so each next object starts nearer."
+        "n selects the next object, Enter goes there. Nudge until its signal is highest, then press Enter. Steps are "
+        "degrees on the sky. The dish uses the peaks so far, so each next object starts nearer."
     )
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
@@ -68,9 +69,12 @@ class AimPane(Pane, can_focus=True):
             if cells.width >= x + 26:
                 self.button(cells, x + 2, buttons, "calibrate-again", view)
         x = 1
-        if guide.target:
+        if guide.target and ObjectsPane.scope not in view.scopes:
             x = self.button(cells, x, buttons + 1, "calibrate-take", view, "save peak")
-        self.button(cells, x, buttons + 1, "calibrate-next", view, "next object" if guide.target else "go there")
+        if ObjectsPane.scope in view.scopes:
+            self.button(cells, x, buttons + 1, "calibrate-object-go", view, "go there")
+        else:
+            self.button(cells, x, buttons + 1, "calibrate-next", view, "next object")
 
     def _arrow(self, cells: Cells, x: int, y: int, command: str, sign: str) -> int:
         cells.put(x, y, f" {sign} ", "key")
@@ -113,6 +117,8 @@ class AimPane(Pane, can_focus=True):
             ink, words = "warn", f"▲ {now.wrong}"
         elif now.told:
             ink, words = "good", now.told
+        elif ObjectsPane.scope in view.scopes:
+            ink, words = "dim", "Enter turns the dish to the object under the cursor."
         elif guide.target and not guide.busy and not view.moving:
             first = motion_mend(view)
             ink, words = "dim", guide.may_not_take or "Nudge to the highest signal, then press Enter."

@@ -96,13 +96,16 @@ class ListPane(Pane):
 
 
 class ObjectsPane(ListPane, can_focus=True):
-    """What is up and in reach, best first, and what the error over the sky would be after a peak on it."""
+    """What is up and in reach, best first, and what the error over the sky would be after a peak on it.
+
+    The present object is always among them.
+    """
 
     TITLE = "Objects: error after"
     EMPTY = "This dish can hear nothing that is in reach now. r: look again."
     HELP = (
         "Objects that you can peak on now, the best first. The last column is the error to expect over the sky after "
-        "that peak. Objects beside a saved peak are left out."
+        "that peak. Objects beside a saved peak are left out; the present one stays, as the last. Enter goes there."
     )
     scope = "calibrate-objects"
 
@@ -111,22 +114,35 @@ class ObjectsPane(ListPane, can_focus=True):
         assert now.guide is not None
         name = max(self.width() - 20, 8)
         found = [(each.candidate, error_text(each.error_then_deg)) for each in now.guide.proposals]
-        return [
+        rows = [
             ("text", f"{pad(cut(one.name, name), name)} {one.az_deg:4.0f}° {one.el_deg:2.0f}° {then:>6}")
             for one, then in found
         ]
+        if present_row(now.guide) == len(rows):
+            stands = now.guide.expected
+            where = f"{'--':>5} {'--':>3}" if stands is None else f"{stands[0]:4.0f}° {stands[1]:2.0f}°"
+            rows.append(("target", f"{pad(cut(now.guide.target, name), name)} {where} {'here':>6}"))
+        return rows
 
     def foot(self, now: CalibrateNow) -> str:
         """Say what the chosen one is worth, and how well it can be found."""
         assert now.guide is not None
         chosen = now.guide.proposals[self.at : self.at + 1]
         if not chosen:
-            return ""
+            return "The present object. Enter returns to where it stands now."
         one = chosen[0]
         falls = f"{error_text(one.error_now_deg)} to {error_text(one.error_then_deg)}"
         rise = "" if one.candidate.rise_db is None else f", {one.candidate.rise_db:.1f} dB over the sky"
         found = f"Centre accuracy {one.candidate.sigma_deg:.2f}°{rise}."
         return f"Sky error: {falls}. {found}"
+
+
+def present_row(guide: GuideView) -> int | None:
+    """Return the row of the present object: its own among the proposals, else the one after them; None without one."""
+    if not guide.target:
+        return None
+    names = [each.candidate.name for each in guide.proposals]
+    return names.index(guide.target) if guide.target in names else len(names)
 
 
 class PeaksPane(ListPane, can_focus=True):

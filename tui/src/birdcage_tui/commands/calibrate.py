@@ -26,6 +26,22 @@ def can_calibrate(view: View) -> str | None:
     return None
 
 
+def can_select(view: View) -> str | None:
+    """Return why there is no next object to select."""
+    now = view.calibrate
+    if now is not None and now.guide is not None and not now.guide.proposals:
+        return now.wrong or "This dish can hear nothing that is in reach now."
+    return can_calibrate(view)
+
+
+def can_return(view: View) -> str | None:
+    """Return why the present object cannot be selected."""
+    now = view.calibrate
+    if now is not None and now.guide is not None and not now.guide.target:
+        return "No object yet. n: select the next best one."
+    return can_calibrate(view)
+
+
 def can_go(view: View) -> str | None:
     """Return why the dish cannot be sent to an object."""
     now = view.calibrate
@@ -47,7 +63,7 @@ def can_take(view: View) -> str | None:
     if now is None or now.guide is None:
         return can_calibrate(view)
     if not now.guide.target:
-        return "No object selected. n: go to the next best one."
+        return "No object yet. n: select the next best one."
     return now.guide.may_not_take or _taken(now.guide)
 
 
@@ -58,7 +74,7 @@ def _taken(guide: GuideView) -> str | None:
         if position is not None and peak.target == guide.target:
             turn = abs(shortest_turn(peak.dish_az_deg, position.dish_az_deg))
             if max(turn, abs(peak.dish_el_deg - position.dish_el_deg)) < SAME_DEG:
-                return f"Already saved as peak {peak.number}. n: go to the next object."
+                return f"Already saved as peak {peak.number}. n: select the next object."
     return None
 
 
@@ -107,10 +123,10 @@ CALIBRATE = (
             "Tabs", where=("setup",), page=PAGE),
     _at("take", ("enter",), "Enter", "Save peak",
         "The signal is highest here. Save the direction of dish and object.", refused=can_take, footer="peaked"),
-    _at("next", ("n",), "n", "Go to the object", "Turn to the object under the cursor, at first the next best one.",
-        refused=can_go, footer="go"),
-    _at("again", ("m",), "m", "Return to the object",
-        "Turn again to the predicted position of the object.", refused=can_go),
+    _at("next", ("n",), "n", "Next object", "Select the next best object. Nothing moves until you press Enter.",
+        refused=can_select, footer="next"),
+    _at("again", ("m",), "m", "Present object",
+        "Select the present object, to return to it. Nothing moves until you press Enter.", refused=can_return),
     _at("left", ("left", "h"), "← h", "Nudge left", "One step on the sky, as seen from the dish.", "Nudge", can_nudge),
     _at("right", ("right", "l"), "→ l", "Nudge right", "One step on the sky.", "Nudge", can_nudge, "nudge"),
     _at("up", ("up", "k"), "↑ k", "Nudge up", "One step on the sky.", "Nudge", can_nudge),
@@ -129,7 +145,7 @@ CALIBRATE = (
         can_forget),
     _at("object-up", ("up", "k"), "↑ k", "Object above", "Select the row above.", "Objects", where=OBJECTS),
     _at("object-down", ("down", "j"), "↓ j", "Object below", "Select the row below.", "Objects", where=OBJECTS),
-    _at("object-go", ("enter",), "Enter", "Go there", "Turn the dish to the one under the cursor.", "Objects",
+    _at("object-go", ("enter",), "Enter", "Go there", "Turn the dish to the object under the cursor.", "Objects",
         can_go_or_release, "go there", OBJECTS),
     _at("peak-up", ("up", "k"), "↑ k", "Peak above", "Select the row above.", "Peaks", where=PEAKS),
     _at("peak-down", ("down", "j"), "↓ j", "Peak below", "Select the row below.", "Peaks", where=PEAKS),

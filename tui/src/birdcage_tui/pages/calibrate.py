@@ -13,7 +13,7 @@ from birdcage_tui.calibrate.aim import AimPane
 from birdcage_tui.calibrate.feed import CalibrateSource
 from birdcage_tui.calibrate.figures import FiguresPane
 from birdcage_tui.calibrate.layout import regions
-from birdcage_tui.calibrate.lists import ListPane, ObjectsPane, PeaksPane, SetsPane
+from birdcage_tui.calibrate.lists import ListPane, ObjectsPane, PeaksPane, SetsPane, present_row
 from birdcage_tui.calibrate.over_sky import OverSkyPane
 from birdcage_tui.calibrate.scatter import ScatterPane
 from birdcage_tui.calibrate.tabs import SetupTabs
@@ -41,8 +41,9 @@ class CalibratePage(Page):
     """Pictures and figures at the left; at the right what is pointed at, objects, peaks and sets."""
 
     HELP = (
-        "Peaks on known objects give the alignment of the dish. n goes to the next best object. Nudge with the arrows "
-        "until its signal is highest, then press Enter. Three objects give the tilt. a uses the fit. All limits apply."
+        "Peaks on known objects give the alignment of the dish. n selects the next best object, Enter goes there. "
+        "Nudge with the arrows until its signal is highest, then press Enter. Three objects give the tilt. a uses the "
+        "fit. All limits apply."
     )
     DEFAULT_CSS = """
     CalibratePage { layout: vertical; }
@@ -149,6 +150,8 @@ class CalibratePage(Page):
         if name in ("take", "object-go", "set-use") and can_release(self.host.view()) is None:
             self.host.action_command("release")
             return True
+        now = self.host.view().calibrate
+        guide = None if now is None else now.guide
         match name:
             case "left" | "right" | "up" | "down":
                 right, up = NUDGES[name]
@@ -156,10 +159,12 @@ class CalibratePage(Page):
                 source.nudge(right * step_deg, up * step_deg, self.host.begin_way())
             case "take":
                 source.take()
-            case "next" | "object-go":
-                self._go(source)
+            case "next":
+                self._select(0)
             case "again":
-                source.go(None, self.host.begin_way())
+                self._select(present_row(guide) if guide is not None else None)
+            case "object-go":
+                self._go(source)
             case "peak-forget":
                 self._forget(source)
             case "undo":
@@ -183,18 +188,28 @@ class CalibratePage(Page):
         self.call_after_refresh(lambda: self.screen.set_focus(self.query_one(LISTS[name])))
 
     def _candidate(self, view: View) -> Candidate | None:
+        """Return the object under the cursor; None on the present one, and where there is none."""
         now = view.calibrate
         guide = None if now is None else now.guide
-        at = self.query_one(ObjectsPane).at
-        found = () if guide is None else guide.proposals
-        return found[min(at, len(found) - 1)].candidate if found else None
+        if guide is None:
+            return None
+        found, here = guide.proposals, present_row(guide)
+        at = min(self.query_one(ObjectsPane).at, max(len(found) - 1, here or 0))
+        return found[at].candidate if at < len(found) else None
+
+    def _select(self, row: int | None) -> None:
+        """Put the cursor on an object, where Enter goes there: no letter turns the dish that far."""
+        self.query_one(ObjectsPane).at = row or 0
+        self._focus("objects")
 
     def _go(self, source: CalibrateSource) -> None:
-        candidate = self._candidate(self.host.view())
-        if candidate is None:
+        view, objects = self.host.view(), self.query_one(ObjectsPane)
+        candidate = self._candidate(view)
+        now = view.calibrate
+        if candidate is None and (now is None or now.guide is None or not now.guide.target):
             self.host.say("This dish can hear nothing that is in reach now.")
             return
-        self.query_one(ObjectsPane).at = 0  # when this one is peaked, the best of the others comes first
+        objects.at = 0  # when this one is peaked, the best of the others comes first
         source.go(candidate, self.host.begin_way())
         self.screen.set_focus(self.query_one(AimPane))
 
