@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from itertools import pairwise
 
@@ -16,6 +17,7 @@ from birdcage.sky.elements import ElementSet
 from birdcage.sky.passes.model import Pass
 from birdcage.sky.reach_model import Lost, Reach, Stretch
 from birdcage.tracking.curve import Curve
+from birdcage.tracking.day import Day
 from birdcage.tracking.plan import Aim, Forecast, Incident, Keyhole, Leg, Part, Plan, Preposition
 from birdcage.tracking.pointing_error import pointing_error
 
@@ -117,4 +119,30 @@ def moon():
         (Leg(Part.FOLLOW, NOON, NOON + 3600.0, 171.0, 189.0, 0),),
         Preposition(171.0, 42.0, 171.0, 42.0, ((171.0, 42.0),), NOON, 3.0), (),
         dish, (), pointing=pointing_error(dish, None, None),
+    )  # fmt: skip
+
+
+def geo(name="110.0°W EchoStar", *, az_deg=190.0, el_deg=40.0, drift_deg=0.0, limit="", number=None):
+    """A plan of what is always up; with a `limit` that keeps it out of reach."""
+    times = np.linspace(NOON, NOON + 86400.0, 145)
+    turn = np.sin((times - NOON) / 86400.0 * 2.0 * math.pi)
+    day_sky = Curve(times, az_deg + 0.1 * drift_deg * turn, el_deg + 0.5 * drift_deg * turn)
+    whole = Stretch(utc(NOON), utc(NOON + 86400.0), 0)
+    lost = Lost(utc(NOON), utc(NOON + 86400.0), "floor")
+    day_reach = Reach((), (lost,), None) if limit else Reach((whole,), (), el_deg)
+    sky = Curve(times[:7], day_sky.az_deg[:7], day_sky.el_deg[:7])
+    end_s = NOON + 3600.0
+    dish = Forecast(times[:7], np.full(7, 0.03), None, 0.03, 0.06)
+    bare = Plan(
+        Aim(name, "slot" if number is None else "satellite", number), utc(NOON), None,
+        Reach((), (Lost(utc(NOON), utc(end_s), "floor"),), None), sky, None, (), None, (), None, (),
+        (f"Always up, out of reach: {limit}.",), day=Day(day_sky, day_reach, (limit,) if limit else ()),
+    )  # fmt: skip
+    if limit:
+        return bare
+    return replace(
+        bare, reach=Reach((Stretch(utc(NOON), utc(end_s), 0),), (), el_deg), course=sky, notes=(),
+        legs=(Leg(Part.FOLLOW, NOON, end_s, az_deg, az_deg, 0),),
+        preposition=Preposition(az_deg, el_deg, az_deg, el_deg, ((az_deg, el_deg),), NOON, 3.0),
+        forecast=dish, pointing=pointing_error(dish, None, None),
     )  # fmt: skip

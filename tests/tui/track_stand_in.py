@@ -16,7 +16,7 @@ from birdcage.sky.skew import Skew
 from birdcage.station.pursuit import Phase, Pursuit, PursuitOptions, Sample
 from birdcage.station.state import Activity, HeldState
 from birdcage.tracking.plan import Aim
-from track_plans import NOON, believed, moon, plan, utc
+from track_plans import NOON, believed, geo, moon, plan, utc
 
 
 class Elements:
@@ -158,6 +158,41 @@ def chosen_slot(clock):
     return stand_in.at_rest(clock), desk(replace(moon(), aim=aim)), []
 
 
+SKEW = Skew(-13.96, 7.0)
+
+
+def followed_geo(clock):
+    """On a slot for five minutes: the dish stands still, and its tuner is read."""
+    of = geo()
+    of = replace(of, aim=replace(of.aim, skew=SKEW))
+    state, now, _ = _following(of, clock)
+    seen = [replace(each, at=each.at - 300.0, utc=each.utc) for each in looks(of, NOON + 300.0, clock.monotonic())]
+    why = "On the target. It is always up."
+    followed = replace(state.pursuit, why=why, next_what="", next_at=None)
+    return replace(state, pursuit=followed), replace(now, radio=RadioNow()), seen
+
+
+def chosen_geo(clock):
+    return stand_in.at_rest(clock), desk(geo("GEO 7", drift_deg=4.0, number=7)), []
+
+
+def held_geo(clock):
+    state, now, seen = followed_geo(clock)
+    held = HeldState("you", clock.monotonic(), clock.utc(), "stop", None, None, None, 0)
+    over = replace(state.pursuit, phase=Phase.OVER, why="Stopped by you.")
+    return replace(state, activity=Activity.IDLE, pursuit=over, held=held), now, seen
+
+
+def waiting_geo(clock):
+    of = geo()
+    waits = pursuit(of, Phase.COUNTDOWN, "The dish is about to move.", "follow", 4.4, clock)
+    return replace(stand_in.at_rest(clock), holder="tracker", pursuit=waits), desk(of, mode=Mode.FOLLOW), []
+
+
+def low_geo(clock):
+    return stand_in.at_rest(clock), desk(geo("75.0°W", limit="below the 18° floor", el_deg=12.0)), []
+
+
 def idle(clock):
     return stand_in.at_rest(clock), desk(None), []
 
@@ -231,7 +266,8 @@ SCENES = {
     "craft-following": following, "craft-days": days,
     "craft-old": old, "craft-old-chosen": old_chosen, "craft-keyhole": keyhole, "craft-moon": followed_moon,
     "craft-interrupted": interrupted, "craft-over": over, "craft-held": held,
-    "craft-sdrpp": heard_by_sdrpp, "craft-slot": chosen_slot,
+    "craft-sdrpp": heard_by_sdrpp, "craft-slot": chosen_slot, "craft-geo": followed_geo, "craft-geo-held": held_geo,
+    "craft-geo-chosen": chosen_geo, "craft-geo-low": low_geo, "craft-geo-countdown": waiting_geo,
 }  # fmt: skip
 
 

@@ -14,7 +14,7 @@ from birdcage.pursuit.pass_book import worst_moments
 
 if TYPE_CHECKING:
     from birdcage.pursuit.pass_book import PassRecord, Total
-    from birdcage.pursuit.pass_record import PassSample, Remark
+    from birdcage.pursuit.pass_record import PassHead, PassSample, Remark
 
 HEAD = ("NO", "BEGAN (UTC)", "TARGET", "BEST", "FOLLOWED", "RMS", "MAX", "0.5 dB", "BY", "HOW IT ENDED")
 CUT_OFF = "Under way, or cut off in mid-pass."
@@ -45,7 +45,7 @@ def tell_pass(record: PassRecord, samples: Sequence[PassSample], remarks: Sequen
         ("target", f"{head.name}{number}"),
         ("site", head.site or "-"),
         ("AOS, LOS", f"{_clock(head.aos)}, {_clock(head.los)}"),
-        ("reach", f"{_clock(head.reach_start)} to {_clock(head.reach_end)}, up to {_degrees(head.max_el_deg, 1)}"),
+        ("reach", _reach(head)),
         ("began", f"{head.started:%Y-%m-%d %H:%M:%S}"),
         ("ended", _clock(record.ended)),
         ("how", record.outcome or CUT_OFF),
@@ -152,6 +152,13 @@ def _degrees(value: float | None, digits: int = 3) -> str:
 def _share(value: float | None) -> str:
     # Not rounded up: 100 % is all of it.
     return "-" if value is None else f"{int(value * 1000.0) / 10.0:.1f} %"
+
+
+def _reach(head: PassHead) -> str:
+    """Return when it was in reach; without an end for what is always up."""
+    start = _clock(head.reach_start)
+    span = f"from {start} on" if head.reach_start and head.reach_end is None else f"{start} to {_clock(head.reach_end)}"
+    return f"{span}, up to {_degrees(head.max_el_deg, 1)}"
 
 
 def _clock(moment: datetime | None) -> str:

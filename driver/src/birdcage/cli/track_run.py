@@ -10,7 +10,7 @@ from birdcage.base.errors import BirdcageError, MotionRefused, PositionUnknown
 from birdcage.cli.track_shown import Shown
 from birdcage.pursuit.desk import PursuitDesk
 from birdcage.pursuit.desk_setup import DeskSetup
-from birdcage.pursuit.follower import reach_end
+from birdcage.pursuit.follower import reach_end, told_reach_end
 from birdcage.pursuit.now import Mode
 from birdcage.station.events import Event, Followed, PursuitChanged
 from birdcage.station.pursuit import Phase
@@ -136,7 +136,7 @@ class _Watch:
         until, pursuit = self._order.until, self._pursuit
         if pursuit is None or until == "los":
             return False
-        end = reach_end(pursuit.plan) if until == "reach" else until
+        end = told_reach_end(pursuit.plan) if until == "reach" else until
         return isinstance(end, datetime) and self._dish.session.clock.utc() >= end
 
     def _hear(self, event: Event) -> None:

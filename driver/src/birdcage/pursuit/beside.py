@@ -7,7 +7,7 @@ from datetime import UTC, datetime
 from typing import TYPE_CHECKING
 
 from birdcage.base.clock import Clock
-from birdcage.pursuit.follower import reach_end, reach_start
+from birdcage.pursuit.follower import reach_end, reach_start, told_reach_end
 from birdcage.pursuit.hooks import HookLine, Hooks
 from birdcage.pursuit.pass_facts import PassFacts
 from birdcage.pursuit.pass_log import PassLog, keep_passes
@@ -74,7 +74,7 @@ class Beside:
             self._use(settings)
         before, self._plan = self._plan, plan
         if plan is None:
-            end = None if before is None else reach_end(before)
+            end = None if before is None else told_reach_end(before)
             # One that came to its end keeps its last hook, which may run some time after that.
             if end is None or self._clock.utc() < end:
                 self._hooks.plan(None)
@@ -149,7 +149,7 @@ def facts_of(plan: Plan, observer: Observer | None) -> PassFacts | None:
     top = int(np.argmax(elevations))
     passing = plan.passing
     return PassFacts(
-        name=plan.aim.name, reach_start=start, reach_end=end, norad_id=plan.aim.norad_id,
+        name=plan.aim.name, reach_start=start, reach_end=told_reach_end(plan), norad_id=plan.aim.norad_id,
         aos=None if passing is None else passing.aos,
         tca=None if passing is None else datetime.fromtimestamp(float(times[top]), UTC),
         los=None if passing is None else passing.los, max_el_deg=float(elevations[top]),

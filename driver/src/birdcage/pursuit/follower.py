@@ -110,5 +110,10 @@ def reach_start(plan: Plan) -> datetime | None:
 
 
 def reach_end(plan: Plan) -> datetime | None:
-    """Return when the last leg ends; None where nothing can be reached."""
+    """Return when the last leg of this plan ends; None where nothing can be reached."""
     return datetime.fromtimestamp(plan.legs[-1].end_s, UTC) if plan.legs else None
+
+
+def told_reach_end(plan: Plan) -> datetime | None:
+    """Return when the target goes out of reach; None where it does not: always up, or never in reach."""
+    return None if plan.reach_end_s is None else datetime.fromtimestamp(plan.reach_end_s, UTC)

@@ -107,13 +107,14 @@ class Hooks:
         times: list[tuple[Event, float]] = [("reach_start", facts.reach_start.timestamp() - self._settings.pre_s)]
         if facts.tca is not None:
             times.append(("tca", facts.tca.timestamp()))
-        times.append(("reach_end", facts.reach_end.timestamp() + self._settings.post_s))
+        if facts.reach_end is not None:
+            times.append(("reach_end", facts.reach_end.timestamp() + self._settings.post_s))
         return times
 
     def _worth(self, event: Event, facts: PassFacts, now_s: float, at_s: float) -> bool:
         """Whether it is not too late: a pass may be chosen when half of it is over, or after a long sleep."""
         if event == "reach_start":
-            self._begun = now_s < facts.reach_end.timestamp()
+            self._begun = facts.reach_end is None or now_s < facts.reach_end.timestamp()
             return self._begun
         return now_s - at_s <= LATE_S if event == "tca" else self._begun
 

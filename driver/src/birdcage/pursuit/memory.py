@@ -25,7 +25,8 @@ class Kept:
     """What `choose` was given."""
     name: str
     since: datetime
-    reach_end: datetime
+    reach_end: datetime | None
+    """None for what is always up in reach."""
     seen: datetime
     """When this was written: the program was alive then."""
     az_deg: float
@@ -95,7 +96,8 @@ def _kept(values: dict[str, object]) -> Kept:
     frequency = values["frequency_hz"]
     return Kept(
         text=_of(str, values["text"]), name=_of(str, values["name"]), since=moment("since"),
-        reach_end=moment("reach_end"), seen=moment("seen"), az_deg=_number(values["az_deg"]),
+        reach_end=None if values["reach_end"] is None else moment("reach_end"),
+        seen=moment("seen"), az_deg=_number(values["az_deg"]),
         el_deg=_number(values["el_deg"]),
         ahead_az_deg=_number(values["ahead_az_deg"]), ahead_el_deg=_number(values["ahead_el_deg"]),
         aos=None if values["aos"] is None else moment("aos"),

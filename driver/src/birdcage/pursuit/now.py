@@ -83,7 +83,8 @@ class Unfinished:
     name: str
     text: str
     since: datetime
-    reach_end: datetime
+    reach_end: datetime | None
+    """None for what is always up in reach."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,6 +95,7 @@ class Resumable:
     """Of the target; `autotrack` where nothing was followed when STOP switched that off."""
     plan: Plan | None
     reach_end: datetime | None
+    """None for what is always up in reach, and for autotrack alone."""
     autotrack: bool
     """Whether autotrack goes on with it."""
 

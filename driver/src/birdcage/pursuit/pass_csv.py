@@ -24,7 +24,7 @@ def head_lines(head: PassHead) -> Iterator[str]:
         ("site", head.site),
         ("started", stamp(head.started)),
         ("aos", _time(head.aos)),
-        ("reach", None if head.reach_start is None else f"{_time(head.reach_start)} to {_time(head.reach_end)}"),
+        ("reach", _reach(head)),
         ("los", _time(head.los)),
         ("controller", head.controller),
         ("elements of", _time(head.elements_epoch)),
@@ -105,6 +105,12 @@ def _plain(head: PassHead) -> str:
     """Return a name that every file system takes."""
     words = re.sub(r"[^A-Za-z0-9.+]+", "-", head.name).strip("-.") or head.kind
     return words[:40] if head.norad_id is None else f"{words[:40]}_{head.norad_id}"
+
+
+def _reach(head: PassHead) -> str | None:
+    if head.reach_start is None:
+        return None
+    return f"{_time(head.reach_start)} {'on' if head.reach_end is None else f'to {_time(head.reach_end)}'}"
 
 
 def _time(moment: datetime | None) -> str | None:

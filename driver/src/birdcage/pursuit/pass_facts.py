@@ -19,7 +19,8 @@ class PassFacts:
 
     name: str
     reach_start: datetime
-    reach_end: datetime
+    reach_end: datetime | None
+    """None for what is always up in reach."""
     norad_id: int | None = None
     aos: datetime | None = None
     tca: datetime | None = None
@@ -38,8 +39,8 @@ class PassFacts:
         """Whether `other` is the same pass, planned anew: what has run does not run again."""
         return (
             (self.name, self.norad_id) == (other.name, other.norad_id)
-            and self.reach_start < other.reach_end
-            and other.reach_start < self.reach_end
+            and (other.reach_end is None or self.reach_start < other.reach_end)
+            and (self.reach_end is None or other.reach_start < self.reach_end)
         )
 
     def values(self, event: Event) -> dict[str, str | float | int | None]:
@@ -56,7 +57,7 @@ class PassFacts:
             "los": _told(self.los),
             "reach_start": _told(self.reach_start),
             "reach_end": _told(self.reach_end),
-            "duration_s": round((self.reach_end - self.reach_start).total_seconds(), 1),
+            "duration_s": self._duration_s(),
             "max_el": None if self.max_el_deg is None else round(self.max_el_deg, 2),
             "freq_hz": None if self.freq_hz is None else round(self.freq_hz),
             "site": self.site,
@@ -66,6 +67,9 @@ class PassFacts:
             "pipeline": None if sent is None else sent.pipeline or None,
             "pipeline_live": None if sent is None or not sent.pipeline else int(sent.pipeline_live),
         }
+
+    def _duration_s(self) -> float | None:
+        return None if self.reach_end is None else round((self.reach_end - self.reach_start).total_seconds(), 1)
 
     def environment(self, event: Event) -> dict[str, str]:
         """Return them as `BIRDCAGE_EVENT` and so on; empty is what is not known, so that `set -u` does not stumble."""

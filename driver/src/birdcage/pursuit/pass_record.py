@@ -6,6 +6,8 @@ from dataclasses import dataclass, fields
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING
 
+from birdcage.pursuit.follower import told_reach_end
+
 if TYPE_CHECKING:
     from birdcage.station.pursuit import Pursuit
 
@@ -87,7 +89,7 @@ def head_of(pursuit: Pursuit, started: datetime, *, demo: bool, site: str) -> Pa
         aos=None if passing is None else passing.aos,
         los=None if passing is None else passing.los,
         reach_start=stretches[0].start if stretches else None,
-        reach_end=stretches[-1].end if stretches else None,
+        reach_end=(told_reach_end(plan) if plan.goes_on else stretches[-1].end) if stretches else None,
         max_el_deg=plan.reach.best_el_deg,
         started=started,
         controller=pursuit.controller,

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import TYPE_CHECKING
 
-from birdcage.pursuit.follower import reach_end
+from birdcage.pursuit.follower import told_reach_end
 from birdcage.pursuit.now import Resumable
 from birdcage.station.pursuit import Phase, Pursuit
 
@@ -56,5 +56,7 @@ class Stopped:
 
     @staticmethod
     def _of(plan: Plan, now: datetime, autotrack: bool) -> Resumable | None:
-        end = reach_end(plan)
-        return None if end is None or end <= now else Resumable(plan.aim.name, plan, end, autotrack=autotrack)
+        end = told_reach_end(plan)
+        if not plan.legs or (end is not None and end <= now):
+            return None
+        return Resumable(plan.aim.name, plan, end, autotrack=autotrack)

@@ -7,7 +7,7 @@ from datetime import datetime, timedelta
 from typing import TYPE_CHECKING
 
 from birdcage.base.geometry import separation, shortest_turn
-from birdcage.pursuit.follower import IN_MID_PASS, reach_end
+from birdcage.pursuit.follower import IN_MID_PASS, told_reach_end
 from birdcage.pursuit.memory import Kept, Memory
 from birdcage.pursuit.now import Unfinished
 from birdcage.station.pursuit import Phase, Pursuit
@@ -60,7 +60,7 @@ class Keeper:
 
     def forget_old(self, now: datetime) -> bool:
         """Forget what was found once its pass is over; return whether it was."""
-        if self.found is None or now < self.found.reach_end:
+        if self.found is None or self.found.reach_end is None or now < self.found.reach_end:
             return False
         self.forget()
         return True
@@ -94,13 +94,11 @@ class Keeper:
         if self._kept is None:
             if pursuit.phase not in IN_MID_PASS or choice is None or pursuit.sample is None:
                 return
-            end = reach_end(pursuit.plan)
-            if end is None:
-                return
             passing = pursuit.plan.passing
             sample = pursuit.sample
             self._kept = Kept(
-                text=choice.text, name=pursuit.plan.aim.name, since=now, reach_end=end, seen=now,
+                text=choice.text, name=pursuit.plan.aim.name, since=now,
+                reach_end=told_reach_end(pursuit.plan), seen=now,
                 az_deg=sample.commanded_az_deg, el_deg=sample.commanded_el_deg,
                 ahead_az_deg=sample.commanded_az_deg, ahead_el_deg=sample.commanded_el_deg,
                 aos=None if passing is None else passing.aos, frequency_hz=choice.wanted_hz,

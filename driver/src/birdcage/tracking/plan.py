@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from birdcage.sky.downlinks import Downlink
     from birdcage.sky.element_error import ElementError
     from birdcage.sky.skew import Skew
+    from birdcage.tracking.day import Day
     from birdcage.tracking.planning.refraction import Refraction
     from birdcage.tracking.pointing_error import PointingError
 
@@ -147,6 +148,25 @@ class Plan:
     """How far off the elements may be; None for what follows none, and for orbits that are made up."""
     pointing: PointingError | None = None
     """What to expect of dish and elements together; None where nothing is followed."""
+    day: Day | None = None
+    """The next 24 hours of what does not pass; None for a pass, or where not all of them are known."""
+
+    @property
+    def goes_on(self) -> bool:
+        """Whether following ends only because the plan does: another one carries it on."""
+        return self.passing is None and bool(self.legs) and self.legs[-1].end_s >= self.sky.end_s - 1.0
+
+    @property
+    def reach_end_s(self) -> float | None:
+        """When its last reach ends (POSIX seconds), as far as can be told.
+
+        None: nothing is in reach, it is always up in reach, or no end was found within a day.
+        """
+        if not self.legs:
+            return None
+        if not self.goes_on:
+            return self.legs[-1].end_s
+        return None if self.day is None else self.day.reach_end_s(self.legs[-1].end_s - 1.0)
 
     @property
     def rewinds(self) -> tuple[Leg, ...]:

@@ -14,6 +14,7 @@ from birdcage.sky.element_error import ElementError
 from birdcage.sky.export.fields import iso
 from birdcage.sky.passes.model import Pass
 from birdcage.sky.reach_model import Reach
+from birdcage.tracking.day import HOURS, Day
 from birdcage.tracking.plan import Forecast, Leg, Plan, Preposition
 from birdcage.tracking.pointing_error import Level, PointingError
 
@@ -34,7 +35,9 @@ def plan_values(plan: Plan, *, step_s: float = _STEP_S) -> dict[str, Any]:
         **({} if aim.skew is None else aim.skew.values()),
         "made_at": iso(plan.made_at),
         "pass": None if plan.passing is None else _pass(plan.passing),
-        "reach": _reach(plan.reach),
+        "always_up": None if plan.passing is None and plan.day is None else bool(plan.day and plan.day.always_up),
+        "day": None if plan.day is None else _day(plan.day),
+        "reach": _reach(plan.reach, goes_on=plan.goes_on),
         "legs": [_leg(leg) for leg in plan.legs],
         "rewinds": len(plan.rewinds),
         "preposition": None if plan.preposition is None else _place(plan.preposition),
@@ -68,11 +71,23 @@ def _pass(passing: Pass) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _reach(reach: Reach) -> dict[str, Any]:
+def _day(day: Day) -> dict[str, Any]:
     return {
-        "total_s": _round(reach.total_s),
+        "hours": HOURS, "az_drift_deg": _round(day.az_drift_deg), "el_drift_deg": _round(day.el_drift_deg),
+        "always_in_reach": day.always_in_reach, "reach": _reach(day.reach, goes_on=False),
+    }  # fmt: skip
+
+
+def _reach(reach: Reach, *, goes_on: bool) -> dict[str, Any]:
+    """Return it; where it `goes_on` beyond the plan, without the end of the last interval and without a total."""
+    last = reach.intervals[-1] if goes_on and reach.intervals else None
+    return {
+        "total_s": None if goes_on else _round(reach.total_s),
         "best_el_deg": _round(reach.best_el_deg),
-        "intervals": [{"start": iso(one.start), "end": iso(one.end), "turn": one.turn} for one in reach.intervals],
+        "intervals": [
+            {"start": iso(one.start), "end": None if one is last else iso(one.end), "turn": one.turn}
+            for one in reach.intervals
+        ],
         "lost": [{"start": iso(one.start), "end": iso(one.end), "reason": one.reason} for one in reach.lost],
     }
 

@@ -12,6 +12,7 @@ import numpy as np
 from birdcage.sky.age_words import plus_minus
 from birdcage.sky.downlinks_words import air_words, satdump_words, signal_words
 from birdcage.tracking.curve import Floats
+from birdcage.tracking.day import Day
 from birdcage.tracking.plan import Part, Plan
 from birdcage.tracking.plan_values import follows, is_hidden
 from birdcage.tracking.pointing_error import PointingError, element_words, error_words
@@ -24,6 +25,8 @@ _ROWS = 14
 """About how many rows the table has: what happens, and times between."""
 _BAR = 69
 _INDENT = " " * 9
+_DRIFTS_DEG = 0.005
+"""What drifts less in a day stands still."""
 _EVENTS = ("aos", "tca", "los")
 _REFRACTION = {
     "radio": "el includes refraction, as radio waves are bent",
@@ -37,9 +40,11 @@ _HEAD = "UTC        event         az     el    dish az dish el   error    loss"
 def plan_lines(plan: Plan) -> list[str]:
     """Return a plan in at most 80 columns: what, when, where the dish waits, how well it will point, and what not."""
     lines = [*_head(plan), "", *_summary(plan), ""]
-    if plan.legs:
+    always = plan.day is not None and (plan.day.always_in_reach or plan.day.never_in_reach)
+    if plan.legs and not always:
         lines += [*_bar(plan), ""]
-    lines += [_HEAD, *_table(plan), _REFRACTION[plan.aim.refraction]]
+    at_s = plan.legs[0].start_s if plan.legs else plan.sky.start_s
+    lines += [_HEAD, *([_row(plan, at_s, "")] if always else _table(plan)), _REFRACTION[plan.aim.refraction]]
     if plan.notes:
         lines.append("")
     for note in plan.notes:
@@ -82,13 +87,19 @@ def _summary(plan: Plan) -> Iterator[str]:
     if not plan.legs or plan.course is None:
         yield "Follow   nothing: it is not within reach"
         return
+    if plan.day is not None:
+        yield from _stands(plan.day, plan.sky.start_s)
     whole_s = plan.sky.end_s - plan.sky.start_s
     best = plan.reach.best_el_deg
     high = "" if best is None else f", up to {best:.0f}°"
-    yield (
-        f"Follow   {_clock(plan.legs[0].start_s)} to {_clock(plan.legs[-1].end_s)}: "
-        f"{_length(follow_s)} of {_length(whole_s)}{high}"
-    )
+    if plan.goes_on:
+        end = "you end it" if plan.reach_end_s is None else _clock(plan.reach_end_s)
+        yield f"Follow   {_clock(plan.legs[0].start_s)} until {end}"
+    else:
+        yield (
+            f"Follow   {_clock(plan.legs[0].start_s)} to {_clock(plan.legs[-1].end_s)}: "
+            f"{_length(follow_s)} of {_length(whole_s)}{high}"
+        )
     place = plan.preposition
     if place is not None:
         stops = f" by {len(place.waypoints)} stops" if len(place.waypoints) > 1 else ""
@@ -109,6 +120,17 @@ def _summary(plan: Plan) -> Iterator[str]:
         )
     if plan.pointing is not None:
         yield from _error(plan.pointing)
+
+
+def _stands(day: Day, now_s: float) -> Iterator[str]:
+    """Yield whether it is always up, else when it rises or sets; and how far it wanders, if it does not stand still."""
+    words = day.standing or ("always up" if day.always_up else "")
+    if not words and (event := day.horizon_s(now_s)) is not None:
+        words = f"{event[0]} {_clock(event[1])}"
+    if words:
+        yield f"Sky      {words}"
+    if day.always_up and max(day.az_drift_deg, day.el_drift_deg) >= _DRIFTS_DEG:
+        yield f"Drift    {day.az_drift_deg:.2f}° of azimuth, {day.el_drift_deg:.2f}° of elevation a day"
 
 
 def _error(found: PointingError) -> Iterator[str]:

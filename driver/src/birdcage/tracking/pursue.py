@@ -109,7 +109,7 @@ class Pursuer:
         self._tell(
             Stage.FOLLOWING,
             f"In place: the target comes into reach at {clock_text(leg.start_s)}." if waits
-            else f"On the target until {clock_text(leg.end_s)}.",
+            else self._on_target(leg),
             what, at_s,
         )  # fmt: skip
         helm = voyage.helm = Helm(
@@ -122,6 +122,14 @@ class Pursuer:
         finally:
             voyage.helm = None
         voyage.latency_s, self._done_s = helm.latency_s, max(helm.until_s, self._now_s)
+
+    def _on_target(self, leg: Leg) -> str:
+        plan = self._voyage.plan
+        if leg is not plan.legs[-1] or not plan.goes_on:
+            return f"On the target until {clock_text(leg.end_s)}."
+        if plan.reach_end_s is not None:
+            return f"On the target until {clock_text(plan.reach_end_s)}."
+        return "On the target. It is always up." if plan.day is not None and plan.day.always_up else "On the target."
 
     def _steer(self, helm: Helm) -> Activity:
         """Hand the controller's steps on, and note where they send the dish."""

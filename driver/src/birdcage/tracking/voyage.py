@@ -114,7 +114,8 @@ class Voyage:
                 return "keyhole", keyhole.start_s
         after = self.leg_after(leg.end_s)
         if after is None:
-            return ("park" if self.park else "end"), leg.end_s
+            end_s = self.plan.reach_end_s
+            return ("", None) if end_s is None else ("park" if self.park else "end", end_s)
         return after.part.value if after.part.value == "rewind" else "gap", leg.end_s
 
 

@@ -11,7 +11,7 @@ from birdcage_tui.cell_text import fit, wrap
 from birdcage_tui.commands.mending import motion_mend, then_words
 from birdcage_tui.digits import put_big, width_of
 from birdcage_tui.pane import Pane
-from birdcage_tui.passes.words import count_text
+from birdcage_tui.passes.words import clock_text, count_text
 from birdcage_tui.track.bullseye import draw_bullseye
 from birdcage_tui.track.pursuing import plan_of, pursuit_of, same_target, sample_of, shown_is_followed, target_place
 from birdcage_tui.track.words import (
@@ -22,6 +22,7 @@ from birdcage_tui.track.words import (
     expected_words,
     followed_words,
     headline,
+    left_words,
     live_deg,
     live_words,
     los_words,
@@ -30,6 +31,7 @@ from birdcage_tui.track.words import (
 from birdcage_tui.view import View
 
 if TYPE_CHECKING:
+    from birdcage.tracking.day import Day
     from birdcage.tracking.plan import Plan
 
 ROOMY = 56
@@ -37,6 +39,8 @@ ROOMY = 56
 BIG = 9
 """From so many rows on the error is written in big digits."""
 
+SOON_S = 1800.0
+"""What comes into reach later is not in the plan yet, and can't be followed before that."""
 SKEW_WIDTH = 70
 """From so many columns on the skew is written out."""
 
@@ -90,7 +94,8 @@ class TrackNow(Pane):
         found: list[tuple[str, str]] = []
         if desk is not None and desk.unfinished is not None and pursuit is None:
             left = desk.unfinished
-            words = f"{left.name} was left in mid-pass, in reach until {left.reach_end:%H:%M:%S}"
+            left_when = "in mid-pass" if left.reach_end is not None else "while following"
+            words = f"{left.name} was left {left_when}, {left_words(left)}"
             found.append(("warn-strong", f"{words}: U: resume. D: dismiss."))
         if desk is not None and desk.problem:
             found.append(("warn", f"▲ {desk.problem}"))
@@ -183,10 +188,33 @@ def _skew(plan: Plan, width: int) -> list[tuple[str, str]]:
     return [("text", f"{name} {words}") for name, words in zip(("Skew", "Tilt"), plan.aim.skew.words(), strict=True)]
 
 
+def _of_day(view: View, day: Day, t_s: float) -> str:
+    """Return the same of what does not pass, by its next 24 hours; empty where its plan tells it better."""
+    held = view.state.held is not None
+    follow = "Enter releases the dish, then f follows it." if held else "f follows it now."
+    if day.hidden:
+        return f"{_capital(day.standing) or 'Behind the horizon mask'}: {follow.replace(' now', ' anyway')}"
+    if day.standing:
+        return f"{_capital(day.standing)}: {follow}" if day.always_in_reach else f"{_capital(day.standing)}."
+    end_s = day.reach_end_s(t_s)
+    if end_s is not None:
+        return f"In reach for {count_text(end_s - t_s)}: {follow}"
+    start_s = day.reach_start_s(t_s)
+    if start_s is not None and start_s > t_s + SOON_S:
+        return f"In reach in {count_text(start_s - t_s)}, at {clock_text(start_s, seconds=False)}."
+    return ""
+
+
+def _capital(words: str) -> str:
+    return words[:1].upper() + words[1:]
+
+
 def _chance(view: View, plan: Plan, t_s: float) -> str:
     """Return when the target can be followed, and what key does it; behind the horizon mask it can be, unheard."""
     from birdcage.tracking.plan_values import is_hidden
 
+    if plan.day is not None and (words := _of_day(view, plan.day, t_s)):
+        return words
     spans = [(one.start.timestamp(), one.end.timestamp()) for one in plan.reach.intervals]
     heard = next(((start, end) for start, end in spans if end > t_s), None)
     leg = next((each for each in plan.legs if each.end_s > t_s), None)

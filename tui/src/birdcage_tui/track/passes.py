@@ -23,6 +23,13 @@ def passes_of(view: View) -> tuple[PassRow, ...]:
     return tuple(row for row in rows if row.passing.los > view.utc)
 
 
+def _no_passes(view: View) -> str:
+    """Return why there are none."""
+    plan = plan_of(view)
+    standing = "" if plan is None or plan.day is None else plan.day.standing
+    return f"{standing[0].upper()}{standing[1:]}: it makes no passes." if standing else "No passes soon."
+
+
 class TrackPasses(Pane):
     """Rows with a cursor; the one whose plan is drawn has a mark."""
 
@@ -48,7 +55,7 @@ class TrackPasses(Pane):
         rows = passes_of(view)
         if not rows:
             chosen = view.track is not None and view.track.choice is not None
-            cells.put(1, 0, "No passes soon." if chosen else "No target selected.", "dim")
+            cells.put(1, 0, _no_passes(view) if chosen else "No target selected.", "dim")
             return
         cells.put(2, 0, "AOS      from    max  to    in reach", "dim")
         self.cursor = min(self.cursor, len(rows) - 1)

@@ -25,6 +25,8 @@ def resume_words(view: View, *, sentence: bool = False) -> str:
     if end is not None:
         seconds = max(int((end - view.utc).total_seconds()), 0)
         words += f" ({seconds // 60}:{seconds % 60:02} left)"
+    elif left is not None or plan is not None:
+        words += " (always up)"
     if autotrack and plan is not None:
         words += " and autotrack"
     releases = "releases it, " if view.state.held is not None else ""

@@ -14,7 +14,9 @@ from birdcage_tui.view import View
 
 if TYPE_CHECKING:
     from birdcage.base.beam import Beam
+    from birdcage.pursuit.now import Unfinished
     from birdcage.station.pursuit import Pursuit, Sample
+    from birdcage.tracking.day import Day
     from birdcage.tracking.plan import Plan
 
 PHASE = {
@@ -38,6 +40,10 @@ STATUS = {
 SHORT = {Phase.FOLLOWING: "FOLLOW", Phase.PREPOSITIONING: "TO MEET", Phase.REWINDING: "REWIND FOR",
          Phase.YIELDED: "YIELDED", Phase.INTERRUPTED: "CUT OFF", Phase.COUNTDOWN: "MOVES TO"}  # fmt: skip
 """The same where there is little room."""
+
+
+DRIFTS_DEG = 0.005
+"""What moves less in a day stands still."""
 
 
 def degrees(value_deg: float | None) -> str:
@@ -128,12 +134,22 @@ def trouble(view: View) -> tuple[str, str] | None:
         return "warn-row", f"◌ PURSUIT INTERRUPTED  {pursuit.why}  {resume}".rstrip()
     found = None if view.track is None else view.track.resumable
     if found is not None and found.plan is not None and resume:
-        return "target-row", f"◌ {'YIELDED' if pursuit is not None else 'STOPPED'} in mid-pass.  {resume}"
+        did = "YIELDED" if pursuit is not None else "STOPPED"
+        return "target-row", f"◌ {did} {_while(passes=found.plan.passing is not None)}.  {resume}"
     left = None if view.track is None or pursuit is not None else view.track.unfinished
     if left is not None:
-        words = resume or f"{left.name}, in reach until {left.reach_end:%H:%M:%S}."
-        return "warn-row", f"▲ LEFT IN MID-PASS  {words}"
+        words = resume or f"{left.name}, {left_words(left)}."
+        return "warn-row", f"▲ LEFT {_while(passes=left.reach_end is not None).upper()}  {words}"
     return None
+
+
+def _while(*, passes: bool) -> str:
+    return "in mid-pass" if passes else "while following"
+
+
+def left_words(left: Unfinished) -> str:
+    """Return until when what was left unfinished is in reach."""
+    return "always up" if left.reach_end is None else f"in reach until {left.reach_end:%H:%M:%S}"
 
 
 def _soon(word: str, left_s: float | None) -> str:
@@ -146,6 +162,8 @@ def next_words(view: View) -> str:
     if pursuit is None:
         return ""
     if pursuit.phase in (Phase.FOLLOWING, Phase.REWINDING, Phase.READY):
+        if pursuit.plan.day is not None and pursuit.plan.day.standing:
+            return pursuit.plan.day.standing
         coming = next_incident(view)
         if coming is not None and coming.what != "los":
             return _soon(coming.text, coming.at_s - view.utc.timestamp())
@@ -155,18 +173,42 @@ def next_words(view: View) -> str:
 
 
 def los_words(plan: Plan) -> str:
-    """Return when it sets; empty for what does not pass."""
-    return "" if plan.passing is None else f"LOS {plan.passing.los:%H:%M:%S}"
+    """Return when it sets; empty for what is always up."""
+    if plan.passing is not None:
+        return f"LOS {plan.passing.los:%H:%M:%S}"
+    return "" if plan.day is None or plan.day.always_up else pass_words(plan)
 
 
 def pass_words(plan: Plan) -> str:
-    """Return rise, highest point and set as one line: `AOS 301° 03:21:10  TCA 64° 03:27:02  LOS 121° 03:32:50`."""
+    """Return rise, highest point and set as one line: `AOS 301° 03:21:10  TCA 64° 03:27:02  LOS 121° 03:32:50`.
+
+    Of what does not pass, when it rises or sets, or how far it drifts.
+    """
     passing = plan.passing
     if passing is None:
-        return "always trackable while up"
+        return "always trackable while up" if plan.day is None else _day_words(plan.day, plan.sky.start_s)
     aos = "already up" if passing.already_up else f"AOS {passing.aos_azimuth_deg:.0f}° {passing.aos:%H:%M:%S}"
     los = "LOS later" if passing.still_up else f"LOS {passing.los_azimuth_deg:.0f}° {passing.los:%H:%M:%S}"
     return f"{aos}  TCA {passing.max_elevation_deg:.0f}° {passing.tca:%H:%M:%S}  {los}"
+
+
+def _day_words(day: Day, t_s: float) -> str:
+    event = day.horizon_s(t_s)
+    if event is not None:
+        return f"{event[0]} {clock_text(event[1], seconds=False)}"
+    return drift_words(day) if day.always_up else ""
+
+
+def drifts(day: Day) -> bool:
+    """Return whether a target moves as much in a day as could be seen."""
+    return max(day.az_drift_deg, day.el_drift_deg) >= DRIFTS_DEG
+
+
+def drift_words(day: Day) -> str:
+    """Return how far a target that is always up moves in a day: `drifts 0.12° az, 4.20° el a day`."""
+    if not drifts(day):
+        return "stands still in the sky"
+    return f"drifts {day.az_drift_deg:.2f}° az, {day.el_drift_deg:.2f}° el a day"
 
 
 def ahead_words(plan: Plan) -> str:
@@ -176,7 +218,11 @@ def ahead_words(plan: Plan) -> str:
 
 def reach_words(plan: Plan, room: int) -> str:
     """Return when it is in reach: as many intervals as there is room for, then how long in all."""
-    intervals = plan.reach.intervals
+    day, intervals = plan.day, plan.reach.intervals
+    if day is not None and day.standing:
+        return day.standing
+    if day is not None and not day.never_in_reach:
+        return _day_reach(day, plan.sky.start_s, room)
     if not intervals and plan.legs:
         return "always behind the horizon mask"
     if not intervals:
@@ -193,6 +239,20 @@ def reach_words(plan: Plan, room: int) -> str:
     return f"in reach {total}"
 
 
+def _day_reach(day: Day, t_s: float, room: int) -> str:
+    """Return when it is in reach within the day: `in reach until 16:20`, `always up, in reach 12:00-15:40, …`."""
+    up = "always up, " if day.always_up else ""
+    end_s = day.reach_end_s(t_s)
+    if end_s is not None and len(day.reach.intervals) == 1:
+        return f"{up}in reach until {clock_text(end_s, seconds=False)}"
+    spans = []
+    for one in day.reach.intervals:
+        open_end = one.end.timestamp() >= day.sky.end_s - 1.0
+        spans.append(f"{one.start:%H:%M}-" + ("" if open_end else f"{one.end:%H:%M}"))
+    words = f"{up}in reach {', '.join(spans)}"
+    return words if len(words) <= room else f"{up}in reach {spans[0]} +{len(spans) - 1}"
+
+
 def expected_words(plan: Plan) -> tuple[str, tuple[str, ...]]:
     """Return ink and words of the error to believe, the longest first: with grade and age of the elements, and advice.
 
@@ -206,7 +266,7 @@ def expected_words(plan: Plan) -> tuple[str, tuple[str, ...]]:
     pointing, elements = plan.pointing, plan.elements
     error = "" if pointing is None else f"error {error_words(pointing)}"
     if elements is None:
-        return "dim", (f"{error} over the pass",) if error else ()
+        return "dim", (f"{error} over the pass" if plan.passing is not None else error,) if error else ()
     closest = elements.closest
     age = f"{closest.glyph} {age_words(closest.age_s)}"
     whole = f"{error}  {element_words(elements)}".strip()
@@ -236,7 +296,8 @@ def followed_words(pursuit: Pursuit) -> tuple[str, str]:
     pointing = pursuit.plan.pointing
     if pointing is None or pointing.elements is None:
         return "", dish
-    return f"pass {plus_minus(*pointing.with_dish(pursuit.rms_error_deg))}", f"dish {dish}"
+    what = "so far" if pursuit.plan.passing is None else "pass"
+    return f"{what} {plus_minus(*pointing.with_dish(pursuit.rms_error_deg))}", f"dish {dish}"
 
 
 def offset_words(view: View) -> str:

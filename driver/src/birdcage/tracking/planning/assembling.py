@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from datetime import datetime
+from datetime import UTC, datetime
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from birdcage.sky.element_error import ElementError
 from birdcage.sky.passes.model import Pass
 from birdcage.sky.reach_model import Reach
 from birdcage.tracking.curve import Curve
+from birdcage.tracking.day import Day
 from birdcage.tracking.mount import Mount
 from birdcage.tracking.plan import Aim, Forecast, Keyhole, Leg, Part, Plan
 from birdcage.tracking.planning.course import course as course_of
@@ -41,6 +42,7 @@ class Basis:
     stretches: tuple[Stretch, ...]
     preposition_s: float
     elements: ElementError | None
+    day: Day | None = None
 
 
 def complete(basis: Basis, share: float | None, seen: Forecast | None = None, *, hold: float = 0.0) -> Plan:
@@ -71,29 +73,37 @@ def complete(basis: Basis, share: float | None, seen: Forecast | None = None, *,
         basis.aim, basis.made_at, basis.passing, basis.reach, sight.sky, course, legs, place, holes,
         own, incidents(basis.passing, sight.sky, legs, holes, basis.reach, mount.limits),
         tuple(notes), share, share is None or not holes or seen is not None, basis.elements,
-        pointing_error(own, basis.elements, beam),
+        pointing_error(own, basis.elements, beam), basis.day,
     )  # fmt: skip
 
 
 def unfollowed(
-    aim: Aim, made_at: datetime, passing: Pass | None, reach: Reach, sight: Sight, elements: ElementError | None
+    aim: Aim, made_at: datetime, passing: Pass | None, reach: Reach, sight: Sight, elements: ElementError | None,
+    day: Day | None = None,
 ) -> Plan:  # fmt: skip
     """Return the plan of what cannot be followed, which says why."""
     limits = sight.mount.limits
     notes = (
-        *_element_notes(elements), _nothing_note(sight, passing), *_border_notes(sight),
-        *_notes(reach, sight.mount),
+        *_element_notes(elements), _nothing_note(sight, passing, day), *_border_notes(sight),
+        *_notes(Reach((), (), None) if day is not None else reach, sight.mount),
     )  # fmt: skip
     return Plan(
         aim, made_at, passing, reach, sight.sky, None, (), None, (), None,
-        incidents(passing, sight.sky, (), (), reach, limits), notes, elements=elements,
+        incidents(passing, sight.sky, (), (), reach, limits), notes, elements=elements, day=day,
     )  # fmt: skip
 
 
-def _nothing_note(sight: Sight, passing: Pass | None) -> str:
+def _nothing_note(sight: Sight, passing: Pass | None, day: Day | None) -> str:
     """Return that nothing can be followed: of a pass, or, of what does not pass, for as long as was looked ahead."""
     if passing is not None:
         return "Nothing of it can be followed from now on."
+    if day is not None and day.standing:
+        return f"{day.standing[0].upper()}{day.standing[1:]}."
+    start_s = None if day is None else day.reach_start_s(sight.sky.start_s)
+    if start_s is not None:
+        return f"It comes into reach at {datetime.fromtimestamp(start_s, UTC):%H:%M}Z."
+    if day is not None:
+        return "Out of reach for the next 24 hours."
     return f"Nothing of it can be followed for {(sight.sky.end_s - sight.sky.start_s) / 60.0:.0f} min from now."
 
 

@@ -35,6 +35,8 @@ def incidents(
         turns_back = after is not None and after.part is Part.REWIND
         # A rewind that begins where the target goes out of reach anyway waits for that.
         if leg.part is Part.FOLLOW and (reason not in ("", "cable") if turns_back else not goes_on):
+            if not reason and passing is None and leg.end_s >= sky.end_s - 1.0:
+                continue  # only the plan ends there
             text = f"out of reach: {limit_words(reason, limits)}" if reason else "ends"
             found.append(Incident(leg.end_s, "unreach", text))
     return tuple(sorted(found, key=lambda one: one.at_s))

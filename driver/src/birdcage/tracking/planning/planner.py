@@ -15,6 +15,7 @@ from birdcage.tracking.curve import Curve
 from birdcage.tracking.mount import Mount
 from birdcage.tracking.plan import Aim, Plan
 from birdcage.tracking.planning.assembling import Basis, complete, unfollowed
+from birdcage.tracking.planning.day_ahead import day_ahead
 from birdcage.tracking.planning.itinerary import itinerary
 from birdcage.tracking.planning.plan_reach import reached
 from birdcage.tracking.planning.rates import FIRST_SHARE
@@ -25,6 +26,7 @@ from birdcage.tracking.planning.sky_path import sky_path
 
 if TYPE_CHECKING:
     from birdcage.sky.downlinks import Downlink
+    from birdcage.tracking.day import Day
 
 __all__ = ["plan_pass", "refine"]
 
@@ -58,7 +60,9 @@ def plan_pass(
     if target.kind == "fixed":
         refraction = "none"  # it is where the beam is to point, as in a go-to
     now_s = posix_s(now)
-    if passing is None or (passing.already_up and passing.still_up):
+    if passing is not None and passing.already_up and passing.still_up:
+        passing = None
+    if passing is None:
         start_s, end_s = now_s, now_s + hours * 3600.0
     else:
         start_s, end_s = posix_s(passing.aos) + time_offset_s, posix_s(passing.los) + time_offset_s
@@ -74,18 +78,19 @@ def plan_pass(
     believed = None
     if isinstance(target, Satellite):
         believed = element_error(target.elements, observer, sky.start_s, sky.end_s, aim.time_offset_s)
-    return _plan(aim, sky, mount, now, passing, next_tracks, preposition_s, believed)
+    day = None if passing is not None else day_ahead(target, observer, mount, now_s, refraction, time_offset_s)
+    return _plan(aim, sky, mount, now, passing, next_tracks, preposition_s, believed, day)
 
 
 def _plan(
     aim: Aim, sky: Curve, mount: Mount, now: datetime, passing: Pass | None, later: Sequence[Curve],
-    preposition_s: float, elements: ElementError | None,
+    preposition_s: float, elements: ElementError | None, day: Day | None,
 ) -> Plan:  # fmt: skip
     sight = Sight.of(sky, mount)
     now_s = posix_s(now)
     planned = itinerary(sight, now_s, later)
     reach = reached(sight, planned)
     if not planned.stretches:
-        return unfollowed(aim, now, passing, reach, sight, elements)
+        return unfollowed(aim, now, passing, reach, sight, elements, day)
     share = None if mount.model.axes_together else FIRST_SHARE
-    return complete(Basis(aim, now, passing, reach, sight, planned.stretches, preposition_s, elements), share)
+    return complete(Basis(aim, now, passing, reach, sight, planned.stretches, preposition_s, elements, day), share)

@@ -48,7 +48,8 @@ def refine(
     steers = controller_for(mount.model)[1] if controller is None else controller
     sight = Sight.of(plan.sky, mount)
     basis = Basis(
-        plan.aim, plan.made_at, plan.passing, plan.reach, sight, _stretches(plan, sight), preposition_s, plan.elements
+        plan.aim, plan.made_at, plan.passing, plan.reach, sight, _stretches(plan, sight), preposition_s, plan.elements,
+        plan.day,
     )  # fmt: skip
     about = _about(plan)
     tried: list[tuple[Plan, Forecast]] = []

@@ -1,0 +1,37 @@
+"""Looks a day ahead of what does not pass."""
+
+from __future__ import annotations
+
+from birdcage.base.errors import BirdcageError
+from birdcage.sky.observer import Observer
+from birdcage.sky.reach_limits import ReachLimits
+from birdcage.sky.targets.model import Target
+from birdcage.tracking.day import HOURS, Day
+from birdcage.tracking.mount import Mount
+from birdcage.tracking.planning.refraction import Refraction
+from birdcage.tracking.planning.sight import Sight
+from birdcage.tracking.planning.sky_path import sky_path
+
+
+def day_ahead(
+    target: Target, observer: Observer, mount: Mount, start_s: float, refraction: Refraction, time_offset_s: float
+) -> Day | None:
+    """Return the day from a time on (POSIX seconds); None where a position is not known for all of it."""
+    end_s = start_s + HOURS * 3600.0
+    try:
+        sky = sky_path(target, observer, start_s, end_s, refraction=refraction, time_offset_s=time_offset_s)
+    except BirdcageError:
+        return None
+    reach = Sight.of(sky, mount).reached()
+    return Day(sky, reach, tuple(_limit(reason, mount.limits) for reason in reach.reasons))
+
+
+def _limit(reason: str, limits: ReachLimits) -> str:
+    """Return a reason of `Reach` as the place where the target is: `below the 18° floor`."""
+    if reason == "floor":
+        return f"below the {limits.el_floor_deg:g}° floor"
+    if reason == "ceiling":
+        return f"above the {limits.el_ceiling_deg:g}° ceiling"
+    if reason == "horizon":
+        return "behind the horizon mask"
+    return "beyond the cable stop" if reason == "cable" else f"in {reason}" if ":" in reason else reason
