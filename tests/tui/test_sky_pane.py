@@ -1,6 +1,7 @@
 """The polar sky: what is up now, Sun and Moon, the horizon; and the passes that come next, beside it."""
 
 import re
+from dataclasses import replace
 
 import pytest
 import sky_stand_in
@@ -11,6 +12,7 @@ from birdcage_tui.panes.polar import Polar
 from birdcage_tui.panes.sky import SkyPane
 from birdcage_tui.panes.sky_up import draw_up
 from birdcage_tui.passes.model import Up
+from birdcage_tui.themes import LOOKS
 from stage import read, run
 
 
@@ -162,3 +164,53 @@ def test_the_beam_is_drawn_as_wide_each_way_as_it_is():
     wide, high = spans(90.0, near_zenith, Beam(14.8, 21.3))
     assert (wide, high) == (pytest.approx(21.3, abs=1.0), pytest.approx(14.8, abs=1.0))
     assert spans(180.0, 45.0, Beam(2.0, 2.9)) is None, "it hides under the dish's own mark"
+
+
+@pytest.mark.parametrize("theme", LOOKS)
+@pytest.mark.parametrize("size", [(80, 24), (120, 36), (160, 48)], ids=str)
+def test_what_is_drawn_by_old_elements_is_marked_and_the_sign_explained(size, theme):
+    mine = Up("MINE", 1, 250.0, 45.0, favourite=True)
+
+    def shown(*up, glyphs="braille"):
+        async def rows(app, _pilot):
+            pane = app.query_one(SkyPane)
+            inks = pane._cells._inks
+            found = ["".join(row) for row in pane._cells._chars]
+            signs = [(x, y) for y, row in enumerate(found) for x, char in enumerate(row) if char == "?"]
+            return "\n".join(found), [inks[y][x] for x, y in signs], str(pane.border_subtitle)
+
+        return run(rows, "idle", size, theme=theme, glyphs=glyphs, sky=sky_stand_in.make(up=up, sun=None, moon=None))
+
+    text, _, legend = shown(mine)
+    assert "?" not in text
+    assert "MINE 45.0°" in text
+    assert "old" not in legend
+    text, inks, legend = shown(replace(mine, old=True))
+    assert text.count("?") == 1
+    assert inks == ["dim"]
+    assert "MINE" in text
+    assert "45.0°" not in text, "nothing says that it stands there"
+    assert "?" in legend
+    assert "old" in legend
+
+
+def test_the_legend_is_there_again_when_the_mouse_has_gone():
+    async def move(app, pilot):
+        pane = app.query_one(SkyPane)
+        legend = str(pane.border_subtitle)
+        await pilot.hover(SkyPane, offset=(20, 10))
+        over = str(pane.border_subtitle)
+        await pilot.hover("StatusLine")
+        return legend, over, str(pane.border_subtitle)
+
+    legend, over, after = run(move, sky=sky_stand_in.make(up=(Up("SAT", 1, 250.0, 45.0, old=True),)))
+    assert "AZ" in over
+    assert after == legend != ""
+
+
+def test_no_pass_by_useless_elements_is_announced():
+    useless = replace(sky_stand_in.AGE, useless=True)
+    rows = [replace(row, age=useless if row.name == "ISS (ZARYA)" else row.age) for row in sky_stand_in.rows()]
+    text = run(read, "idle", (160, 48), sky=sky_stand_in.make(rows=tuple(rows)))
+    assert "METOP-C" in text
+    assert "ISS (ZARYA)" not in text

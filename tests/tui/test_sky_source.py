@@ -14,7 +14,9 @@ from birdcage.base.clock import RealClock, VirtualClock
 from birdcage.base.config import FeedProfile, PlaceSettings, Settings
 from birdcage.base.paths import Paths
 from birdcage.sky.catalogue import Catalogue
+from birdcage.sky.demo_orbits import demo_orbits
 from birdcage.sky.frozen import frozen
+from birdcage.sky.observer import Observer
 from birdcage_tui.run import DEMO_PLACE
 from birdcage_tui.settings import Place
 from birdcage_tui.sky_feed import make_sky
@@ -25,6 +27,8 @@ HERE = Settings(
         name=DEMO_PLACE.name, latitude_deg=DEMO_PLACE.latitude_deg, longitude_deg=DEMO_PLACE.longitude_deg
     )
 )
+
+SIDEREAL_DAY = timedelta(days=0.9972695663)
 
 
 class Stage:
@@ -163,6 +167,20 @@ def test_without_a_catalogue_the_elements_that_ship_are_marked(tmp_path):
     sky = Stage(tmp_path, demo=False).step()
     assert sky.source == "elements that ship"
     assert re.search(r"the newest of \d{4}-\d\d-\d\d\. They are too old", sky.note)
+    assert sky.up
+    assert all(one.old for one in sky.up), "no place of theirs is to be believed"
+
+
+def test_what_is_up_by_elements_that_are_too_old_is_marked(tmp_path):
+    stage = Stage(tmp_path, demo=False)
+    (up, *_) = [one for one in demo_orbits(stage.clock.utc(), Observer(39.1, -95.7)) if one.mean_motion_rev_day < 1.1]
+    young = replace(up, name="YOUNG", norad_id=1, source="mine")
+    aged = replace(up, name="AGED", norad_id=2, source="mine", epoch=up.epoch - 400 * SIDEREAL_DAY)  # stands there, too
+    with Catalogue(stage.paths.catalogue) as catalogue:
+        catalogue.add([young, aged])
+    stage.source._watch.refresh()
+    sky = stage.step(5.0)
+    assert {one.name: one.old for one in sky.up} == {"YOUNG": False, "AGED": True}
 
 
 def test_an_exported_pass_tells_what_the_feed_listens_to(tmp_path):

@@ -1,6 +1,7 @@
 """The target alone is in its colour, named at its mark; hatching says what cannot be reached, and nothing else."""
 
 import asyncio
+from dataclasses import replace
 
 import pytest
 import sky_stand_in
@@ -66,3 +67,20 @@ def test_a_pass_in_reach_that_is_not_the_target_is_not_in_its_colour():
         return {ink for row in cells_of(app, NextPane)[1] for ink in row}
 
     assert not run(inks, "idle", (160, 48), sky=sky_stand_in.make()) & set(IN_ITS_COLOUR)
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_a_target_of_old_elements_is_named_with_the_sign_of_those(size):
+    async def play():
+        up = tuple(replace(one, old=one.name == "METEOR-M2 4") for one in sky_stand_in.picture().up)
+        app = track_stand_in.app_in("craft-following", sky=sky_stand_in.make(up=up))
+        async with app.run_test(size=size) as pilot:
+            await pilot.pause()
+            app.paint()
+            await pilot.pause()
+            return "\n".join(cells_of(app, SkyPane)[0]), str(app.query_one(SkyPane).border_subtitle)
+
+    text, legend = asyncio.run(play())
+    assert "? METEOR-M2 4" in text
+    assert "? " in legend
+    assert "old" in legend

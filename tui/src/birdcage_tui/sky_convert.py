@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from datetime import timedelta
+from datetime import datetime, timedelta
 from typing import TYPE_CHECKING
 
 from birdcage.base.geometry import separation
@@ -12,6 +12,7 @@ from birdcage.sky.age import expected_error
 from birdcage.sky.age_words import REENTERED
 from birdcage.sky.catalogue.entry import key_of
 from birdcage.sky.catalogue.words import span
+from birdcage.sky.frozen import SOURCE as SHIPPED
 from birdcage.sky.horizon import HorizonMask
 from birdcage.sky.observer import Observer
 from birdcage.sky.sun import sun
@@ -57,6 +58,8 @@ class Converter:
         self._made_of: tuple[object, ...] = ()
         """What `_table` was made of."""
         self._table: tuple[Row, ...] = ()
+        self._old: dict[tuple[int, str], tuple[ElementSet, int, bool]] = {}
+        """Whether elements are too old, and for which hour since 1970 that was worked out."""
         self._trails: dict[tuple[int, str], tuple[tuple[float, float], ...]] = {}
 
     def picture(self, sky: SkyNow, moon: tuple[float, float, float] | None, *, demo: bool) -> SkyPicture:
@@ -69,7 +72,7 @@ class Converter:
         others = [row for row in table if not row.favourite]
         if len(others) >= MOST_OTHERS:
             until = min(until, others[-1].aos_s)
-        ups = tuple(self._up(one) for one in sky.up)
+        ups = tuple(self._up(one, sky.utc) for one in sky.up)
         self._trails = {(one.norad_id, one.name): one.trail for one in ups}
         where = sun(sky.utc, observer.latitude_deg, observer.longitude_deg)
         return SkyPicture(
@@ -95,14 +98,24 @@ class Converter:
         number, name = found.passing.norad_id, found.passing.name
         return lambda: None if self.tuned is None else self.tuned(number, name)
 
-    def _up(self, one: UpNow) -> Up:
+    def _is_old(self, one: UpNow, now: datetime) -> bool:
+        """Return whether a place is not to be believed; worked out once an hour, as thousands may be up."""
+        key, hour = (one.norad_id, one.name), int(now.timestamp() // 3600)
+        known = self._old.get(key)
+        if known is None or known[0] is not one.elements or known[1] != hour:
+            source = one.elements.source
+            old = source == SHIPPED or (source != "demo" and expected_error(one.elements, now).grade == "useless")
+            known = self._old[key] = (one.elements, hour, old)
+        return known[2]
+
+    def _up(self, one: UpNow, now: datetime) -> Up:
         fixed = one.range_km > GEO_KM and abs(one.range_rate_km_s) < STILL_KM_S
         known = self._favourite(one.norad_id, one.name, one.favourite)
         name = one.name.removeprefix(DEMO)
         trail = self._trails.get((one.norad_id, name), ())
         if not trail or separation(*trail[-1], one.az_deg, one.el_deg) >= TRAIL_DEG:
             trail = (*trail[-TRAIL + 1 :], (one.az_deg, one.el_deg))
-        return Up(name, one.norad_id, one.az_deg, one.el_deg, known, fixed, trail)
+        return Up(name, one.norad_id, one.az_deg, one.el_deg, known, fixed, self._is_old(one, now), trail)
 
     def _also(self, found: PassRow) -> tuple[str, ...]:
         return () if self.also is None else self.also(found.passing.norad_id, found.passing.name)
@@ -195,7 +208,7 @@ def _age(found: PassRow) -> Age:
         return Age("made up for the demo", "demo", "·", "dim")
     error = expected_error(elements, found.passing.tca, found.at_tca.range_km)
     short = span(abs(error.age_s)) if error.reentry is None else REENTERED
-    return Age(error.words, short, error.glyph, GRADE_INKS[error.grade])
+    return Age(error.words, short, error.glyph, GRADE_INKS[error.grade], error.grade == "useless")
 
 
 def _path(elements: ElementSet, observer: Observer, aos_s: float, tca_s: float, los_s: float, later_s: float) -> Path:

@@ -263,10 +263,11 @@ class SkyWatch:
         values = (looks.az_deg[up], looks.el_deg[up], looks.range_km[up])
         lit = sunlit(self._observer, np.array([now.timestamp()]), *values)
         favourites = self._watched.favourites
+        columns = (value.tolist() for value in (*values, looks.range_rate_km_s[up], lit))
         return tuple(
-            UpNow(self._fleet[index].name, self._fleet[index].norad_id, az, el, far, rate, shines, index in favourites)
-            for index, az, el, far, rate, shines in zip(
-                up.tolist(), *(value.tolist() for value in (*values, looks.range_rate_km_s[up], lit)), strict=True
+            UpNow(one.name, one.norad_id, az, el, far, rate, shines, index in favourites, one)
+            for index, one, az, el, far, rate, shines in zip(
+                up.tolist(), (self._fleet[index] for index in up.tolist()), *columns, strict=True
             )
         )
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from datetime import datetime
 
+from birdcage.sky.elements import ElementSet
 from birdcage.sky.observer import Observer
 from birdcage.sky.pass_row import PassRow
 
@@ -22,6 +23,8 @@ class UpNow:
     """Positive while it moves away."""
     sunlit: bool
     favourite: bool
+    elements: ElementSet
+    """By which it is drawn."""
 
 
 @dataclass(frozen=True, slots=True)

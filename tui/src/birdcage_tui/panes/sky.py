@@ -10,7 +10,7 @@ from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.polar import Polar
 from birdcage_tui.panes.sky_ground import QUIET, Ground, has_stops, label, name_target, rim, sky_titles, title_for
-from birdcage_tui.panes.sky_up import draw_trails, draw_up
+from birdcage_tui.panes.sky_up import OLD_SIGN, draw_trails, draw_up
 from birdcage_tui.track.path import Points
 from birdcage_tui.track.plot import draw_pursuit, draw_times
 from birdcage_tui.track.pursuing import pursuit_of
@@ -19,6 +19,8 @@ from birdcage_tui.view import View
 ON_SLOT_DEG = 0.75
 """A target closer to a slot than this points at it."""
 TITLES = sky_titles("Sky")
+OLD = (f"{OLD_SIGN} place uncertain: elements are old", f"{OLD_SIGN} old elements")
+"""The legend of what is not to be believed, from all of it to the least."""
 PATH = 120
 """Pieces that the path of a motion is drawn in."""
 
@@ -31,6 +33,9 @@ class SkyPane(Pane):
         self.border_title = TITLES[0]
         self._ground = Ground()
         self._points = Points()
+        self._legend = ""
+        self._pointed = False
+        """Whether the mouse is over the map."""
         self._named: dict[tuple[int, int], str] = {}
         """What stands in which cell: read out under the mouse."""
 
@@ -56,6 +61,16 @@ class SkyPane(Pane):
             draw_times(cells, polar, view, self._points)
         self._slots(cells, polar, view)
         self._named = draw_up(cells, polar, view, target)
+        self._tell_old(cells.width, view)
+
+    def _tell_old(self, width: int, view: View) -> None:
+        """Say in the frame what the sign of old elements means, while one is on the map."""
+        any_old = target_is_old(view) or (view.sky is not None and any(one.old for one in view.sky.up))
+        legend = next((words for words in OLD if len(words) <= width - 2), OLD[-1]) if any_old else ""
+        if legend != self._legend:
+            self._legend = legend
+            if not self._pointed:
+                self.border_subtitle = legend
 
     @staticmethod
     def _path(canvas: Braille, polar: Polar, view: View) -> None:
@@ -112,8 +127,10 @@ class SkyPane(Pane):
                 here = state.position
                 x += here is not None and polar.cell(here.az_deg, here.el_deg) == (x, y)
                 cells.put(x, y, "✕", "target-strong")
-                name_target(cells, polar, pursuit.plan.aim.name, x, y)
-                return pursuit.plan.aim.name
+                name = pursuit.plan.aim.name
+                old = target_is_old(view)
+                name_target(cells, polar, f"{OLD_SIGN} {name}" if old else name, x, y)
+                return name
         if state.target_az_deg is None or state.target_el_deg is None:
             return ""
         sent = state.target_az_deg, state.target_el_deg
@@ -151,6 +168,7 @@ class SkyPane(Pane):
         """Read out the direction under the mouse."""
         if self.view is None:
             return
+        self._pointed = True
         polar = Polar(self.size.width, self.size.height, self.view.settings.cell_aspect)
         found = polar.direction(event.x - 1, event.y - 1)
         name = self._named.get((event.x - 1, event.y - 1), "")
@@ -158,4 +176,17 @@ class SkyPane(Pane):
 
     def on_leave(self) -> None:
         """The mouse is elsewhere."""
-        self.border_subtitle = ""
+        self._pointed = False
+        self.border_subtitle = self._legend
+
+
+def target_is_old(view: View) -> bool:
+    """Return whether what is followed is followed by elements that are too old, or by those that ship."""
+    pursuit = pursuit_of(view)
+    if pursuit is None:
+        return False
+    plan = pursuit.plan
+    if plan.elements is not None and plan.elements.closest.grade == "useless":
+        return True
+    aim, up = plan.aim, () if view.sky is None else view.sky.up
+    return any(one.old and (one.norad_id == aim.norad_id if aim.norad_id else one.name == aim.name) for one in up)

@@ -31,6 +31,8 @@ def next_rows(view: View) -> list[Row]:
     now_s = view.utc.timestamp()
     found = []
     for row in view.sky.rows:
+        if row.age is not None and row.age.useless:
+            continue
         if row.reach is not None and row.reach.intervals and row.reach.intervals[-1][1] > now_s:
             event = row.next_event(now_s)
             if event is not None:

@@ -15,6 +15,8 @@ CELLS_A_NAME = 45
 CROWD = 60
 """With more satellites than this only favourites are named: the others would hide each other."""
 LONGEST = 16
+OLD_SIGN = "?"
+"""Marks what is drawn by elements that are too old: it is not to be believed that it stands there."""
 
 
 def draw_trails(canvas: Braille, polar: Polar, view: View) -> None:
@@ -23,7 +25,7 @@ def draw_trails(canvas: Braille, polar: Polar, view: View) -> None:
     if len(moving) <= CROWD:
         for one in moving:
             for az_deg, el_deg in one.trail:
-                canvas.dot(*polar.dot(az_deg, el_deg), "text" if one.favourite else "dim")
+                canvas.dot(*polar.dot(az_deg, el_deg), "text" if one.favourite and not one.old else "dim")
 
 
 def draw_up(cells: Cells, polar: Polar, view: View, target: str = "") -> dict[tuple[int, int], str]:
@@ -43,7 +45,8 @@ def draw_up(cells: Cells, polar: Polar, view: View, target: str = "") -> dict[tu
         cell = polar.cell(one.az_deg, one.el_deg)
         named[cell] = f"{one.name}, {named[cell]}" if cell in named else one.name
         if cells.free(*cell, 1, *OVER):
-            cells.put(*cell, "•", "strong" if one.favourite else "text")
+            sign, ink = (OLD_SIGN, "dim") if one.old else ("•", "strong" if one.favourite else "text")
+            cells.put(*cell, sign, ink)
         if not one.fixed and one.name != target:
             marks.append((one, cell))
     wanted = [pair for pair in marks if pair[0].favourite or len(marks) <= CROWD]
@@ -55,6 +58,7 @@ def draw_up(cells: Cells, polar: Polar, view: View, target: str = "") -> dict[tu
             break
         name = fit(one.name, LONGEST)
         # The elevation of your own: it is seen to move, where a cell of the map is degrees wide.
-        names = (f"{name} {one.el_deg:.1f}°", name) if one.favourite else (name,)
-        left -= label(cells, names, x, y, x - middle, "text" if one.favourite else "dim")
+        sure = one.favourite and not one.old
+        names = (f"{name} {one.el_deg:.1f}°", name) if sure else (name,)
+        left -= label(cells, names, x, y, x - middle, "text" if sure else "dim")
     return named

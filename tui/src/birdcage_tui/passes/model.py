@@ -127,6 +127,8 @@ class Age:
     """`6 h`, `re-entered?`."""
     glyph: str
     ink: str
+    useless: bool = False
+    """Whether no dish finds the satellite by them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -237,6 +239,8 @@ class Up:
     favourite: bool = False
     fixed: bool = False
     """It stands where it is: geostationary, and named on the arc already."""
+    old: bool = False
+    """Its elements are those that ship, or too old to say where it stands."""
     trail: tuple[tuple[float, float], ...] = ()
     """Where it was since it is watched: azimuth and elevation, some tenths of a degree apart, the newest last."""
 
