@@ -24,7 +24,7 @@ LIST = (
     orbit("RADFXSAT (FOX-1B)", 43017), orbit("FUNCUBE-1 (AO-73)", 39444), orbit("NOAA 19", 33591),
 )  # fmt: skip
 SILENT = "NOAA 19 has been silent since 2025-08-13"
-ABSENT = "AO-7 (7530) is not among your 6 satellites: `birdcage elements update`"
+ABSENT = "AO-7 (7530) is not among your 6 satellites. `birdcage elements update`"
 
 
 @pytest.fixture(autouse=True)

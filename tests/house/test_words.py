@@ -5,15 +5,12 @@ How many are left stands below for each package. The number may only fall: whoev
 
 from __future__ import annotations
 
-import re
 from functools import cache
 
 import pytest
 
+from tests.house.habits import habits
 from tests.house.sentences import HOLE, Sentence, of_markdown, of_package, of_source
-
-MOST_WORDS = 25
-"""Of one sentence on a screen."""
 
 LEFT = {"driver": 0, "tui": 0, "docs": 0}
 
@@ -22,41 +19,6 @@ LEFT = {"driver": 0, "tui": 0, "docs": 0}
 def read(package: str) -> list[Sentence]:
     """Return all sentences of a package, or of the docs."""
     return of_markdown() if package == "docs" else of_package(f"{package}/src")
-
-
-DOUBLED = re.compile(
-    r"(?<![.\w])\.\.(?!\.|/|\w)|(?<=\w)\.\.(?![./\w])|,\.|:\.|;\.|,,|;;|\?\.|!\.|\.,(?!\d)|\.:(?!\w)|\.;"
-)
-FORBIDDEN = re.compile(r"\b(nobody|such as|that which|by now|so that it|as far as is known)\b", re.IGNORECASE)
-
-ONE_TERM = {
-    r"\bplaces? that counts?\b": "active place",
-    r"\bpresent step\b": "current step",
-    r"\bknocks?\b": "run into",
-    r"\bmute\b": "silent",
-    r"\bin need\b": "in an emergency",
-    r"\bauto[- ]track": "autotrack",
-    r"\bTV[- ]finder\b": "TV search",
-    r"\bcatalogs?\b": "catalogue",
-    r"\bfavorite": "favourite",
-    r"\bcent(?:er)\b": "centre",
-    r"\bto mend\b": "to fix",
-    r"\bspacecraft\b": "satellite",
-    r"\bend of following\b": "ends",
-    r"\bone in ten\b": "90 %",
-}
-"""What one would also say, and the term that is ours: one word for one thing."""
-
-
-def habits(sentence: Sentence, *, on_screen: bool = True) -> list[str]:
-    """Return what is wrong with a sentence."""
-    text = sentence.text
-    found = [f"doubled punctuation {match.group()!r}" for match in DOUBLED.finditer(text)]
-    found += [f"says {match.group()!r}" for match in FORBIDDEN.finditer(text)]
-    found += [f"{term} is our term" for pattern, term in ONE_TERM.items() if re.search(pattern, text, re.IGNORECASE)]
-    if on_screen and sentence.words > MOST_WORDS:
-        found.append(f"{sentence.words} words")
-    return found
 
 
 @pytest.mark.parametrize("package", LEFT)

@@ -9,14 +9,20 @@ from birdcage_tui.view import View
 
 
 class EscField(Input):
-    """`hint` tells what to type and what Enter does; `closes` what Esc does while nothing moves."""
+    """`hints` tell what to type and what Enter does, the longest first: the first that fits is shown.
 
-    def __init__(self, hint: str, *, closes: str, id: str | None = None) -> None:  # noqa: A002
-        super().__init__(placeholder=hint, id=id, disabled=True)
-        self._hint, self._closes = hint, closes
+    `closes` is what Esc does while nothing moves.
+    """
+
+    def __init__(self, *hints: str, closes: str, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(placeholder=hints[0], id=id, disabled=True)
+        self._hints, self._closes = hints, closes
 
     def show(self, view: View) -> None:
         """Renew the placeholder."""
-        words = f"{self._hint}, {esc_text(view, closes=self._closes)}"
+        esc = esc_text(view, closes=self._closes)
+        said = [f"{hint}, {esc}" for hint in self._hints]
+        width = self.content_size.width
+        words = next((each for each in said if not width or len(each) <= width), said[-1])
         if self.placeholder != words:
             self.placeholder = words

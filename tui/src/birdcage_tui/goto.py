@@ -113,7 +113,7 @@ class GotoLine(Vertical):
         """A label and a field, which has no focus before `open`; the preview."""
         with Horizontal():
             yield Label("go to")
-            yield EscField("Enter goes there, Ctrl+C stops", closes="closes")
+            yield EscField("Enter goes there, Ctrl+C stops", "Enter: go", closes="closes")
         yield GotoPreview()
 
     def open(self, text: str = "") -> None:

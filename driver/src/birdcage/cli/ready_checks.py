@@ -58,7 +58,9 @@ def config(paths: Paths, settings: Settings) -> Check:
     """Whether birdcage.toml could be read."""
     if not settings.problems:
         there = paths.config_file.exists()
-        return Check("config", "good", f"{paths.config_file} is in order" if there else "no file: all is default")
+        return Check(
+            "config", "good", f"{paths.config_file} is in order" if there else "no file: every setting has its default"
+        )
     count = len(settings.problems)
     words = f"{settings.problems[0].text}{f' And {count - 1} more.' if count > 1 else ''}"
     if settings.motion_problem is not None:

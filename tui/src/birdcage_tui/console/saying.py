@@ -92,10 +92,15 @@ def bytes_text(count: int) -> str:
     return f"{count / 1000:.1f} kB" if count < 1_000_000 else f"{count / 1_000_000:.1f} MB"
 
 
+UNCHECKED = "birdcage checks no limits for this line."
+
+
 def question_words(verdict: Verdict) -> str:
     """Return what is asked before a line that moves the dish, or that can ruin it."""
     limit = f"\n\n✖ LIMIT: {verdict.limit}" if verdict.limit else ""
-    return f"{verdict_words(verdict)}{limit}\n\nbirdcage checks no limits for this line."
+    told = verdict_words(verdict)
+    unchecked = "" if UNCHECKED in told else f"\n\n{UNCHECKED}"
+    return f"{told}{limit}{unchecked}"
 
 
 def list_words(commands: tuple[MenuCommand, ...]) -> str:

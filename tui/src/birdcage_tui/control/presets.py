@@ -167,7 +167,8 @@ class PresetsBox(Vertical):
 
     def compose(self) -> ComposeResult:
         """A filter that is not seen before it is asked for, and the list."""
-        field = EscField("part of a name; Enter applies it", closes="clears it", id="preset-filter")
+        hints = ("part of a name; Enter applies it", "name; Enter applies")
+        field = EscField(*hints, closes="clears it", id="preset-filter")
         field.display = False
         yield field
         yield PresetsPane(id="presets")

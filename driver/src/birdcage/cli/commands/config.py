@@ -71,7 +71,7 @@ def show() -> None:
 @global_options("config", "verbose")
 @click.pass_context
 def check(context: click.Context) -> None:
-    """Say what in birdcage.toml and the variables cannot be read: file, line and key."""
+    """Check the settings: name each file, line and key that cannot be read."""
     from birdcage.cli.say import say
 
     paths = find_paths()
@@ -82,7 +82,8 @@ def check(context: click.Context) -> None:
         say("Nothing moves until that is fixed.")
     if settings.problems:
         context.exit(exits.USAGE)
-    say(f"{paths.config_file} {'is in order' if paths.config_file.exists() else 'does not exist: all is default'}.")
+    state = "in order" if paths.config_file.exists() else "absent: every setting has its default"
+    say(f"{paths.config_file} is {state}.")
 
 
 def _shown(value: object) -> str:

@@ -8,7 +8,7 @@ from birdcage.protocol.hazard import Grade
 _ONE_AXIS = r"a (?P<axis>[01]) (?P<angle>\S+)"
 _BOTH_AXES = r"g (?P<az>\S+) (?P<el>\S+)"
 _HOMING = "Runs the axis into its stop to find its reference. Nothing stops that but cutting the power."
-_UNGUARDED = "The limits that birdcage keeps do not hold for a raw line."
+_UNGUARDED = "birdcage checks no limits for this line."
 _CURRENT = (
     *moves(
         "mot step",

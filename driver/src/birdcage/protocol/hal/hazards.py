@@ -13,7 +13,7 @@ SUBMENUS = MENUS - {"root"}
 _WHERE = frozenset({"position", "turn"})
 _ALL = frozenset({"position", "turn", "homed", "limits", "search", "settings"})
 _NVS = frozenset({"limits", "search", "settings"})
-_UNGUARDED = "The limits that birdcage keeps do not hold for a raw line."
+_UNGUARDED = "birdcage checks no limits for this line."
 _QUEUED = f"Moves an axis after the move under way. Nothing can cancel it. {_UNGUARDED}"
 
 

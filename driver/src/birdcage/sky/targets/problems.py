@@ -16,7 +16,7 @@ TOLD = 8
 """How many candidates a sentence names."""
 ALIKE = 0.72
 """How alike a name must be to be offered, as `difflib` counts it."""
-UPDATE = "`birdcage elements update` fetches the usual groups, with `active` after it every active one."
+UPDATE = "`birdcage elements update` fetches the usual groups, `birdcage elements update active` every active one."
 HIGHEST_LONGITUDE = 180
 
 
@@ -37,7 +37,7 @@ def ambiguous(typed: str, found: Sequence[Candidate]) -> Resolution:
     """Several have it in their names."""
     more = f" and {len(found) - TOLD} more" if len(found) > TOLD else ""
     names = ", ".join(each.words for each in found[:TOLD])
-    problem = f"{typed!r} may be several: {names}{more}. Give the whole name or the number."
+    problem = f"{typed!r} fits several: {names}{more}. Type the whole name or the number."
     return Resolution(typed, reason="ambiguous", problem=problem, candidates=tuple(found))
 
 
@@ -55,15 +55,15 @@ def absent(typed: str, sender: Sender, shelf: Searchable | None) -> Resolution:
     """It is known by that name, but there are no elements of it."""
     number = f" ({sender.norad_id})" if sender.norad_id else ""
     name = sender.name if sender.norad_id else typed  # one of a fleet is not called as the fleet is
-    problem = f"{name}{number} is {_not_among(shelf)}: {UPDATE}"
+    problem = f"{name}{number} is {_not_among(shelf)}. {UPDATE}"
     if sender.silence is not None:
-        problem = f"{sender.silence.words(sender.name)} It is {_not_among(shelf)}: `birdcage elements update`."
+        problem = f"{sender.silence.words(sender.name)} It is {_not_among(shelf)}. Run `birdcage elements update`."
     return Resolution(typed, reason="absent", problem=problem)
 
 
 def unnumbered(typed: str, alike: Sequence[Candidate], shelf: Searchable | None) -> Resolution:
     """No satellite has that number."""
-    problem = f"No satellite with the number {typed} is {_among(shelf)}: {UPDATE}"
+    problem = f"Number {typed} is not {_among(shelf)}. {UPDATE}"
     if int(typed) <= HIGHEST_LONGITUDE:
         problem = f"{problem} For a place on the arc type {typed}E or {typed}W, for a direction {typed} 45."
     if alike:
