@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from birdcage.base.paths import Paths
 from birdcage.pursuit.pass_book import list_passes, read_samples
@@ -65,3 +67,17 @@ def test_after_its_end_the_log_hears_nothing(bench, paths):
     bench.until(Phase.OVER)
     assert bench.log.flush()
     assert list_passes(paths.journal) == []
+
+
+def test_what_stands_still_is_logged_with_what_the_tuner_hears_meanwhile(bench, paths):
+    plan = plan_of(at(bench), lasts_s=900.0, az_rate=0.0, low=40.0, high=40.0, name="slot")
+    bench.pursue(replace(plan, passing=None))
+    bench.until(Phase.FOLLOWING)
+    bench.step(70.0)
+    bench.station.stop("you")
+    bench.until(Phase.OVER)
+    assert bench.log.flush()
+    (record,) = list_passes(paths.journal)
+    kept = read_samples(paths.journal, record.number)
+    assert len(kept) >= 6
+    assert [each.unit for each in kept[1:]] == ["counts"] * (len(kept) - 1)

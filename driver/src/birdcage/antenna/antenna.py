@@ -54,7 +54,7 @@ class BirdcageAntenna:
         """HELD, where no station sees to it."""
         self.odometer = Odometer()
         """How far each axis was sent; for whoever counts wear."""
-        self._rest = RestWatch()
+        self.rest = RestWatch()
         self._begun_by: dict[int, float] = {}
         """When each axis had taken its last command."""
         self._modelling = threading.RLock()
@@ -179,7 +179,7 @@ class BirdcageAntenna:
             if self.motion is not None:
                 self.motion = self.motion.with_reading(dish, now, self._clock.rate)
                 self.commands.see(dish, self.motion, self._clock.rate)
-        self._rest.see(dish, now)
+        self.rest.see(dish, now)
         az_deg, el_deg = self.alignment.to_true(dish.azimuth, dish.elevation)
         self._last_position = Position(az_deg, el_deg, dish.skew)
         return self._last_position
@@ -283,7 +283,7 @@ class BirdcageAntenna:
         )
         stands = (start.azimuth, start.elevation) if under_way is None else under_way.rest
         without = [Without(deg, under_way is not None) for deg in stands]
-        from_rest = under_way is not None or self._rest.rests
+        from_rest = under_way is not None or self.rest.rests
         with self.begun(planned):
             taken, sent = self.taken, list[int]()
             for motor, angle in sorted(order, key=lambda each: each[0] != first):

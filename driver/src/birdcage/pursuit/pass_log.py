@@ -20,6 +20,8 @@ from birdcage.station.station import Station
 QUEUE_SIZE = 8192
 FRESH_S = 3.0
 """How old a signal may be that stands beside a sample."""
+STILL_FRESH_S = 7.0
+"""The same of the tuner while the dish stands still on a target that does not pass: it is read every 6 s."""
 SELDOM_S = 10.0
 """How often a target is kept that does not pass: it is followed for days."""
 PROGRAM_ENDED = "The program was ended."
@@ -138,8 +140,9 @@ class PassLog:
         )  # fmt: skip
 
     def _signal_at(self, at: float) -> tuple[float | None, str | None]:
-        for told in (self._strength, self._reading):
-            if told is not None and at - told[0] <= FRESH_S:
+        still = self._open is not None and self._open.aos is None
+        for told, fresh_s in ((self._strength, FRESH_S), (self._reading, STILL_FRESH_S if still else FRESH_S)):
+            if told is not None and at - told[0] <= fresh_s:
                 return told[1], told[2]
         return None, None
 

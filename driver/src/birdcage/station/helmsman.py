@@ -11,6 +11,7 @@ from birdcage.antenna.motion import AxisMotion, DishMotion
 from birdcage.base.errors import BirdcageError, CommandRefused, MotionRefused, NoReply, PositionUnknown, Stopped
 from birdcage.base.geometry import shortest_turn
 from birdcage.station.board import Board
+from birdcage.station.hearing import Hearing
 from birdcage.station.look import Look
 from birdcage.station.mover import ARRIVED_DEG, POLL_S, Job, Mover
 from birdcage.station.queued_mover import ASTRAY_S, STILL_S
@@ -18,7 +19,8 @@ from birdcage.station.speeds import Speeds
 from birdcage.station.stalls import stalled_axis
 from birdcage.station.state import Activity, Motion, Pointing
 from birdcage.station.stop_power import stop_power
-from birdcage.tracking.steps import Answer, Limit, Send, Slew, Step, Wait
+from birdcage.station.watches import Watches
+from birdcage.tracking.steps import Answer, Hear, Limit, Send, Slew, Step, Wait
 from birdcage.tracking.steps import Look as Read
 
 MOST_LOST = 2
@@ -44,8 +46,11 @@ SHOW_S = 0.1
 class Helmsman:
     """Knows one step at a time: `take` it, then `carry_out` until it gives the answer."""
 
-    def __init__(self, board: Board, antenna: BirdcageAntenna, look: Look, mover: Mover) -> None:
+    def __init__(
+        self, board: Board, antenna: BirdcageAntenna, look: Look, mover: Mover, watches: Watches
+    ) -> None:  # fmt: skip
         self._board, self._antenna, self._look, self._mover = board, antenna, look, mover
+        self._hearing = Hearing(board, antenna, look, watches)
         self.speeds = Speeds(board, antenna, look)
         self.step: Step | None = None
         self.holder = ""
@@ -95,6 +100,8 @@ class Helmsman:
         if isinstance(step, Wait):
             left_s = 0.0 if self.hurry else step.until_s - self.now_s
             return -math.inf if left_s <= 0.0 else clock.monotonic() + left_s / clock.rate
+        if isinstance(step, Hear):
+            return self._hearing.due
         arrival = self._long or self._arrival
         if arrival is not None and not arrival.done():
             return None
@@ -106,6 +113,7 @@ class Helmsman:
         self._ends_at, self._shown_at = 0.0, -math.inf
         self._unsure_until = self._seen = self._long = self._stood = None
         self._unsure = 0
+        self._hearing.forget()
 
     def forget_turn(self) -> None:
         """Another pursuit begins: its azimuths are counted from where the dish stands."""
@@ -129,6 +137,10 @@ class Helmsman:
                 return None
             self._long = None
             arrival.result(0)
+        if isinstance(step, Hear):
+            return self._hear(step)
+        if self.needs_wire:
+            self._hearing.end()
         if isinstance(step, Send):
             return self._send(step)
         if isinstance(step, Slew):
@@ -353,6 +365,19 @@ class Helmsman:
         arrival: Future[object] = Future()
         self._mover.go(Job(*true, self.holder, arrival))
         self._arrival, self._az_deg = arrival, az_deg
+
+    def _hear(self, step: Hear) -> Answer | None:
+        hearing = self._hearing
+        if not hearing.under_way and not hearing.begin(step, self.now_s):
+            return Answer(self.now_s)
+        try:
+            if self.hurry:
+                hearing.end()
+            else:
+                hearing.read()
+        except NoReply as error:
+            self._bear(error)
+        return None if hearing.under_way else Answer(self.now_s)
 
     def _read(self) -> Answer:
         before_s = self.now_s

@@ -46,10 +46,10 @@ class Pursuing:
         watches: Watches,
     ) -> None:  # fmt: skip
         self._board, self._antenna, self._control = board, antenna, control
-        self._mover, self._stopper, self._watches = mover, stopper, watches
+        self._mover, self._stopper = mover, stopper
         self.on_slow: Callable[[str], None] = lambda _sentence: None
         """Told when the dish does not take its speeds back."""
-        self._helm = Helmsman(board, antenna, look, mover)
+        self._helm = Helmsman(board, antenna, look, mover, watches)
         self._run: Generator[Step, Answer, None] | None = None
         self._voyage: Voyage | None = None
         self._told = Telling(board, antenna)
@@ -299,7 +299,6 @@ class Pursuing:
                 self._over(str(refused))
                 return False
             self._leads = True
-        self._watches.end_excursion()
         return True
 
     def _yield(self, live: Pursuit) -> None:

@@ -71,6 +71,10 @@ class Watches:
             return None
         return self.excursion.next_at if self.excursion else self._excursion_at
 
+    def may_begin(self, now: float) -> bool:
+        """Return whether another excursion is within the budget, at a monotonic time."""
+        return self.excursion is None and now >= self._excursion_at
+
     def rssi_was_read(self, at: float) -> None:
         """Note that the signal was read once."""
         if self.excursion is None:

@@ -12,7 +12,8 @@ from birdcage.tracking import ways
 from birdcage.tracking.controller import LEAD_S, Helm
 from birdcage.tracking.plan import Leg, Part
 from birdcage.tracking.planning.routes import Point
-from birdcage.tracking.steps import Activity, Answer, Look, Send, Slew, Step, Wait
+from birdcage.tracking.steps import Activity, Answer, Hear, Look, Send, Slew, Step, Wait
+from birdcage.tracking.stillness import HEAR_EVERY_S, still_until
 from birdcage.tracking.voyage import Notice, Stage, Voyage, clock_text
 
 COUNTDOWN_S = 5.0
@@ -20,6 +21,8 @@ COUNTDOWN_S = 5.0
 JUST_ASKED_S = 60.0
 """So long after a person has asked for it, a first motion is what they asked for."""
 IN_PLACE_DEG = 0.1
+AGAIN_S = 1.0
+"""How soon it is looked again whether the dish has nothing to do for a while."""
 JOIN_DEG = 1.0
 """Further from the course than this the whole dish is sent there first."""
 
@@ -136,8 +139,12 @@ class Pursuer:
         controller = self._voyage.controller(helm)
         elevation = helm.model.elevation.index
         try:
-            step = next(controller)
+            step, hear_s = next(controller), helm.now_s + HEAR_EVERY_S
             while True:
+                if isinstance(step, Wait) and self._place is not None and self._now_s >= hear_s:
+                    hear_s = self._now_s + AGAIN_S
+                    if (until_s := still_until(helm, self._place, self._now_s)) > hear_s:
+                        self._now_s = (yield Hear(until_s, HEAR_EVERY_S)).now_s
                 answer = yield step
                 self._now_s = answer.now_s
                 if isinstance(step, Send) and self._place is not None:

@@ -43,6 +43,17 @@ class Look:
 
 
 @dataclass(frozen=True, slots=True)
+class Hear:
+    """Read the dish's own tuner, if it has one, at most every `every_s` seconds of the wire's own time.
+
+    Nothing has to be sent before `until_s`: the dish stands still on its target.
+    """
+
+    until_s: float
+    every_s: float
+
+
+@dataclass(frozen=True, slots=True)
 class Limit:
     """Set the greatest speed of axes, for velocity-matched moves; whoever drives restores them on every way out."""
 
@@ -50,7 +61,7 @@ class Limit:
     """By motor number."""
 
 
-Step: TypeAlias = Wait | Send | Slew | Look | Limit
+Step: TypeAlias = Wait | Send | Slew | Look | Hear | Limit
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,79 @@
+"""Reads the dish's own tuner within a pursuit, while the dish stands still on its target."""
+
+from __future__ import annotations
+
+import math
+
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.base.errors import CommandRefused, NoReply
+from birdcage.station.board import Board
+from birdcage.station.look import Look
+from birdcage.station.stalls import stalled_axis
+from birdcage.station.watches import RSSI_PERIOD_S, RSSI_READS, Watches
+from birdcage.tracking.steps import Hear
+
+TAKES_S = RSSI_READS * RSSI_PERIOD_S + 2.0
+"""An excursion with its changes of menu, on a slow wire; so long at least the dish must have nothing to do."""
+
+
+class Hearing:
+    """One excursion at a time. `begin` says whether there is one, then `read` until that says that it is over."""
+
+    def __init__(self, board: Board, antenna: BirdcageAntenna, look: Look, watches: Watches) -> None:
+        self._board, self._antenna, self._look, self._watches = board, antenna, look, watches
+        self._refused = False
+        """Whether the tuner has refused to be read since the pursuit began."""
+        self._begun_at = -math.inf
+        self.under_way = False
+
+    def forget(self) -> None:
+        """A pursuit begins, or goes on."""
+        self._refused = self.under_way = False
+
+    @property
+    def due(self) -> float:
+        """When to read next, in monotonic seconds."""
+        excursion = self._watches.excursion
+        return -math.inf if excursion is None or not self.under_way else excursion.next_at
+
+    def begin(self, step: Hear, now_s: float) -> bool:
+        """Return whether the tuner is to be read now: the dish is seen at rest, and stays so for long enough."""
+        board, clock, now = self._board, self._board.clock, self._board.clock.monotonic()
+        dish, motion = board.state.dish, self._antenna.motion
+        if dish is None or not dish.has_rssi or self._refused or not self._look.may_leave:
+            return False
+        if (step.until_s - now_s) / clock.rate < TAKES_S or now < self._begun_at + step.every_s:
+            return False
+        here = board.state.position
+        moves = motion is not None and (here is None or here.told_at < motion.eta(clock.rate))
+        if moves or not self._antenna.rest.rests or not self._watches.may_begin(now):
+            return False
+        self._begun_at, self.under_way = now, True
+        self._look.elsewhere = True  # STOP has to come back to the motor menu first, and look
+        return True
+
+    def read(self) -> None:
+        """Read once; the last time, come back to the motor menu. NoReply where the dish does not answer."""
+        try:
+            self._look.signal()
+        except CommandRefused as refused:
+            if stalled_axis(str(refused)) is not None:
+                raise
+            self._refused = True
+            self.end()
+            return
+        except NoReply:
+            self.under_way = False
+            self._watches.end_excursion()
+            raise
+        self._watches.rssi_was_read(self._board.clock.monotonic())
+        if self._watches.excursion is None:
+            self.end()
+
+    def end(self) -> None:
+        """Come back to the motor menu, if it was left."""
+        self._watches.end_excursion()
+        if self.under_way:
+            self.under_way = False
+            self._antenna.protocol.enter_motor_menu()
+            self._look.elsewhere = False
