@@ -19,7 +19,7 @@ OUT = Path(__file__).parents[1] / "driver/src/birdcage/sky/data/de421_2020_2053.
 FIRST_JD, LAST_JD = 2458849.5, 2471184.5
 """1 January 2020 to 9 October 2053, where DE421 ends (TDB)."""
 PLUTO = 9
-"""The one barycentre that nobody points a small dish at."""
+"""The one barycentre that no small dish is pointed at."""
 
 
 def main() -> None:

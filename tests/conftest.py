@@ -77,7 +77,7 @@ def pytest_collectstart() -> None:
 
 
 def pytest_collection_finish() -> None:
-    """Keep what all tests share, all of it made by now, out of the garbage collector's sight."""
+    """Keep what all tests share, all of it already made, out of the garbage collector's sight."""
     gc.freeze()
     gc.set_threshold(100_000, 3, 3)  # an app is 100,000 objects: by the time it is looked at, most have gone
     gc.enable()
@@ -91,7 +91,7 @@ def _homes(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
 
 @pytest.fixture(autouse=True)
 def _own_home(_homes: Iterator[Path]) -> Iterator[None]:
-    """Give each test an empty home, so that it meets neither a person's files nor those of another test."""
+    """Give each test an empty home: it meets neither a person's files nor those of another test."""
     home = next(_homes)
     home.mkdir()
     with pytest.MonkeyPatch.context() as patch:

@@ -25,7 +25,7 @@ from birdcage.sky.horizon_file import read_horizon_file
 
 @pytest.fixture
 def pipe(tmp_path):
-    """A pipe that nobody writes to: to open it waits for ever."""
+    """A pipe without a writer: opening it waits for ever."""
     path = tmp_path / "pipe"
     os.mkfifo(path)
     return path

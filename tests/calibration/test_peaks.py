@@ -57,7 +57,7 @@ def test_half_a_line_costs_no_other_peak(tmp_path):
     assert load_peaks(path).entries[-1] == added
     remove_peaks(path, 1)
     assert load_peaks(path).entries == (added,)
-    assert load_peaks(path).problems  # what can't be read is nobody's to throw away
+    assert load_peaks(path).problems  # what can't be read is kept
 
 
 @pytest.mark.parametrize(

@@ -62,7 +62,7 @@ def prepared(at_home):
     (at_home / "tty").touch()
     (at_home / "birdcage.toml").write_text(SETTINGS.format(port=at_home / "tty"))
     with Catalogue(Paths.in_folder(at_home).catalogue) as catalogue:
-        # Not the age at import: a suite may have run for minutes by now.
+        # Not the age at import: a suite may have run for minutes since.
         catalogue.add([replace(STATION, epoch=datetime.now(UTC) - timedelta(hours=6))])
         catalogue.set_favourite(25544)
     return at_home
@@ -145,7 +145,7 @@ def test_a_damaged_catalogue_is_told_and_the_rest_goes_on(ready, prepared):
 @pytest.mark.parametrize(
     ("verdict", "state"),
     [
-        (ClockVerdict("unknown", "nobody", NOW, doubt="Nobody knows."), "look"),
+        (ClockVerdict("unknown", "none", NOW, doubt="Nobody knows."), "look"),
         (ClockVerdict("remembered", "gpsd", NOW, 5.0, 0.1, doubt="The clock is 5.0 s fast: set it."), "must"),
     ],
 )

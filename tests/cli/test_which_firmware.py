@@ -1,4 +1,4 @@
-"""Every command finds out which firmware answers, when nobody has named one."""
+"""Every command finds out which firmware answers, when none is named."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Prompts that nobody declared, their own or all alike, and the menus that only help tells (decision 0010)."""
+"""Undeclared prompts, their own or all alike, and the menus that only help tells (decision 0010)."""
 
 from __future__ import annotations
 

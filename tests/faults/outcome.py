@@ -51,5 +51,5 @@ class Outcome:
     false: tuple[str, ...]
     """What was told and was not so: nothing may be."""
     unasked: tuple[str, ...]
-    """Lines that moved the dish, and places where it went, that nobody had asked for."""
+    """Lines that moved the dish, and places where it went, unasked."""
     stop: Stopping

@@ -1,9 +1,12 @@
-"""Collects the sentences that a person reads: string literals, click's help texts and Markdown."""
+"""Collects the sentences that a person reads: string literals, click's help texts, docstrings, comments, Markdown."""
 
 from __future__ import annotations
 
 import ast
+import inspect
+import io
 import re
+import tokenize
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -135,6 +138,24 @@ def of_source(source: str, name: str) -> list[Sentence]:
     reader = _Reader()
     reader.visit(ast.parse(source))
     return [Sentence(part, f"{name}:{line}") for line, text in reader.found for part in split(text)]
+
+
+def notes_of(source: str, name: str) -> list[Sentence]:
+    """Return the docstrings and comments of one module, sentence by sentence, for whoever reads the code."""
+    found = [
+        (node.lineno, inspect.cleandoc(node.value.value))
+        for node in ast.walk(ast.parse(source))
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
+    ]
+    row, comment = 0, ""
+    for token in tokenize.generate_tokens(io.StringIO(source).readline):
+        if token.type != tokenize.COMMENT:
+            continue
+        text = token.string.lstrip("#:! ")
+        comment = f"{comment} {text}" if token.start[0] == row + 1 else text
+        row = token.start[0]
+        found.append((row, comment))
+    return [Sentence(part, f"{name}:{line}") for line, text in found for part in split(text)]
 
 
 def of_markdown() -> list[Sentence]:

@@ -5,14 +5,18 @@ How many are left stands below for each package. The number may only fall: whoev
 
 from __future__ import annotations
 
+import re
 from functools import cache
 
 import pytest
 
-from tests.house.habits import habits
-from tests.house.sentences import HOLE, Sentence, of_markdown, of_package, of_source
+from tests.house.habits import FORBIDDEN, habits
+from tests.house.sentences import HOLE, ROOT, Sentence, notes_of, of_markdown, of_package, of_source
 
 LEFT = {"driver": 0, "tui": 0, "docs": 0}
+
+CHAIN = re.compile(r"\bNone (where|when|if|unless)\b[^.;]*[;,] (or )?else\b")
+"""A riddle in place of a list of the cases."""
 
 
 @cache
@@ -65,3 +69,24 @@ def test_what_is_not_shown_is_not_read(source: str) -> None:
 def test_the_help_of_a_command_is_read() -> None:
     source = '@main.command()\ndef stop():\n    """Stop it.\n\n    Nobody moves it then.\n    """'
     assert [each.text for each in of_source(source, "x.py")] == ["Stop it.", "Nobody moves it then."]
+
+
+@pytest.mark.parametrize("folder", ["driver/src", "tui/src", "tests", "scripts"])
+def test_docstrings_and_comments_say_it_plainly(folder: str) -> None:
+    offenders = [
+        f"{sentence.where}: {sentence.text}"
+        for path in sorted((ROOT / folder).rglob("*.py"))
+        if ROOT / "tests/house" not in path.parents  # names what it looks for
+        for sentence in notes_of(path.read_text(encoding="utf-8"), path.relative_to(ROOT).as_posix())
+        if FORBIDDEN.search(sentence.text) or CHAIN.search(sentence.text)
+    ]
+    assert not offenders, "\n".join(offenders)
+
+
+@pytest.mark.parametrize("source", [
+    '"""Nobody is here."""', "def f():\n    # It waits, so that\n    # it may end.\n    return 1",
+    "x = 1  # good by now", '"""It is seen by\n    now."""',
+    'class A:\n    x: int\n    """None where it is unknown; else 1."""',
+])  # fmt: skip
+def test_what_a_reader_of_the_code_stumbles_over_is_seen(source: str) -> None:
+    assert any(FORBIDDEN.search(each.text) or CHAIN.search(each.text) for each in notes_of(source, "x.py"))

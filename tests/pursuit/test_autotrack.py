@@ -59,7 +59,7 @@ def test_it_follows_one_pass_after_the_other_each_after_a_countdown(auto):
     auto.until(lambda: auto.phase() is Phase.FOLLOWING, 1200.0, every=1.0)
     seen = {event.pursuit.phase for event in auto.events if isinstance(event, PursuitChanged)
             and event.pursuit.number == 2}  # fmt: skip
-    assert Phase.COUNTDOWN in seen  # nobody has just asked for that one
+    assert Phase.COUNTDOWN in seen  # that one was not just asked for
 
 
 def test_stop_switches_it_off_for_good(auto):

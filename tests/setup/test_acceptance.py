@@ -121,7 +121,7 @@ def test_killed_after_every_single_step_it_ends_the_same(build):
     again("search")
     house.kill()
     house.device.power_cycle()
-    house.clock.advance(20.0)  # it starts while nobody looks
+    house.clock.advance(20.0)  # it starts unwatched
     house.start().run(8)
     assert house.setup.current == "search"
     house.choose("search", "cycled")

@@ -74,7 +74,7 @@ class TestLink:
         house.start()
         house.device.power_off()
         house.until(lambda: any(choice.name == "probe" for choice in house.view("link").choices))
-        house.device.power_cycle(0.6)  # so that it prints while 115200 is listened to
+        house.device.power_cycle(0.6)  # it then prints while 115200 is listened to
         house.choose("link", "probe")
         assert "text" in next(words for words in house.view("link").words if words.startswith("Seen"))
         house.choose("link", "connect")

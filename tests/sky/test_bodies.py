@@ -52,7 +52,7 @@ def test_the_excerpt_reaches_to_its_end(sky_by_astropy, year):
     for name in ("moon", "mars"):
         seen = BODIES[name].look(DELFT, when)
         az, el, _ = sky_by_astropy(name, DELFT, when)
-        # Nobody knows UT1 then; 15 arcseconds a second, and UTC is kept within 0.9 s.
+        # UT1 is unknown then; 15 arcseconds a second, and UTC is kept within 0.9 s.
         assert apart_arcsec((seen.az_deg, seen.el_deg), (az, el)) < 15.0
 
 

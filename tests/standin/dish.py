@@ -87,7 +87,7 @@ class StandIn:
                     self._inbox.append((self._arrives, byte))
 
     def take(self) -> bytes:
-        """Return what has arrived from it by now."""
+        """Return what has arrived from it so far."""
         with self.lock:
             self.run()
             return self.voice.take(self._clock())
@@ -105,7 +105,7 @@ class StandIn:
             return min(self.voice.next_event(), self._next()[0])
 
     def blurt(self, data: bytes) -> None:
-        """Put bytes on the wire that nobody said: noise."""
+        """Put noise on the wire."""
         with self.lock:
             self.run()
             self.voice.put(self._now, data)

@@ -18,7 +18,7 @@ NEVER_S = 0.2
 
 
 class MemoryPort:
-    """What a driver opens in a test: bytes, and when the next may come. At another speed nobody understands."""
+    """What a driver opens in a test: bytes, and when the next may come. At another speed it is garbage."""
 
     demo = False
 
@@ -82,7 +82,7 @@ class PtyDish:
                 self._write(said)
 
     def _write(self, data: bytes) -> None:
-        """Write what fits: a pty that nobody reads is full in the end."""
+        """Write what fits: a pty without a reader is full in the end."""
         with contextlib.suppress(BlockingIOError):
             os.write(self._master, data)
 

@@ -122,7 +122,7 @@ class Terminal:
         )
 
     def wait(self, seconds: float) -> None:
-        """Nobody does anything."""
+        """No one does anything."""
         self.clock.advance(seconds)
         self.dish.run()
 

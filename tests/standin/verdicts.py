@@ -16,7 +16,7 @@ SHOWN = re.compile(r"\r\x1b\[K[^\r\n]*(?=\r\x1b\[K)|\r\x1b\[K")
 NOT_STOPPED = re.compile(r"not answered|goes on|may still|not known|not confirmed|look at it|cut (its|the) power|12 V")
 DEADLOCKED = re.compile("deadlocked")
 ONLY_DEADLOCKED = re.compile(r"(?<!; a )(?<!or the dish's shell is )deadlocked")
-"""Among other causes of a silence it may be named, as nobody can tell them apart."""
+"""Among other causes of a silence it may be named, as they look the same."""
 MOVERS = {"move", "home", "track", "autotrack", "calibrate", "setup"}
 
 

@@ -253,7 +253,7 @@ class Story(Bench):
         if state.holder == CONSOLE or self.station._talk._holder is not None or self.station._vigil.paused:
             self.wrong.append(f"the talk has not ended: {state.holder}")
         if truth.moving:
-            # A search of the dish's own after a restart, and what nobody may stop.
+            # A search of the dish's own after a restart, and what must not be stopped.
             if state.activity is Activity.IDLE and state.position_lost is None and not self._searches():
                 self.wrong.append("the dish moves and the board says that it rests")
             return

@@ -1,4 +1,4 @@
-"""What the station asks the dish for when nobody moves it."""
+"""What the station asks the dish for while it rests."""
 
 from __future__ import annotations
 

@@ -156,7 +156,7 @@ def test_stop_without_a_link_latches_and_says_so(bench):
 
 
 def test_stop_when_the_cable_makes_the_dish_turn_the_other_way(bench):
-    """From cable angle 0 the way to 170 is counterclockwise, which nobody knows until the dish is seen turning."""
+    """From cable angle 0 the way to 170 is counterclockwise, which is unknown until the dish is seen turning."""
     bench.station.submit(Goto(170, 45, "you"))
     bench.step(1.0)
     before = bench.device.truth()

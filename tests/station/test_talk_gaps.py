@@ -228,7 +228,7 @@ def test_the_machine_stays_awake_while_a_raw_line_may_move_the_dish():
         bench.type("r", confirmed=Grade.RUINS)
         assert become(1)
         bench.do(ReleaseLease(CONSOLE))
-        bench.step(3)  # nobody says that it rests: it is not known where it is
+        bench.step(3)  # it does not say that it rests: its position is unknown
         assert not bench.state.raw_motion
         assert become(0)
     finally:

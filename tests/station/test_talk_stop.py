@@ -174,7 +174,7 @@ def test_two_raw_axes_are_both_stopped(bench):
 
 def test_a_raw_motion_that_the_dish_refused_is_not_retargeted(bench):
     bench.counted()
-    bench.device.board.nvram.active[102] = 50.0  # a limit that nobody told us of
+    bench.device.board.nvram.active[102] = 50.0  # a limit we were not told of
     assert bench.station.judge("a 1 60").limit == ""
     assert bench.type("a 1 60", confirmed=Grade.RUINS).lines == ("Angle out of range.",)
     since = bench.clock.monotonic()

@@ -18,7 +18,7 @@ MEAN_S, SPREAD_S = 0.06, 0.023
 
 
 def expected_rms(az_rate, el_rate, interval_s):
-    """The saw-tooth of a target that moves on between commands, the latency that nobody can foresee, and the steps."""
+    """The saw-tooth of a target that moves on between commands, the unforeseeable latency, and the steps."""
     axes = (az_rate, CARRYOUT_G2.azimuth.step_deg), (el_rate, CARRYOUT_G2.elevation.step_deg)
     return math.sqrt(
         sum((rate * interval_s) ** 2 / 12.0 + (rate * SPREAD_S) ** 2 + step**2 / 6.0 for rate, step in axes)

@@ -110,7 +110,7 @@ def test_course_of_the_motors_stays_within_what_may_be_commanded():
     inside = course_of_motors(course, model, (-27.0, 23.3), (18.0, 65.0))
     assert inside.el_deg.max() == 65.0
     assert inside.az_deg.min() == -27.0
-    # Where nobody tells the limits, it goes no further than the target does.
+    # Without known limits it goes no further than the target does.
     alone = course_of_motors(course, model)
     assert (alone.az_deg.min(), alone.el_deg.max()) == (course.az_deg.min(), course.el_deg.max())
 

@@ -20,7 +20,7 @@ RESTORED = b"\x1b[?1049l"
 
 @pytest.fixture
 def dish():
-    dish = PtyDish("seed=1&az_speed=6")  # so that it still slews when a loaded machine gets round to it
+    dish = PtyDish("seed=1&az_speed=6")  # it still slews when a loaded machine gets round to it
     yield dish
     dish.close()
 

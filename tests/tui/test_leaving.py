@@ -51,7 +51,7 @@ def test_a_closed_terminal_is_taken_for_a_hangup():
 
 
 def test_an_end_while_a_layer_is_being_made_is_no_error():
-    """A signal comes whenever it likes; what the layer then misses of itself is nobody's fault."""
+    """A signal comes whenever it likes; what the layer then misses of itself is no fault."""
 
     async def ended(turns):
         app = stand_in.app_in("idle")

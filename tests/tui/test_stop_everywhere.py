@@ -1,4 +1,4 @@
-"""STOP with the focus on everything that can have it, in every dialog; and no place that nobody tried."""
+"""STOP with the focus on everything that can have it, in every dialog; and no place is left untried."""
 
 import ast
 import importlib
@@ -64,7 +64,7 @@ def test_stop_with_the_focus_on_everything(place, tmp_path):
     at(place, tmp_path, everywhere)
 
 
-# No place that nobody tried: what the sources make, against what the places hold.
+# No place is left untried: what the sources make, against what the places hold.
 
 
 def classes():

@@ -130,7 +130,7 @@ def days(clock):
 
 
 def old(clock):
-    """By elements of which nobody knows how far off they are."""
+    """By elements with an unknown error."""
     return _following(plan(minutes=-2.9, age_days=3228.0), clock)
 
 

@@ -78,7 +78,7 @@ class Cells:
                 chars[column], names[column] = _BRAILLE[dots], ink
 
     def right(self, x: int, y: int, text: str, ink: str = "text") -> None:
-        """Write `text` so that it ends before column `x`."""
+        """Write `text` to end before column `x`."""
         self.put(x - cell_len(text), y, text, ink)
 
     def free(self, x: int, y: int, length: int, *over: str) -> bool:

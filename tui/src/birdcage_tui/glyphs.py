@@ -108,7 +108,7 @@ class GlyphFilter(LineFilter):
 
 
 def fitting(environ: Mapping[str, str], encoding: str | None = None) -> str:
-    """Return the set for a terminal that nobody chose one for: `ascii` unless it takes UTF-8 and is no poor one.
+    """Return the set for a terminal without a chosen one: `ascii` unless it takes UTF-8 and is no poor one.
 
     `encoding` is by default the locale's, and what stdout was told to use. The set `block` is never guessed.
     """

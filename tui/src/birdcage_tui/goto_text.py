@@ -49,7 +49,7 @@ def is_numbers(text: str) -> bool:
 
 
 def is_direction(text: str) -> bool:
-    """Return whether `text` reads as a direction, so that it cannot be the name of one."""
+    """Return whether `text` reads as a direction, and so cannot be the name of one."""
     if _SKEW.match(text):
         return True  # the go-to line takes it for an angle of the third axis
     try:

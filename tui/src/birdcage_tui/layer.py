@@ -16,7 +16,7 @@ class Layer(Screen[Found]):
     def dismiss(self, result: Found | None = None) -> AwaitComplete:
         """Close with a result; do nothing where it is closed already, or where another layer lies over it.
 
-        Textual would close whatever lies on top then: a dialog that nobody has answered, or the last screen, which
+        Textual would close whatever lies on top then: a dialog that is not answered, or the last screen, which
         ends the app. A second click, or a message that was under way, is enough for that.
         """
         stack = self.app.screen_stack

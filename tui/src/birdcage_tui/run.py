@@ -258,13 +258,13 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSetti
 
 
 def _only_port() -> str:
-    """Return the one USB adapter that is plugged in, when nobody named a port; empty where that is not obvious."""
+    """Return the one USB adapter that is plugged in, without a named port; empty if that is not obvious."""
     adapters = [port.device for port in list_ports() if port.identity is not None]
     return adapters[0] if len(adapters) == 1 else ""
 
 
 def _detect(port: str, baud: int | None) -> str | None:
-    """Return the firmware that answers on a port of which nobody told it; None where that cannot be told.
+    """Return the firmware that answers on a port where none was named; None if that cannot be told.
 
     Before the first frame: a session speaks one firmware from its first byte on.
     """

@@ -240,7 +240,7 @@ class Shell(Surface):
             self.paint()
 
     def _second(self) -> None:
-        """Tick, unless the dish's answers make for frames often enough: at rest each costs what nobody sees."""
+        """Tick, unless the dish's answers make for frames often enough: at rest each costs unseen work."""
         if self._tour.running or self._loop_time() - self._painted >= FRESH_S:
             self._tick()
         else:

@@ -66,7 +66,7 @@ class InputDecoder:
         return self._decode(bytes(out))
 
     def pause(self) -> None:
-        """Take note that nothing comes: a report that is not whole by now is none."""
+        """Take note that nothing comes: a report that is not whole yet is none."""
         self._of_report = 0
         self._last = b""
 
@@ -88,7 +88,7 @@ class PasteWatch:
 
 
 class TerminalFile:
-    """The terminal as a file to write to. Once it is gone, what is written is dropped: nobody waits for it."""
+    """The terminal as a file to write to. Once it is gone, what is written is dropped."""
 
     def __init__(self, file: TextIO) -> None:
         self._fd = file.fileno()

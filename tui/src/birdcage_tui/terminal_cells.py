@@ -20,13 +20,13 @@ WAIT_S = 2.0
 
 
 def aspect_of(width_px: float, height_px: float) -> float | None:
-    """Return the height over the width of a character of that size; None where that is no font."""
+    """Return the height over the width of a character of that size; None if that is no font."""
     aspect = height_px / width_px if width_px > 0 else 0.0
     return aspect if LEAST <= aspect <= MOST else None
 
 
 def window_aspect(fd: int) -> float | None:
-    """Return the aspect by the window's size in pixels, as the kernel knows it; None where it does not."""
+    """Return the aspect by the window's size in pixels, as the kernel knows it; None if it does not."""
     with suppress(ImportError, OSError):
         import fcntl
         import termios

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from birdcage_tui.view import YOU, View
 
 HOLDERS = (None, YOU, "tracker")
-"""With whom in control it begins: nobody who moves it."""
+"""With whom in control it begins: not with one who moves it."""
 
 
 class Tour:

@@ -41,7 +41,7 @@ class Sample:
     at: float
     value: float
     az_deg: float | None = None
-    """Where the dish pointed, true; None where that was not known."""
+    """Where the dish pointed, true; None if that was not known."""
     el_deg: float | None = None
 
 
@@ -166,7 +166,7 @@ class View:
 
     @property
     def moving(self) -> bool:
-        """Whether the dish moves, as far as is known."""
+        """Whether the dish is known to move."""
         return self.state.motion is not None or self.state.activity in MOVING
 
     @property
@@ -187,7 +187,7 @@ class View:
 
     @property
     def to_go_deg(self) -> float | None:
-        """How far the larger of the two axes has to go, from the last position read; None where that is not known."""
+        """How far the larger of the two axes has to go, from the last position read; None if that is not known."""
         motion, position = self.state.motion, self.state.position
         if motion is None or position is None:
             return None

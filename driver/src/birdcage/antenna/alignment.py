@@ -33,7 +33,7 @@ class Alignment:
 
     @property
     def model(self) -> PointingModel | None:
-        """Collimation and tilt; None where there is neither, and true and dish differ by the offsets alone."""
+        """Collimation and tilt; None if there is neither, and true and dish differ by the offsets alone."""
         if self.ca_deg or self.an_deg or self.aw_deg:
             return PointingModel(self.ca_deg, self.an_deg, self.aw_deg)
         return None
@@ -90,7 +90,7 @@ class Alignment:
         return ", ".join(part for part in parts if part)
 
     def lean_words(self) -> str:
-        """Return tilt and collimation alone, for people; empty where there is neither."""
+        """Return tilt and collimation alone, for people; empty if there is neither."""
         parts = []
         if self.an_deg or self.aw_deg:
             towards = wrap_360(math.degrees(math.atan2(-self.aw_deg, self.an_deg)))

@@ -355,7 +355,7 @@ class BirdcageAntenna:
     def stop_lines_seen(
         self, earlier: Position, earlier_at: float, later: Position, later_at: float
     ) -> tuple[str, ...]:
-        """Return the lines that stop a motion that nobody asked for, from two readings of the dish's own angles."""
+        """Return the lines that stop an unasked motion, from two readings of the dish's own angles."""
         now, rate = self._clock.monotonic(), self._clock.rate
         elapsed_s = max((later_at - earlier_at) * rate, 1e-3)
         lead_s = (now - later_at) * rate + STOP_LATENCY_S * rate

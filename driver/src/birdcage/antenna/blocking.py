@@ -113,7 +113,7 @@ class MoveCommands:
                 del self._open[axis.axis.index]
 
     def not_taken(self, dish: Position, motion: DishMotion) -> tuple[Taken, ...]:
-        """Return the answers that were none, of a dish that stands still; empty where it has moved by its commands.
+        """Return the answers that were none, of a dish that stands still; empty if it has moved by its commands.
 
         An axis that stands away from its target, though it has taken its command, is another matter: then empty, too.
         """

@@ -74,7 +74,7 @@ def _spans(axis: AxisMotion, last_deg: float, begun_by: dict[int, float], moment
 
 
 def _stream_span(axis: AxisMotion, moment: _Moment, overshoot_deg: float) -> Span:
-    """Return where an axis is that gets one target after the other, of which the dish has the latest by now, or not."""
+    """Return where an axis is that gets one target after the other, whether or not the dish has the latest yet."""
     slew, rate = axis.slew, moment.rate
     at_s = (moment.now - axis.started) * rate
     early_s, late_s = at_s - _STREAM_EARLY_S * rate, at_s + _STREAM_LATE_S * rate
@@ -96,7 +96,7 @@ def _span(slew: Slew, early_s: float, late_s: float, overshoot_deg: float, rate:
 
 
 def _phase_s(slew: Slew, here_deg: float, overshoot_deg: float) -> float | None:
-    """Return how far on its way an axis is that is seen here; None where it may have not begun or have ended."""
+    """Return how far on its way an axis is that is seen here; None if it may have not begun or have ended."""
     start_deg = slew.segments[0].position_deg
     way = slew.end_deg - start_deg
     clear_deg = overshoot_deg + NEAR_DEG

@@ -35,7 +35,7 @@ class AlignmentSet:
     an_deg: float = 0.0
     aw_deg: float = 0.0
     rms_deg: float | None = None
-    """How far the peaks lay from it that it was fitted to; None where it was fitted to none."""
+    """How far the peaks lay from it that it was fitted to; None if it was fitted to none."""
     peaks: int | None = None
     """How many those were."""
     made: str = ""

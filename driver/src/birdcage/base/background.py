@@ -14,7 +14,7 @@ class BackgroundWriter(Generic[Item]):
     """Hands items to `handle` in a daemon thread, in order; when the queue is full it counts what it drops.
 
     `handle(items, dropped)` gets all that is waiting and how many were lost since the last call; it is also called
-    with nothing after `quiet_s` without an item, and at the end, so that it can finish what it holds back.
+    with nothing after `quiet_s` without an item, and at the end, to let it finish what it holds back.
     """
 
     def __init__(

@@ -97,7 +97,7 @@ class Beam:
     """Across the line of sight, along the horizon: a turn of the azimuth counts times the cosine of the elevation."""
     el_deg: float
     at_hz: float | None = None
-    """The frequency at which it is so wide: the middle of the feed's band. None where that is not known."""
+    """The frequency at which it is so wide: the middle of the feed's band. None if that is not known."""
     origin: BeamOrigin = BeamOrigin.ENTERED
     bound_deg: tuple[float, float] | None = None
     """At most so wide, az and el, by a measurement in counts; None without one."""
@@ -175,7 +175,7 @@ class Beam:
 
 
 def beam_of(feed: FeedProfile, reflector: Reflector | None) -> Beam | None:
-    """Return the beam of a dish and a feed together, at the middle of the feed's band; None where it is not known.
+    """Return the beam of a dish and a feed together, at the middle of the feed's band; None if it is not known.
 
     In this order: what the feed says was measured or entered; theory, by the reflector and the feed's band; a width
     measured in counts, which is an upper bound.

@@ -135,7 +135,7 @@ class VirtualClock:
         self._utc_at_zero += timedelta(seconds=seconds)
 
     def advance(self, seconds: float) -> None:
-        """Let time pass with nobody watching the wire."""
+        """Let time pass without watching the wire."""
         self._now += seconds
 
     def wait(self, endpoint: Endpoint | None, until: float, wake: Wake | None = None) -> Outcome:

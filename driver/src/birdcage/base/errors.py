@@ -71,7 +71,7 @@ class CommandRefused(BirdcageError):
 class MotionRefused(BirdcageError):
     """A motion that was not sent. Reasons: not_a_number, az_limit, el_limit, wrap, sector, floor, unknown, unhomed.
 
-    `limit_deg` is the limit that it would break and `by_deg` by how much; None where no number applies.
+    `limit_deg` is the limit that it would break and `by_deg` by how much; None if no number applies.
     """
 
     reason = "limit"
@@ -108,7 +108,7 @@ class NotTaken(BirdcageError):
 
 
 class Held(BirdcageError):
-    """STOP is latched: nobody moves the dish until a person releases it."""
+    """STOP is latched: the dish stays until a person releases it."""
 
     reason = "held"
 

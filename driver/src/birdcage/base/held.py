@@ -24,7 +24,7 @@ class HeldNote:
     """Who holds a dish, since when and why."""
 
     by: str
-    """Who called STOP; empty where the file does not tell."""
+    """Who called STOP; empty if the file does not tell."""
     utc: datetime | None
     reason: str = "stop"
     port: str = ""
@@ -49,7 +49,7 @@ class HeldFile:
         self.path = folder / FILE
 
     def read(self) -> HeldNote | None:
-        """Return who holds the dish; None where nobody does. A file that cannot be read counts as HELD."""
+        """Return who holds the dish; None if it is free. A file that cannot be read counts as HELD."""
         utc = None
         try:
             status = self.path.stat()

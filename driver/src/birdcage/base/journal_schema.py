@@ -53,4 +53,4 @@ CLEAN = tuple(
 """Names used to be kept as they came, control characters and all."""
 
 MIGRATIONS = (FAULTS, WEAR, PASSES, CLEAN)
-"""Of the whole file. Whoever opens it passes this, so that nobody takes the others' tables for a newer program's."""
+"""Of the whole file. Whoever opens it passes this, and does not take the others' tables for a newer program's."""

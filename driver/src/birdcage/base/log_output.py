@@ -36,7 +36,7 @@ class LogOutput:
         self._terminal: _Background | None = None
         self._file: _Background | None = None
         self.path: Path | None = None
-        """The file that is written; None where none was asked for."""
+        """The file that is written; None if none was asked for."""
 
     @property
     def problem(self) -> str:

@@ -62,7 +62,7 @@ def _clean(value: str | bytes | float | None) -> str | bytes | float | None:
 
 
 def fingerprint(path: Path) -> tuple[object, ...]:
-    """Return something that differs after a database was written to, by whichever program; None where a file lacks."""
+    """Return something that differs after a database was written to, by whichever program; None if a file lacks."""
     found: list[object] = []
     for each in (path, path.with_name(f"{path.name}-wal")):
         try:

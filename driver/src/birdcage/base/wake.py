@@ -28,7 +28,7 @@ class Wake:
         return self._set
 
     def set(self) -> None:
-        """Raise the flag; a second time, or once nobody waits any more, does nothing."""
+        """Raise the flag; a second time, or once no thread waits, does nothing."""
         with self._lock:
             if not self._set:
                 self._set = True

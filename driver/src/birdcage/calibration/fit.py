@@ -62,7 +62,7 @@ class Fit:
     leave_one_out_rms_deg: float | None
     """What to expect of a direction that was not measured; None for a lone peak."""
     condition: float | None
-    """How alike the terms are, as seen by these peaks alone; None where they do not even tell them apart."""
+    """How alike the terms are, as seen by these peaks alone; None if they do not even tell them apart."""
     warning: str
     """What to do about it, in a sentence; empty if nothing."""
 
@@ -166,7 +166,7 @@ def _solve(peaks: Sequence[Peak], priors: Priors, free: Sequence[int], start: Fl
 
 
 def _without(peaks: Sequence[Peak], index: int, priors: Priors, free: Sequence[int], start: Floats) -> Alignment | None:
-    """Return what the others say without one of the peaks; None where there are none."""
+    """Return what the others say without one of the peaks; None if there are none."""
     others = [*peaks[:index], *peaks[index + 1 :]]
     return Alignment(*map(float, _solve(others, priors, free, start))) if others else None
 
@@ -189,7 +189,7 @@ def _chi2(peaks: Sequence[Peak], alignment: Alignment) -> float:
 
 
 def _odd_one(peaks: Sequence[Peak], without: Sequence[Alignment | None]) -> Peak | None:
-    """Return the peak without which the others agree best; None where so few do not tell which it is."""
+    """Return the peak without which the others agree best; None if so few do not tell which it is."""
     if len(peaks) < 4:
         return None
     left = [

@@ -60,7 +60,7 @@ class GuideView:
     nudged: tuple[float, float] | None
     """How far the dish points right of and above where the target is expected to be, by the present fit."""
     may_not_take: str
-    """Why no peak can be taken now; empty where it can."""
+    """Why no peak can be taken now; empty if it can."""
     busy: str
     failure: str
     active: str
@@ -112,7 +112,7 @@ class Guide:
 
     @property
     def busy(self) -> str:
-        """What is under way; empty where nothing is."""
+        """What is under way; empty if nothing is."""
         return self._busy
 
     def close(self) -> None:
@@ -235,7 +235,7 @@ class Guide:
 
     @property
     def _position(self) -> Pointing | None:
-        """Where the dish is, read just now; None where that is not known."""
+        """Where the dish is, read just now; None if that is not known."""
         state = self._station.state
         seen = state.position if state.position_lost is None and state.link.state is Link.UP else None
         return seen if seen is not None and self._clock.monotonic() - seen.told_at <= FRESH_S else None

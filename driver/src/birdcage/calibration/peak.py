@@ -41,7 +41,7 @@ class Peak:
     """Standard deviation of this measurement on the sky, in each of its two directions."""
     found: Found = "hand"
     rise_db: float | None = None
-    """The signal that was to be expected; None where nobody knows."""
+    """The signal that was to be expected; None if unknown."""
     number: int = 0
     """Its number in the file; 0 while it is in none."""
 

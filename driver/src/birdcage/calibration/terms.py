@@ -22,7 +22,7 @@ AZ_SIGMA_DEG = 30.0
 EL_SIGMA_DEG = 3.0
 CA_SIGMA_DEG = 0.3
 TILT_SIGMA_DEG = 1.0
-"""Of a base that nobody has measured; people put it up by eye."""
+"""Of an unmeasured base, put up by eye."""
 LEVEL_SIGMA_DEG = 0.3
 """Of one that was measured with a phone in Setup."""
 

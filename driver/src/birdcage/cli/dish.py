@@ -206,7 +206,7 @@ def open_dish(
     """Open the dish for one command, and close it whatever happens.
 
     `moves`: the command may move the dish, so a signal or an error sends STOP before the port is closed, and a last
-    line says where the dish is. `clock`: another one than the wall's, for a simulated dish. Where nobody named the
+    line says where the dish is. `clock`: another one than the wall's, for a simulated dish. Without a named
     firmware, the port is asked first. ConfigError for a firmware that this version does not speak.
     """
     wanted = with_firmware(wanted, clock=clock)

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 DEFAULT_PORT = "/dev/ttyUSB0"
 DEFAULT_FIRMWARE = "hal205"
-"""What is tried first where nobody has named a firmware and nothing answers to tell (document 003)."""
+"""What is tried first without a named firmware, if nothing answers (document 003)."""
 ASKED = "as set, else the port is asked"
 NO_DISH = "as set, else none: no limits of a dish"
 
@@ -65,7 +65,7 @@ class Wanted:
 
     @property
     def beam(self) -> Beam | None:
-        """The beam of the dish that was named, with the active feed; None where it is not known."""
+        """The beam of the dish that was named, with the active feed; None if it is not known."""
         from birdcage.base.beam import beam_of
 
         model = self.named_model

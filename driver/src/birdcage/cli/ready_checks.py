@@ -32,7 +32,7 @@ class Check:
 def checks(paths: Paths, settings: Settings, now: datetime, *, try_recording: bool = False) -> Iterator[Check]:
     """Yield every check, in the order in which one mends them; takes at most 5 s.
 
-    No port is opened, and nobody is asked over a network but the receiver, where one is set: `try_recording` lets that
+    No port is opened. Over a network only the receiver is asked, where one is set: `try_recording` lets that
     record for 2 s more.
     """
     from birdcage.cli.ready_beside import hooks

@@ -21,7 +21,7 @@ def limits_of(wanted: Wanted) -> ReachLimits:
 def what_stands_in_the_way(wanted: Wanted) -> Callable[[LookAngle], str | None]:
     """Return what says of a direction why the dish cannot hear anything there.
 
-    It is empty if nothing is known against it, and None if that is not known: nobody named the dish or its floor, or
+    It is empty if nothing is known against it, and None if that is not known: no dish or floor was named, or
     the settings that limit motion could not be read. How far the cable has turned is a matter for the dish itself.
     """
     from birdcage.sky.reach_checks import checks_of

@@ -12,7 +12,7 @@ GAP = "  "
 
 
 def room() -> int | None:
-    """Return how many characters a line of the terminal has; None where stdout is none: there is room for all."""
+    """Return how many characters a line of the terminal has; None if stdout is none: there is room for all."""
     return shutil.get_terminal_size().columns if sys.stdout.isatty() else None
 
 

@@ -106,7 +106,7 @@ def sample_values(sample: Sample) -> dict[str, object]:
 
 
 def _believed(plan: Plan) -> str:
-    """Return what error to expect of a plan, why, and what would help; empty where no elements are followed."""
+    """Return what error to expect of a plan, why, and what would help; empty if no elements are followed."""
     from birdcage.tracking.pointing_error import element_words, error_words
 
     found = plan.pointing

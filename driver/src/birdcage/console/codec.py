@@ -20,7 +20,7 @@ LONGEST_LINE = 1024
 MOST_LINES = 4096
 """Lines kept of one reply; the rest are told as `Line` only."""
 MARK = " " * 8
-"""A line that does nothing, and that nobody else sends: its echo after a prompt says that all sent before was heard."""
+"""A line that does nothing, sent for this alone: its echo after a prompt says that all sent before was heard."""
 _UNREADABLE = "\N{REPLACEMENT CHARACTER}"
 
 
@@ -32,7 +32,7 @@ class _Owed:
     prompted: bool = False
     """Whether any prompt came since it was sent."""
     excused: bool = False
-    """Whether nobody waits for its reply any more."""
+    """Whether its reply is no longer waited for."""
     is_mark: bool = False
     lines: list[str] = field(default_factory=list)
 
@@ -212,14 +212,14 @@ class Codec:
             return False
         waiting.echoed = True
         # The wire keeps the order: commands sent before this one that were never echoed were lost on the way. One
-        # that was echoed, and that nobody waits for, has lost its prompt: the dish echoes when it has answered
+        # that was echoed, and is not waited for, has lost its prompt: the dish echoes when it has answered
         # (reference section 2).
         while not self._owed[0].echoed or (self._owed[0].excused and self._owed[0] is not waiting):
             self._owed.popleft()
         return True
 
     def _echoes(self, heard: str, command: str) -> bool:
-        """Return whether this is the echo of a command: whole, or behind the rest of a prompt that nobody waits for."""
+        """Return whether this is the echo of a command: whole, or behind the rest of a prompt."""
         if heard == command:
             return True
         if not command or not self._owed[0].echoed or not self._owed[0].excused or not heard.endswith(command):

@@ -65,7 +65,7 @@ class LateLines:
         self._wire.excuse(ticket)
 
     def collect(self) -> None:
-        """Strike out what is accounted for: answered late, before something so answered, or lost for good by now."""
+        """Strike out what is accounted for: answered late, before something so answered, or lost for good."""
         wire = self._wire
         gone = wire.clock.monotonic() - 2 * wire.delay_s
         kept: list[_Sent] = []

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from birdcage.console.dialect import ConsoleDialect
 
 SUBMENU = "submenu"
-"""A menu that is surely not the root, and that nobody has entered yet under its name."""
+"""A menu that is surely not the root, and that was not yet entered under its name."""
 
 _ENTER = re.compile(r"\s*enter\s*<(\w+)>", re.IGNORECASE)
 _EXPLAINED = re.compile(r"\s-|[:<\[(]")
@@ -117,7 +117,7 @@ class Places:
         return any(marks <= listed for marks in dialect.submenu_marks.values())
 
     def _is_list(self, lines: tuple[str, ...], listed: frozenset[str]) -> bool:
-        """Return whether this is a list of commands, and not an error in words that nobody knows."""
+        """Return whether this is a list of commands, and not an error in unknown words."""
         if any(pattern.search(line) for line in lines for pattern, _ in self._dialect.refusals):
             return False
         return len(lines) > 1 or self._dialect.leave in listed

@@ -68,9 +68,9 @@ class BaudFinding:
     """How many bytes came."""
     waited_s: float
     prompt: str = ""
-    """What stood at the end as a prompt does; empty where nothing did."""
+    """What stood at the end as a prompt does; empty if nothing did."""
     listed: frozenset[str] = frozenset()
-    """The commands that `?` listed; empty where it was not sent, or lists none."""
+    """The commands that `?` listed; empty if it was not sent, or lists none."""
     text: str = field(default="", compare=False)
     """All that can be read of what came, a line end as a line end."""
 
@@ -152,7 +152,7 @@ def overhear(
 
 
 def _standing(heard: bytes) -> str:
-    """Return the prompt that stands at the end; empty where none does."""
+    """Return the prompt that stands at the end; empty if none does."""
     found = _STANDS.search(_readable(heard))
     return found[0].strip() if found else ""
 

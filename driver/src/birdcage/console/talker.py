@@ -142,7 +142,7 @@ class Talker:
     def _probe(self, *, wakes: bool = False) -> str:
         """Ask for the menu and return it: by a bare Enter and the prompt that it brings, or by help.
 
-        Lines before the prompt are nobody's: boot text. `wakes`: Enter is pressed once more where no byte comes.
+        Lines before the prompt answer nothing: boot text. `wakes`: Enter is pressed once more where no byte comes.
         """
         if not self.dialect.learnt:
             return self._transact("", on_line=self._on_line, wakes=wakes).menu

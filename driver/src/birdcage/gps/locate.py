@@ -17,7 +17,7 @@ def locate(
     receiver: str, clock: Clock, *, baud: int | None = None, timeout_s: float = 20.0, dish_port: str | None = None,
     open_link: OpenLink | None = None, wake: Wake | None = None,
 ) -> GpsFix:  # fmt: skip
-    """Return where a receiver says it is: `gpsd`, `gpsd://host:port`, or a port with NMEA such as `/dev/ttyACM0`.
+    """Return where a receiver says it is: `gpsd`, `gpsd://host:port`, or a port with NMEA, for example `/dev/ttyACM0`.
 
     `dish_port` is never opened, whatever it is called. NoFix, LinkError: the sentence says what to do.
     """

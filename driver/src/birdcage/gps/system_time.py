@@ -37,7 +37,7 @@ def run_tool(words: Sequence[str]) -> str | None:
 def by_system(now: datetime, run: RunTool = run_tool) -> ClockVerdict:
     """Judge by the programs that set the clock from the network; *unknown* where none of them tells."""
     return _chrony(now, run) or _systemd(now, run) or ClockVerdict(
-        "unknown", "nobody", now,
+        "unknown", "none", now,
         doubt="Whether the clock is right is not known: this system does not tell. Compare it with GPS or a watch.",
     )  # fmt: skip
 

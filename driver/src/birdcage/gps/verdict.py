@@ -32,9 +32,9 @@ class ClockVerdict:
     checked_at: datetime
     """By this machine's own clock."""
     offset_s: float | None = None
-    """How far this machine is ahead of the source; None where it was not measured."""
+    """How far this machine is ahead of the source; None if it was not measured."""
     precision_s: float | None = None
-    """How far from that the truth may be; None when nobody can tell."""
+    """How far from that the truth may be; None if unknown."""
     doubt: str = ""
     """Why the clock is doubtful, as a sentence; empty when it is good."""
 
@@ -45,7 +45,7 @@ class ClockVerdict:
 
     @property
     def worst_s(self) -> float | None:
-        """How far off the clock may be at most; None when nobody can tell."""
+        """How far off the clock may be at most; None if unknown."""
         return None if self.precision_s is None else abs(self.offset_s or 0.0) + self.precision_s
 
     @property

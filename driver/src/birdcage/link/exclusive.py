@@ -18,7 +18,7 @@ with contextlib.suppress(ImportError):
 
 
 def shut_others_out(port: serial.Serial) -> str:
-    """Let no further program open the port; return a remark for the transcript, empty where that cannot be done."""
+    """Let no further program open the port; return a remark for the transcript, empty if that cannot be done."""
     try:
         fcntl.ioctl(port.fileno(), termios.TIOCEXCL)
     except (NameError, OSError):

@@ -28,7 +28,7 @@ _PTY = re.compile(r"/dev/(pts/\d+|ttys\d+)")
 def dish_identity(port: str, list_ports: PortLister = list_ports) -> str | None:
     """Return the identity of the dish at `port` (a device, a link to one, a URL).
 
-    None where nothing lasts beyond the program (`sim:g2`, `loop://`), where no port is given, and for a device that is
+    None if nothing lasts beyond the program (`sim:g2`, `loop://`), where no port is given, and for a device that is
     not there: which adapter it would be is not known.
     """
     if not port:

@@ -17,7 +17,7 @@ SYS = Path("/sys")
 
 
 def latency_ms(device: str, sys: Path = SYS) -> int | None:
-    """Return how long the adapter holds bytes back; None where it has no such timer (no FTDI chip, no Linux)."""
+    """Return how long the adapter holds bytes back; None if it has no such timer (no FTDI chip, no Linux)."""
     with contextlib.suppress(OSError, ValueError):
         name = Path(device).resolve().name
         return int((sys / "class" / "tty" / name / "device" / "latency_timer").read_text())

@@ -30,7 +30,7 @@ class Link:
             transcript.begin(self.name, demo=self.demo, utc=clock.utc())
 
     def fileno(self) -> int | None:
-        """Return the descriptor to select on, or None where there is none or the port is closed."""
+        """Return the descriptor to select on, or None if there is none or the port is closed."""
         return None if self._closed else self._port.fileno()
 
     def pending(self) -> bool:

@@ -32,7 +32,7 @@ def open_link(url: str, *, baud: int, clock: Clock, transcript: Transcript | Non
     """Open a port and return it, ready to read and write.
 
     `url` is a device (`/dev/ttyUSB0`, `COM4`, a pseudo terminal, a link to one), `socket://host:port`,
-    `rfc2217://host:port`, `loop://`, or a scheme that a package registered, such as `sim:g2`. `baud` counts for
+    `rfc2217://host:port`, `loop://`, or a scheme that a package registered (`sim:g2`). `baud` counts for
     serial ports and simulated dishes. The transcript starts with the first byte.
 
     Raises LinkError with a sentence that says what to do. Reasons: missing, busy, permission, unsupported, failed.

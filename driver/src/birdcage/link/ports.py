@@ -30,7 +30,7 @@ class PortInfo:
 
     @property
     def interface(self) -> str | None:
-        """The USB interface of an adapter that has several: `0`, `1`; None where it has one, or is not on USB."""
+        """The USB interface of an adapter that has several: `0`, `1`; None if it has one, or is not on USB."""
         found = _INTERFACE.search(self.topology or "")
         return found.group(1) if found else None
 

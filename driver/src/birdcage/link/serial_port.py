@@ -47,7 +47,7 @@ class SerialPort:
         return self._descriptor
 
     def next_event(self) -> float | None:
-        """Return None: nobody knows when the dish will speak."""
+        """Return None: when the dish will speak is unknown."""
         return None
 
     def pending(self) -> bool:

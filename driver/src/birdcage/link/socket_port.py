@@ -32,7 +32,7 @@ class SocketPort:
         return None if descriptor < 0 else descriptor
 
     def next_event(self) -> float | None:
-        """Return None: nobody knows when the dish will speak."""
+        """Return None: when the dish will speak is unknown."""
         return None
 
     def pending(self) -> bool:
@@ -74,5 +74,5 @@ class SocketPort:
 
 
 def connect(host: str, port: int, name: str) -> SocketPort:
-    """Connect within 3 s; OSError if nobody answers."""
+    """Connect within 3 s; OSError without an answer."""
     return SocketPort(socket.create_connection((host, port), CONNECT_TIMEOUT_S), name)

@@ -28,7 +28,7 @@ class Hindrance:
     what: str
     """A sentence: what it is, and what it does to the dish's line."""
     command: str
-    """What to type in a shell to mend it; empty where that is no single command."""
+    """What to type in a shell to mend it; empty if that is no single command."""
     then: str = ""
     """What to do afterwards, as a sentence."""
 
@@ -135,7 +135,7 @@ def look_at_system(device: str, *, proc: Path = PROC, sys: Path = SYS) -> System
 
 
 def _running(proc: Path) -> Collection[str] | None:
-    """Return the names of all processes; None where they cannot be listed."""
+    """Return the names of all processes; None if they cannot be listed."""
     names = set()
     for file in proc.glob("[0-9]*/comm"):
         try:

@@ -81,10 +81,10 @@ def _remedy(url: str) -> str:
 
 
 def other_program(url: str, proc: Path = PROC) -> str | None:
-    """Return which other program has this port open, `screen (process 4711)`; None where none can be seen.
+    """Return which other program has this port open, `screen (process 4711)`; None if none can be seen.
 
     Only programs that this user may look into, and those that locked the port, can be seen; Linux only. A pseudo
-    terminal is held open by whoever made it, such as a simulated dish: that takes no bytes away, so none is named.
+    terminal is held open by whoever made it (a simulated dish): that takes no bytes away, so none is named.
     """
     if Path(url).resolve().is_relative_to("/dev/pts"):
         return None

@@ -16,7 +16,7 @@ class CommandDoc:
     usage: str
     """With its arguments: `a <motor> <angle>`."""
     help: str
-    """What it does; empty when nobody says."""
+    """What it does; empty if undocumented."""
 
 
 _ENTER = re.compile(r"Enter <(\S+)>\s*(?:-\s*(.*))?", re.IGNORECASE)

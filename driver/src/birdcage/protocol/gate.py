@@ -21,7 +21,7 @@ class Sector:
     to_az_deg: float
     below_el_deg: float
     reason: str = ""
-    """What stands there; empty when nobody said."""
+    """What stands there; empty if not said."""
 
     def overlaps(self, start_deg: float, turn_deg: float) -> bool:
         """Return whether an azimuth sweep from `start_deg` through `turn_deg` touches the sector's azimuths."""

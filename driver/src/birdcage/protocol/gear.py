@@ -75,7 +75,7 @@ class Gear:
         return replace(axis, **known)  # type: ignore[arg-type]
 
     def words(self) -> str:
-        """Return all of it in a sentence; empty where nothing is known."""
+        """Return all of it in a sentence; empty if nothing is known."""
         return "; ".join(
             f"{axis}: " + ", ".join(f"{kind.value} {self.facts[axis, kind].words()}" for kind in kinds)
             for axis in AXES

@@ -90,7 +90,7 @@ SEPARATORS = re.compile("[;&|]")
 """What parts commands on other consoles; no source says whether one of these dishes takes them."""
 SHORTEST_ABBREVIATION = 2
 UNLISTED_FORGETS = frozenset({"position", "turn", "limits", "search", "settings"})
-"""What a line that nobody has written down may have changed, unless the dish refuses it."""
+"""What an undocumented line may have changed, unless the dish refuses it."""
 _WORD = re.compile("[a-z0-9]+")
 
 Found = tuple[Hazard, re.Match[str]]

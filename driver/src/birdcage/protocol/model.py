@@ -99,11 +99,11 @@ class Axis:
     times: MeasuredTimes | None = None
     """Goes before speed and acceleration, where it is known."""
     play_deg: float | None = None
-    """Of this dish's gear, which no reading shows; None where nobody has measured it."""
+    """Of this dish's gear, which no reading shows; None if not measured."""
     mean_overshoot_up_deg: float | None = None
     mean_overshoot_down_deg: float | None = None
     """How far past its target this dish's axis comes to rest on the mean, of moves to greater angles and to lesser;
-    None where that was not seen yet."""
+    None if that was not seen yet."""
 
     def mean_overshoot_deg(self, way_deg: float) -> float | None:
         """Return it in the direction of a way."""
@@ -182,7 +182,7 @@ POWER_SWITCH = StopMeans("power", proven=True, sentence="the power of the dish i
 
 @dataclass(frozen=True, slots=True)
 class Handling:
-    """What a person at the dish has to know of it as a machine: sentences from its papers, empty where none is known.
+    """What a person at the dish has to know of it as a machine: sentences from its papers, empty if none is known.
 
     `docs/safety.md` has them all, with who says so.
     """
@@ -215,7 +215,7 @@ class DishModel:
     """What it does on the other one."""
     stop_ladder: tuple[StopMeans, ...]
     slew: SilentSlew | None
-    """How long ways are gone; None where each axis is always sent by itself."""
+    """How long ways are gone; None if each axis is always sent by itself."""
     search_switch: SearchSwitch
     homing_s: float | None
     """The longest that homing one axis takes; None when it homes only by itself."""
@@ -234,9 +234,9 @@ class DishModel:
     power_switch: str
     """What a person switches off where no STOP helps: `12 V switch`, `power switch`."""
     reflector: Reflector | None = None
-    """As sold; None where its size is not known. It makes the beam, together with the feed."""
+    """As sold; None if its size is not known. It makes the beam, together with the feed."""
     skew: Axis | None = None
-    """The axis that turns the feed about the beam; None where there is none."""
+    """The axis that turns the feed about the beam; None if there is none."""
     handling: Handling = Handling()
 
     @property
@@ -246,7 +246,7 @@ class DishModel:
 
     @property
     def axes_together(self) -> bool:
-        """Whether both axes move at once, as far as is known."""
+        """Whether both axes are known to move at once."""
         return not self.second_other.waits
 
     @property

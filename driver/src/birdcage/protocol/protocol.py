@@ -104,7 +104,7 @@ class FirmwareProtocol(ABC):
         """Speak over an open link. Sends nothing.
 
         `delay_s` is the longest that an answer may be on its way; `wake` ends waits early and then calls `on_wake`,
-        which may raise to abandon the exchange; `on_line` hears lines that nobody asked for.
+        which may raise to abandon the exchange; `on_line` hears unsolicited lines.
         """
         self._link = link
         self._console = Console(link, clock, self.dialect, delay_s=delay_s, wake=wake, on_wake=on_wake, on_line=on_line)
@@ -279,7 +279,7 @@ class FirmwareProtocol(ABC):
         raise self._lacks("stowing")
 
     def read_speeds(self) -> dict[int, float]:
-        """Read the greatest speed in force of each axis, by motor number, in deg/s; empty where it is not told."""
+        """Read the greatest speed in force of each axis, by motor number, in deg/s; empty if it is not told."""
         return {}
 
     def set_speed(self, motor_id: int, speed_deg_s: float) -> dict[int, float]:

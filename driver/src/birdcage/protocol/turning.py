@@ -18,7 +18,7 @@ def borders(model: DishModel) -> tuple[float, ...]:
     """Return the azimuths at which a dish may turn the other way round: north, and the stops of its cable.
 
     At north, for a Trav'ler "usually crosses" it but sometimes turns round, and its cable ends at "usually 360 or 455"
-    (reference section 3); nobody knows of the others. Nowhere, where nothing winds up.
+    (reference section 3); unknown of the others. Nowhere, where nothing winds up.
     """
     if model.cable is None:
         return ()
@@ -44,11 +44,11 @@ class AzimuthWay:
     deg: float
     """The way that is expected."""
     other_deg: float | None = None
-    """The way that it may take instead, the other way round; None where there is no doubt."""
+    """The way that it may take instead, the other way round; None if there is no doubt."""
     turns: tuple[float, ...] = ()
     """The turns of the cable that reach the target, the one that the dish takes first; only where its turn is known.
 
-    Empty where that one is not allowed.
+    Empty if that one is not allowed.
     """
 
     @property
@@ -62,7 +62,7 @@ def azimuth_way(
 ) -> AzimuthWay:
     """Return how the azimuth gets from `start_deg` to `az_deg`.
 
-    `cable_deg` is the turn of the cable, None where it is not known, and `limits` how far it may turn; None where
+    `cable_deg` is the turn of the cable, None if it is not known, and `limits` how far it may turn; None where
     nothing winds up. With a known turn the nearest is taken that the dish itself allows: how the firmware chooses is
     not documented (reference section 7.4), and of a user's narrower limits it knows nothing. Without one, the other
     way round is ruled out only where no turn makes the dish take it.
@@ -85,7 +85,7 @@ def azimuth_way(
 
 
 def is_safe_at_any_turn(model: DishModel, start_deg: float, az_deg: float, limits: tuple[float, float]) -> bool:
-    """Return whether the cable stays within its limits on the way to `az_deg`, however far it has turned by now."""
+    """Return whether the cable stays within its limits on the way to `az_deg`, however far it has turned."""
     cable = model.cable
     if cable is None:
         return True

@@ -138,7 +138,7 @@ class Beside:
 
 
 def facts_of(plan: Plan, observer: Observer | None) -> PassFacts | None:
-    """Return what a hook is told; None where nothing can be reached."""
+    """Return what a hook is told; None if nothing can be reached."""
     import numpy as np
 
     start, end = reach_start(plan), reach_end(plan)

@@ -48,7 +48,7 @@ class Choice:
     sent: tuple[Downlink, ...] = ()
     """What it is not known to have ceased to send."""
     usual: Hearing | None = None
-    """What of it is listened to where nobody has set a frequency."""
+    """What of it is listened to unless a frequency is set."""
     of_catalogue: bool = False
     """Whether what the catalogue says of it counts, now and later."""
     favourite: bool = False
@@ -94,7 +94,7 @@ class Choice:
         return other
 
     def look(self, at: Circumstances) -> LookAngle | None:
-        """Return where it stands, without refraction; None where that is not known."""
+        """Return where it stands, without refraction; None if that is not known."""
         try:
             return self._shifted().look(at.observer, at.now)
         except BirdcageError as error:

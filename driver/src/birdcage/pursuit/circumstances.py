@@ -29,7 +29,7 @@ class MountKey:
 
     mount: Mount
     turn: int | None
-    """Which turn of the cable it stands in; None where the position is not known."""
+    """Which turn of the cable it stands in; None if the position is not known."""
 
 
 def key_of(mount: Mount) -> MountKey:

@@ -51,7 +51,7 @@ class Follower:
 
     @property
     def pursuit(self) -> Pursuit | None:
-        """The pursuit of this desk, over or not; None where there is none, or it is another one's."""
+        """The pursuit of this desk, over or not; None if there is none, or it is another one's."""
         pursuit = self._station.state.pursuit
         return pursuit if pursuit is not None and pursuit.number == self._number else None
 
@@ -105,15 +105,15 @@ class Follower:
 
 
 def reach_start(plan: Plan) -> datetime | None:
-    """Return when the first leg begins; None where nothing can be reached."""
+    """Return when the first leg begins; None if nothing can be reached."""
     return datetime.fromtimestamp(plan.legs[0].start_s, UTC) if plan.legs else None
 
 
 def reach_end(plan: Plan) -> datetime | None:
-    """Return when the last leg of this plan ends; None where nothing can be reached."""
+    """Return when the last leg of this plan ends; None if nothing can be reached."""
     return datetime.fromtimestamp(plan.legs[-1].end_s, UTC) if plan.legs else None
 
 
 def told_reach_end(plan: Plan) -> datetime | None:
-    """Return when the target goes out of reach; None where it does not: always up, or never in reach."""
+    """Return when the target goes out of reach; None if it does not: always up, or never in reach."""
     return None if plan.reach_end_s is None else datetime.fromtimestamp(plan.reach_end_s, UTC)

@@ -70,7 +70,7 @@ class Memory:
             self.problem = f"{self._path} cannot be removed ({error.strerror or error})."
 
     def read(self) -> Kept | None:
-        """Return what was being followed; None for nothing, and for a file that nobody here has written."""
+        """Return what was being followed; None for nothing, and for a file of another origin."""
         try:
             values = clean_all(json.loads(read_user_file(self._path)))
         except (OSError, ValueError):

@@ -44,17 +44,17 @@ class Located:
     text: str
     """What was typed."""
     name: str = ""
-    """Of the one target that is meant; empty where `problem` says why there is none."""
+    """Of the one target that is meant; empty if `problem` says why there is none."""
     exact: bool = False
     """Whether that is by its whole name or number, and not by a part of a name."""
     az_deg: float | None = None
-    """True; None where `problem` says why."""
+    """True; None if `problem` says why."""
     el_deg: float | None = None
     """The same, refraction included as set."""
     silence: str = ""
     """`silent since 2025-08-13`; empty for what is not known to be."""
     skew: str = ""
-    """How far to turn a feed for a slot (`birdcage.sky.skew`); empty where that does not matter."""
+    """How far to turn a feed for a slot (`birdcage.sky.skew`); empty if that does not matter."""
     problem: str = ""
     """Why there is no direction: nothing or several are meant, it is below the horizon, no place is set."""
     several: bool = False

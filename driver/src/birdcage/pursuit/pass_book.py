@@ -32,7 +32,7 @@ class PassRecord:
     """None while it is under way, and where the program died in mid-pass."""
     outcome: str | None
     csv: Path | None
-    """Its file, whether that is still there or not; None where none could be made."""
+    """Its file, whether that is still there or not; None if none could be made."""
     samples: int
     last: datetime | None
     """Of the last sample."""
@@ -51,7 +51,7 @@ class PassRecord:
 
     @property
     def within_share(self) -> float | None:
-        """Which part of the samples loses no more than `WITHIN_DB`; None where no beam was known."""
+        """Which part of the samples loses no more than `WITHIN_DB`; None if no beam was known."""
         return self.within / self.told_db if self.told_db else None
 
     @property
@@ -149,7 +149,7 @@ def total_of(passes: Sequence[PassRecord]) -> Total:
 
 @contextmanager
 def _reading(journal: Path) -> Iterator[sqlite3.Connection | None]:
-    """Give a connection, or None where there is no journal: none is made."""
+    """Give a connection, or None if there is no journal: none is made."""
     import sqlite3
 
     if not journal.exists():

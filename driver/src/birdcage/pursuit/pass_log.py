@@ -107,7 +107,7 @@ class PassLog:
             self._end(event.utc, pursuit.why)
 
     def _is_due(self, pursuit: Pursuit, utc: datetime) -> bool:
-        """Return whether the pass is followed, or should be by now: one that was missed belongs into the log too."""
+        """Return whether the pass is followed, or should be: one that was missed belongs into the log too."""
         if pursuit.phase in _FOLLOWS:
             return True
         stretches = pursuit.plan.reach.intervals

@@ -48,7 +48,7 @@ class Pointer:
         self._finder = finder
         self._meant: Resolution | None = None
         self.text = ""
-        """What was typed; empty while nobody asks."""
+        """What was typed; empty without a question."""
         self._below = BelowWords()
 
     def ask(self, text: str) -> None:
@@ -62,7 +62,7 @@ class Pointer:
         self._meant = None
 
     def look(self, observer: Observer | None, now: datetime, refraction: Refraction) -> Located | None:
-        """Return where it stands; None while nobody asks."""
+        """Return where it stands; None without a question."""
         if not self.text.strip():
             return None
         if self._meant is None:

@@ -1,4 +1,4 @@
-"""Which passes of the favourites are followed, when nobody chooses: autotrack's plan, as a pure function.
+"""Which passes of the favourites are followed unless a person chooses: autotrack's plan, as a pure function.
 
 The rules:
 

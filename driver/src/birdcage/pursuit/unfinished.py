@@ -53,7 +53,7 @@ class Keeper:
         return None if found is None else Unfinished(found.name, found.text, found.since, found.reach_end)
 
     def forget(self) -> None:
-        """Forget what was found: it was taken up, or nobody wants it."""
+        """Forget what was found: it was taken up, or declined."""
         self.found, self.may_resume = None, False
         if self._memory is not None and self._kept is None:
             self._memory.clear()

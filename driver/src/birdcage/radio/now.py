@@ -43,7 +43,7 @@ class RadioNow:
     strength_at: datetime | None = None
     """When that was read."""
     recording: bool | None = None
-    """Whether it was told AOS and not LOS yet, and took it; None where it does not know these words.
+    """Whether it was told AOS and not LOS yet, and took it; None if it does not know these words.
 
     That is no proof of a recording: SDR++ takes AOS with its recording switched off, too.
     """

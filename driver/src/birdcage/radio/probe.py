@@ -40,7 +40,7 @@ def ask_receiver(address: str, timeout_s: float = 1.0, *, try_recording: bool = 
 
     `try_recording` tells it AOS and, after 2 s, LOS: it records if that is armed, and ends what it recorded before.
     Whoever falls silent after the first answer leaves the rest at None. ConfigError where that is no address, RadioLost
-    where nobody gives that first answer.
+    without that first answer.
     """
     clock = RealClock()
     where, call = caller(address, clock)

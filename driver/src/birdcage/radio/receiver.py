@@ -88,7 +88,7 @@ class Receiver:
         return math.inf
 
     def finish(self) -> bool:
-        """Hang up for good, LOS first where it is owed; False where nobody knows whether that was heard."""
+        """Hang up for good, LOS first where it is owed; False if it may not have been heard."""
         heard = True
         try:
             if self._rig is None and self._recorder.owed is not None:

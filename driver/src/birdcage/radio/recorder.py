@@ -1,4 +1,4 @@
-"""AOS and LOS: what begins must end, and what nobody understood must not be said again and again."""
+"""AOS and LOS: what begins must end, and what was not understood must not be said again and again."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ class Recorder:
 
     def __init__(self) -> None:
         self.owed: Tuning | None = None
-        """The pass that LOS is owed for: AOS was taken, or nobody knows whether it was."""
+        """The pass that LOS is owed for: AOS was taken, or may have been."""
         self.recording: bool | None = None
-        """Whether AOS was taken and LOS not told yet; None where it is not known."""
+        """Whether AOS was taken and LOS not told yet; None if it is not known."""
         self._told = False
         """Over this connection."""
         self._failures = 0
@@ -53,7 +53,7 @@ class Recorder:
             self.owed, self.recording, self._told = tuning, True, True
 
     def end(self, rig: Rig) -> None:
-        """Tell LOS where it is owed. RadioLost where nobody knows whether it was heard."""
+        """Tell LOS where it is owed. RadioLost if it may not have been heard."""
         if self.owed is None:
             return
         sure = self.recording
@@ -70,5 +70,5 @@ class Recorder:
         self.owed = None
 
     def give_up(self) -> None:
-        """Stop owing: nobody answers any more."""
+        """Stop owing: no receiver answers any more."""
         self.owed = self.recording = None

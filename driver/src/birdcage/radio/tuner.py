@@ -92,7 +92,7 @@ class Tuner:
         self._thread.start()
 
     def close(self) -> bool:
-        """Tell LOS where it is owed, and hang up; False where nobody knows whether that was heard."""
+        """Tell LOS where it is owed, and hang up; False if it may not have been heard."""
         self._hurry.set()
         self._wake.set()
         if self._thread is not None:

@@ -38,11 +38,11 @@ class Case:
     ports: tuple[PortInfo, ...] = ()
     """The ports that there are now."""
     restarted: bool = False
-    """Whether the boot text of the dish has come, and nobody has acknowledged that yet."""
+    """Whether the boot text of the dish has come, and is not acknowledged yet."""
     firmware_baud: int | None = None
-    """The rate of the firmware that was chosen; None where none was."""
+    """The rate of the firmware that was chosen; None if none was."""
     boot_s: float | None = None
-    """The longest that its boot takes; None where it is not known which one it is."""
+    """The longest that its boot takes; None if it is not known which one it is."""
 
     @property
     def answered_before(self) -> bool:

@@ -7,5 +7,5 @@ from birdcage.base.paths import Paths
 
 
 def is_first_run(settings: Settings, paths: Paths) -> bool:
-    """Return whether nobody has set anything up here: no birdcage.toml, or neither a setup nor a port in it."""
+    """Return whether nothing has been set up here: no birdcage.toml, or neither a setup nor a port in it."""
     return not paths.config_file.exists() or (not settings.setup.begun and settings.dish.port is None)

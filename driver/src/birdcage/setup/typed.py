@@ -14,7 +14,7 @@ _TIME = re.compile(r"(\d{1,2}):(\d\d)(?::(\d\d(?:\.\d+)?))?\s*z?", re.IGNORECASE
 
 
 def optional_number(values: Mapping[str, str], name: str, label: str, low: float, high: float) -> float | None:
-    """Return a number, None where nothing was typed. A comma may stand for the point, `°` and `+` are allowed."""
+    """Return a number, None if nothing was typed. A comma may stand for the point, `°` and `+` are allowed."""
     text = values.get(name, "").strip().rstrip("°").replace(",", ".").strip()
     if not text:
         return None
@@ -36,7 +36,7 @@ def number(values: Mapping[str, str], name: str, label: str, low: float, high: f
 
 
 def frequency_hz(values: Mapping[str, str], name: str, label: str) -> float | None:
-    """Return a frequency in Hz from `9750`, which is in MHz, or `9.75G`; 0 from `0`; None where nothing was typed."""
+    """Return a frequency in Hz from `9750`, which is in MHz, or `9.75G`; 0 from `0`; None if nothing was typed."""
     text = values.get(name, "").strip().replace(",", ".")
     if not text:
         return None

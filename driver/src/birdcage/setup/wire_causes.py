@@ -17,7 +17,7 @@ def _power_cycle(case: Case) -> str:
 
 
 def prompt(case: Case) -> list[Cause]:
-    """A prompt came: at another rate, or at this one by now."""
+    """A prompt came: at another rate, or at this one since."""
     present, found = case.findings[0], _first(case, Saw.PROMPT)
     if found.baud != present.baud:
         return [
@@ -103,7 +103,7 @@ def echo(case: Case) -> list[Cause]:
 
 
 def silence(case: Case) -> list[Cause]:
-    """Nothing came, or nobody has listened yet."""
+    """Nothing came, or the port was not listened to yet."""
     seen = f"Silence at {_at(case.rates(Saw.SILENCE))}." if case.findings else case.seen
     before = case.answered_before
     starting = Cause(

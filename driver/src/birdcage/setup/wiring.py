@@ -28,7 +28,7 @@ class Pin:
     signal: str
     """As the source names it: `TX-`, `T/R-`, `GND`."""
     terminal: str
-    """Where it goes at a 4-wire RS-422 adapter: `TB`; empty where nowhere."""
+    """Where it goes at a 4-wire RS-422 adapter: `TB`; empty if nowhere."""
     wire: str = ""
     """The colour in the source's drawing; cables differ."""
 

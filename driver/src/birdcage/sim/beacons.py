@@ -48,7 +48,7 @@ class Beacon:
     rows: tuple[Heard, ...]
 
     def at(self, time_s: float) -> Heard | None:
-        """Return it at that time; None where it is not up."""
+        """Return it at that time; None if it is not up."""
         after = bisect.bisect_left(self.times_s, time_s)
         if after < len(self.rows) and self.times_s[after] == time_s:
             return self.rows[after]

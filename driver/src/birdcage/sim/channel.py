@@ -27,7 +27,7 @@ class Channel(Protocol):
         """Return what a client sent, after `descriptor` became readable."""
 
     def baud(self) -> int | None:
-        """Return the rate at which the client speaks; None where there is no such thing."""
+        """Return the rate at which the client speaks; None if there is no such thing."""
 
     def attend(self) -> bool:
         """Free what a client that was killed has left locked; return whether to be asked again soon."""

@@ -5,8 +5,8 @@
     {"do": "fault", "lane": "to_host", "drop": 0.01}     fields of `Lane`; without "lane" both directions
     {"do": "echo_loss", "on": true}
     {"do": "stall", "axis": 0} {"do": "free", "axis": 0}
-    {"do": "wander", "axis": 0, "by_deg": 20}            a motor runs though nobody asked
-    {"do": "say", "text": "Hello"}                       the dish prints a line that nobody asked for
+    {"do": "wander", "axis": 0, "by_deg": 20}            a motor runs unasked
+    {"do": "say", "text": "Hello"}                       the dish prints an unsolicited line
     {"do": "brown_out", "quiet": false}                  the processor restarts, forgets homing and does not home
     {"do": "reboot"} {"do": "power_off"} {"do": "power_on"} {"do": "power_cycle", "off_s": 2}
     {"do": "deadlock"} {"do": "unplug"} {"do": "plug"}

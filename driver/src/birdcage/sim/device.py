@@ -119,7 +119,7 @@ class Device:
                 self.firmware.stalled(motor)
 
     def wander(self, axis: int = 0, by_deg: float = 20.0) -> None:
-        """Have a motor run though nobody asked; the other way where its range ends first."""
+        """Have a motor run unasked; the other way where its range ends first."""
         with self.lock:
             self.machine.run()
             motor, now = self.dish.axes[axis], self.machine.dish_s
@@ -129,7 +129,7 @@ class Device:
             motor.retarget(now, min(max(goal, motor.data.low_deg), motor.data.high_deg))
 
     def say(self, text: str) -> None:
-        """Print something that nobody asked for, if the shell lives."""
+        """Print something unsolicited, if the shell lives."""
         with self.lock:
             self.machine.run()
             if self.shell.alive:

@@ -25,7 +25,7 @@ class Host(Protocol):
         """Start over, as the command `reboot` does; a script under way is gone."""
 
     def say(self, text: str) -> None:
-        """Print something that nobody asked for, while the shell lives."""
+        """Print something unsolicited, while the shell lives."""
 
 
 class Firmware(Protocol):

@@ -58,7 +58,7 @@ class SimPort:
         if not device.wire.plugged:
             raise ConnectionError(f"{name}: the adapter is not there")
         self.set_baud(baud)
-        self.read()  # what came while nobody had the port open is lost, as on a real one
+        self.read()  # what came while the port was closed is lost, as on a real one
 
     @property
     def dish(self) -> Dish:
@@ -168,7 +168,7 @@ def open_device(address: str, *, clock: Clock) -> Device:
 
 
 def find_device(name: str) -> Device | None:
-    """Return the dish that was made for this `id`; None where there is none yet."""
+    """Return the dish that was made for this `id`; None if there is none yet."""
     with _named_lock:
         return _named.get(name)
 

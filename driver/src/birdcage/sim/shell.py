@@ -95,7 +95,7 @@ class Shell:
             self._read()
 
     def say(self, text: str) -> None:
-        """Print something that nobody asked for, or a part of an answer."""
+        """Print something unsolicited, or a part of an answer."""
         self._send(text.encode("latin-1", "replace").replace(b"\n", LINE_ENDS[self._settings.line_end]))
 
     def play(self, script: Script) -> None:

@@ -106,7 +106,7 @@ class Wire:
         self.echo_loss = False
         """Half-duplex adapter: what the dish echoes is lost, as the program is still sending."""
         self.baud: int | None = None
-        """The rate at which the program speaks; None where there is no such thing, as on TCP."""
+        """The rate at which the program speaks; None if there is no such thing, as on TCP."""
         self._wrong_baud = settings.wrong_baud
         self._noise = seeded("wrong baud", settings.seed)
 

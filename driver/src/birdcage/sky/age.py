@@ -65,7 +65,7 @@ class ExpectedError:
     measured: bool
     """Whether the figures are of this satellite, and not an estimate by its orbit."""
     unknown: str = ""
-    """Why the error is not known, as a clause; empty where it is."""
+    """Why the error is not known, as a clause; empty if it is."""
     reentry: datetime | None = None
     """When it has re-entered by its own elements."""
 
@@ -160,7 +160,7 @@ def _along_track_km(elements: ElementSet, orbit: OrbitClass, age_h: float) -> tu
     for at_epoch_km, of_station_km in zip(MEASURED[0][1:], station, strict=True):
         calm_km = at_epoch_km * size * (1.0 + age_h / 24.0)
         share = min(drag, 1.0)
-        beyond_km = (drag - share) * (of_station_km - at_epoch_km)  # nobody falls faster at epoch
+        beyond_km = (drag - share) * (of_station_km - at_epoch_km)  # none falls faster at epoch
         found.append(calm_km * (1.0 - share) + of_station_km * share + beyond_km)
     return found[0], found[1]
 

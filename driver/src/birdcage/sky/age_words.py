@@ -57,7 +57,7 @@ def age_words(age_s: float) -> str:
 
 
 def unknown_words(age_s: float, error_deg: tuple[float, float] | None, *, longest_s: float, down: str) -> str:
-    """Return why the error is not known, as a clause; empty where it is. `down`: the re-entry in words."""
+    """Return why the error is not known, as a clause; empty if it is. `down`: the re-entry in words."""
     if -age_s > AHEAD.total_seconds():
         return "its date or this computer's clock is wrong"
     if down:

@@ -1,6 +1,6 @@
 """Element sets that are dated in the future: a wrong date in a file, or a clock of this computer that is behind.
 
-Nobody can tell which. So nothing is thrown away: such a set gives way to any with a date that can be, and counts as
+Which is unknown. So nothing is thrown away: such a set gives way to any with a date that can be, and counts as
 long as there is none.
 """
 

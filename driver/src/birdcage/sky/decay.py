@@ -49,7 +49,7 @@ def reentry_words(at: datetime, when: datetime) -> str:
 
 
 def reentry_warning(rows: Iterable[tuple[ElementSet, datetime]]) -> str | None:
-    """Return what to say where some of these satellites have re-entered by then; None where none has."""
+    """Return what to say where some of these satellites have re-entered by then; None if none has."""
     down = {each.name or str(each.norad_id): None for each, when in rows if reentry(each, when) is not None}
     if not down:
         return None

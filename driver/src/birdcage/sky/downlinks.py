@@ -28,9 +28,9 @@ class Downlink:
     """The same as `freq_min_hz` where one frequency is told."""
     mode: str
     polarization: Polarization | None
-    """None where it is not known."""
+    """None if it is not known."""
     alive: bool | None
-    """Whether it was on the air at `date`; None where that is not known."""
+    """Whether it was on the air at `date`; None if that is not known."""
     source: str
     """Who says so."""
     date: str
@@ -45,9 +45,9 @@ class Downlink:
     """What else it is called in lists; `*` stands for anything."""
     note: str = ""
     symbol_rate_baud: float | None = None
-    """Symbols a second, before any error correction is taken off; None where it has none, or it is not known."""
+    """Symbols a second, before any error correction is taken off; None if it has none, or it is not known."""
     pipeline: str = ""
-    """What SatDump calls the way from this signal to its data; empty where it has none, or none was verified."""
+    """What SatDump calls the way from this signal to its data; empty if it has none, or none was verified."""
     pipeline_live: bool = True
     """Whether SatDump decodes it while it is received; False: only from a recording."""
     own: bool = False
@@ -60,7 +60,7 @@ class Downlink:
 
     @property
     def kind(self) -> Literal["linear", "circular"] | None:
-        """What kind its polarisation is; None where that is not known."""
+        """What kind its polarisation is; None if that is not known."""
         if self.polarization is None:
             return None
         return "circular" if self.polarization in ("RHCP", "LHCP", "circular") else "linear"

@@ -29,7 +29,7 @@ class Hearing:
     whole: bool
     """Whether all of its band lies in the feed's."""
     loss_db: float | None
-    """By the kinds of polarisation alone; None where one of them is not known."""
+    """By the kinds of polarisation alone; None if one of them is not known."""
 
     center_hz: float
     """The middle of what of its band lies in the feed's."""

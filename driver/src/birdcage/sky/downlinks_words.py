@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def baud_words(baud: float | None) -> str:
-    """Return a symbol rate as `2.333 Mbaud`, `665.4 kbaud`, `600 baud`; empty where it is not known."""
+    """Return a symbol rate as `2.333 Mbaud`, `665.4 kbaud`, `600 baud`; empty if it is not known."""
     if baud is None:
         return ""
     for unit, size in (("Mbaud", 1e6), ("kbaud", 1e3)):

@@ -37,13 +37,13 @@ class ElementError:
     t_s: Floats
     """POSIX seconds."""
     median_deg: Floats | None
-    """None where the error is not known, as `p90_deg`."""
+    """None if the error is not known, as `p90_deg`."""
     p90_deg: Floats | None
     """One case in ten is worse."""
 
     @property
     def unknown(self) -> str:
-        """Why the error is not known; empty where it is."""
+        """Why the error is not known; empty if it is."""
         return "" if self.median_deg is not None else self.closest.unknown
 
 

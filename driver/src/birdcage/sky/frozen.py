@@ -1,7 +1,7 @@
 """A few real element sets that ship with birdcage, for a first look at how lists and plots work.
 
 They are old: each carries its epoch, and `source` is `frozen`. Where a satellite stands today cannot be told from
-them, so nobody points a real dish by them without having been told.
+them, so whoever points a real dish by them is told.
 """
 
 from __future__ import annotations

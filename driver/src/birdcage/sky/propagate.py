@@ -51,7 +51,7 @@ def satrec(elements: ElementSet) -> Record:
 
 
 def mean_orbit(record: Record, after_days: float) -> tuple[float, float] | None:
-    """Return semi-major axis in km and eccentricity, so long after epoch; None where SGP4 has no orbit left."""
+    """Return semi-major axis in km and eccentricity, so long after epoch; None if SGP4 has no orbit left."""
     code, _, _ = record.sgp4_tsince(after_days * 1440.0)
     axis_km = record.am * _WGS72_EARTH_KM
     return None if code or not math.isfinite(axis_km) else (axis_km, record.em)

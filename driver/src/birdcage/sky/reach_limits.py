@@ -41,7 +41,7 @@ class ReachLimits:
     horizon: Horizon | None = None
     no_go: tuple[NoGo, ...] = ()
     cable_min_deg: float | None = None
-    """How far the cable lets the azimuth turn, in the dish's own frame; None where nothing winds up."""
+    """How far the cable lets the azimuth turn, in the dish's own frame; None if nothing winds up."""
     cable_max_deg: float | None = None
     az_offset_deg: float = 0.0
     """True azimuth = the dish's + this."""
@@ -56,7 +56,7 @@ class ReachLimits:
 
     @property
     def cable(self) -> tuple[float, float] | None:
-        """The range of the cable; None where there is no such limit."""
+        """The range of the cable; None if there is no such limit."""
         if self.cable_min_deg is None or self.cable_max_deg is None:
             return None
         return self.cable_min_deg, self.cable_max_deg

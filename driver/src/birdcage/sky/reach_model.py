@@ -13,7 +13,7 @@ class Stretch:
     start: datetime
     end: datetime
     turn: int | None = None
-    """The cable stands at azimuth - offset + 360 turn; None where nothing winds up, or the turn is not known."""
+    """The cable stands at azimuth - offset + 360 turn; None if nothing winds up, or the turn is not known."""
 
     @property
     def duration_s(self) -> float:

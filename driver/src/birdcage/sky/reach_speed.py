@@ -17,7 +17,7 @@ _MOST = 16
 
 
 def azimuth_room(el_deg: Floats, tolerance_deg: float, ceiling_deg: float | Floats) -> Floats:
-    """Return how far off in azimuth a dish may stand so that it points within the tolerance, in degrees.
+    """Return how far off in azimuth a dish may stand and still point within the tolerance, in degrees.
 
     It takes the elevation that is best for it: sin el' = sin el / cos tolerance, below the ceiling. 180 if any
     azimuth will do. A satellite above the ceiling by more than the tolerance leaves no room.

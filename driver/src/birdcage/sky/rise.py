@@ -77,7 +77,7 @@ class Ear:
 def expected_rise_db(target: Target, look: LookAngle, ear: Ear | None) -> float | None:
     """Return the rise to expect with the dish on a target, in dB.
 
-    None where nobody knows: satellites, whatever stands on the arc, points of the sky, and a feed without beam or band.
+    None if unknown: for satellites, whatever stands on the arc, points of the sky, and a feed without beam or band.
     """
     if ear is None or look.range_km is None or not isinstance(target, BodyTarget):
         return None

@@ -81,7 +81,7 @@ class SearchProcess:
         return job is self._job
 
     def tell(self, *message: object) -> None:
-        """Send a message. SearchFailed when there is nobody to read it."""
+        """Send a message. SearchFailed if no process reads it."""
         try:
             child = self._child or self._start()
             assert child.stdin is not None

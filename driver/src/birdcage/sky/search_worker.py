@@ -1,6 +1,6 @@
 """The process that searches for passes: `python -m birdcage.sky.search_worker CATALOGUE`, begun by `search_process`.
 
-It reads what to do from stdin and writes what it found to stdout. The end of stdin is its end, so that it never
+It reads what to do from stdin and writes what it found to stdout. It ends when stdin ends, and so never
 outlives the program that has begun it.
 """
 
@@ -37,7 +37,7 @@ class SearchWorker:
         self._now: datetime | None = None
 
     def run(self, messages: queue.SimpleQueue[Any]) -> None:
-        """Work until there is nobody left to work for."""
+        """Work until stdin ends."""
         while True:
             idle = self._hunt is None or self._hunt.idle
             with suppress(queue.Empty):

@@ -19,11 +19,11 @@ class Skew:
     geometry_deg: float
     """Between the observer's vertical and the Earth's axis."""
     tilt_deg: float | None
-    """By how much the slot's satellites are turned themselves; None where no source says it."""
+    """By how much the slot's satellites are turned themselves; None if no source says it."""
 
     @property
     def feed_deg(self) -> float | None:
-        """How far the feed is to be turned in all, -90 to 90; None where the tilt is not known."""
+        """How far the feed is to be turned in all, -90 to 90; None if the tilt is not known."""
         return None if self.tilt_deg is None else (self.geometry_deg + self.tilt_deg + 90.0) % 180.0 - 90.0
 
     def values(self) -> dict[str, float | None]:
@@ -50,7 +50,7 @@ class Skew:
 
 
 def skew_of(slot: Slot, observer: Observer) -> Skew | None:
-    """Return the skew of a slot; None where it is circular. Where that is not known, it is of a linear one."""
+    """Return the skew of a slot; None if it is circular. Where that is not known, it is of a linear one."""
     if slot.polarization == "circular":
         return None
     return Skew(look_at_slot(observer, slot.longitude_deg).skew_deg, slot.tilt_deg)

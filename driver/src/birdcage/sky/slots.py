@@ -14,11 +14,11 @@ class Slot:
     longitude_deg: float
     name: str
     networks: tuple[str, ...] = ()
-    """Who uses it: `DISH`, `DIRECTV`, `Bell`, `amateur`, `weather`, `Inmarsat`; empty where that says nothing."""
+    """Who uses it: `DISH`, `DIRECTV`, `Bell`, `amateur`, `weather`, `Inmarsat`; empty if that says nothing."""
     band: Literal["Ku", "L", "Ka"] = "Ku"
     """The one that a dish is pointed there for."""
     polarization: Literal["linear", "circular"] | None = None
-    """Of its downlink; None where it is not known."""
+    """Of its downlink; None if it is not known."""
     tilt_deg: float | None = None
     """By how much its satellites are turned about the line of sight, clockwise as in `birdcage.sky.skew`."""
     aliases: tuple[str, ...] = ()

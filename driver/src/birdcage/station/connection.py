@@ -47,7 +47,7 @@ class Connection:
 
     @property
     def asked_port(self) -> str:
-        """The port as it was asked for; the adapter may be under another name by now."""
+        """The port as it was asked for; the adapter may have another name since."""
         return self._port
 
     @property

@@ -17,7 +17,7 @@ class Control:
     """The lease and HELD. `latched` is set by STOP from any thread, before anything else happens."""
 
     def __init__(self, board: Board, keeper: HeldKeeper | None = None) -> None:
-        """`keeper` keeps HELD for the programs that come after; None where nothing lasts beyond this one."""
+        """`keeper` keeps HELD for the programs that come after; None if nothing lasts beyond this one."""
         self._board, self._keeper = board, keeper
         self.latched = False
         if keeper is not None:
@@ -43,7 +43,7 @@ class Control:
         self.take(holder)
 
     def refuse(self, holder: str, az_deg: float | None = None, el_deg: float | None = None) -> None:
-        """Raise Held or MotionRefused where nobody may move the dish now; the lease stays where it is."""
+        """Raise Held or MotionRefused where the dish may not be moved now; the lease stays where it is."""
         state = self._board.state
         if self.latched:
             held = state.held
@@ -68,7 +68,7 @@ class Control:
             self._board.change(held=replace(held, next_holder=holder, next_az_deg=az_deg, next_el_deg=el_deg))
 
     def meet(self, port: str) -> None:
-        """Take in which dish it is, and hold it where an earlier program did and nobody has released it since."""
+        """Take in which dish it is, and hold it if an earlier program did and it was not released since."""
         note = None if self._keeper is None else self._keeper.meet(port)
         if note is None or self.latched:
             return

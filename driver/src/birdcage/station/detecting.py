@@ -28,7 +28,7 @@ class Detection:
 
     port: str
     firmware: str | None
-    """None where it cannot be told."""
+    """None if it cannot be told."""
     sentence: str
     """What was seen, for a person."""
     findings: tuple[BaudFinding, ...] = ()
@@ -101,7 +101,7 @@ def detect_firmware(
 
 
 def heard_firmware(finding: BaudFinding, port: str) -> str | None:
-    """Return the firmware that shows this on `port`; None where none does for certain, or more than one might."""
+    """Return the firmware that shows this on `port`; None if none does for certain, or more than one might."""
     firmwares = firmwares_of(clues_of(finding, rate_counts=has_speed(port)))
     return firmwares[0] if len(firmwares) == 1 else None
 
@@ -148,7 +148,7 @@ def _untold(port: str, findings: list[BaudFinding]) -> str:
 
 
 def _rate_of_log(findings: list[BaudFinding]) -> int | None:
-    """Return the rate at which to listen for a log; None where noise says that nothing would be read."""
+    """Return the rate at which to listen for a log; None if noise says that nothing would be read."""
     for each in findings:
         if each.saw is Saw.TEXT:
             return each.baud

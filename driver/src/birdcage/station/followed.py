@@ -47,7 +47,7 @@ class Errors:
 
 
 def sample_of(plan: Plan, state: StationState, alignment: Alignment, seen_s: float) -> Sample | None:
-    """Return how well the last reading, made at `seen_s` (POSIX), points; None where there is none to judge.
+    """Return how well the last reading, made at `seen_s` (POSIX), points; None if there is none to judge.
 
     A reading counts the motor; where the play of the gear is known, the error is that of what hangs behind it.
     """

@@ -52,7 +52,7 @@ class GearMemory:
         self._use(Gear() if self._file is None else self._file.read())
 
     def _hear(self, event: Event) -> None:
-        """See whether the readings tell by now how far past its target the dish comes to rest."""
+        """See whether the readings tell how far past its target the dish comes to rest."""
         if not isinstance(event, PositionRead):
             return
         before = gear = self._antenna.gear
@@ -82,7 +82,7 @@ class GearMemory:
 
 @dataclass(frozen=True, slots=True)
 class GearFile:
-    """`gear.json` of one dish that speaks a firmware; None while nobody knows which."""
+    """`gear.json` of one dish that speaks a firmware; None while its firmware is unknown."""
 
     path: Path
     firmware: str | None
@@ -91,7 +91,7 @@ class GearFile:
     def of(cls, state_folder: Path, port: str, firmware: str | None) -> GearFile | None:
         """Return that of the dish at a port, of the firmware that is kept there where none is named.
 
-        None where the port has no identity.
+        None if the port has no identity.
         """
         identity = dish_identity(port)
         if identity is None:

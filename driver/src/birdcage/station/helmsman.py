@@ -73,7 +73,7 @@ class Helmsman:
         self._looked_for: Step | None = None
         """The command for which the dish was looked at anew."""
         self._unsure_until: float | None = None
-        """When a move must be over that the dish may have taken or not; None where the last answer tells that."""
+        """When a move must be over that the dish may have taken or not; None if the last answer tells that."""
         self._seen: Pointing | None = None
         """The last reading since then."""
 

@@ -34,7 +34,7 @@ class Hold(Protocol):
 
 
 Launcher = Callable[[], Hold | None]
-"""Takes a hold; None where the system has no such thing. May raise OSError."""
+"""Takes a hold; None if the system has no such thing. May raise OSError."""
 
 
 class Child:

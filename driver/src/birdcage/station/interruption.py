@@ -29,10 +29,10 @@ class Interruption:
     stops: int
     """How often STOP had been called."""
     rest_az_deg: float | None
-    """Where the dish comes to rest by itself, in its own degrees; None where that was not known."""
+    """Where the dish comes to rest by itself, in its own degrees; None if that was not known."""
     rest_el_deg: float | None
     cable_deg: float | None
-    """On which turn of the cable that is; None where it was not known."""
+    """On which turn of the cable that is; None if it was not known."""
 
     @classmethod
     def now(cls, reason: str, at: float, stops: int, state: StationState, antenna: BirdcageAntenna) -> Interruption:

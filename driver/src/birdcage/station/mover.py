@@ -202,7 +202,7 @@ class Mover(ABC):
         self._board.tell(MoveStarted(*self._board.stamp(), shown, job.holder))
 
     def _way(self, commanded: tuple[float, float]) -> float | None:
-        """Return how far the azimuth will turn; None where it may go either way round."""
+        """Return how far the azimuth will turn; None if it may go either way round."""
         way = self._antenna.protocol.gate.way_to(self._antenna.alignment.to_dish(*commanded)[0])
         return way.deg if way.other_deg is None else None
 

@@ -20,7 +20,7 @@ class Phase(Enum):
     WAITING = "waiting"
     """For the time to leave."""
     COUNTDOWN = "countdown"
-    """It is about to move, though nobody has just asked for it: `next_at` says when. STOP cancels it."""
+    """It is about to move without a fresh request: `next_at` says when. STOP cancels it."""
     PREPOSITIONING = "prepositioning"
     READY = "ready"
     """At the first point of the plan."""
@@ -74,9 +74,9 @@ class Sample:
     error_deg: float
     """The dish's own: between where the target is computed to be and the reported direction, as an angle on the sky."""
     loss_db: float | None
-    """What the error to expect costs with the beam of dish and feed; None where either is not known."""
+    """What the error to expect costs with the beam of dish and feed; None if either is not known."""
     expected_error_deg: float | None
-    """With what the age of the elements adds as a rule; None where that is not known."""
+    """With what the age of the elements adds as a rule; None if that is not known."""
 
 
 @dataclass(frozen=True, slots=True)

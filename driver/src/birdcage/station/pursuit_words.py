@@ -44,7 +44,7 @@ def interrupted(reason: str, options: PursuitOptions) -> str:
 
 
 def as_steered(why: str, phase: Phase, controller: str) -> str:
-    """Say with it, while following, that nobody reads where the dish is."""
+    """Say with it, while following, that the position is not read."""
     return f"{why} {UNREAD}" if phase is Phase.FOLLOWING and controller == "modelled" else why
 
 

@@ -44,6 +44,6 @@ class MenuCommand:
     usage: str
     """Its arguments as the dish or the reference writes them: `a <motor> <angle>`."""
     help: str
-    """What it does; empty when nobody says."""
+    """What it does; empty if undocumented."""
     told_by_dish: bool
     """Whether the dish itself listed it, rather than the reference only."""

@@ -78,7 +78,7 @@ class RawEffects:
     def sent(self, verdict: Verdict) -> None:
         """A line has gone out: forget what it may change.
 
-        One that nobody has written down is mostly a mistype, which the dish refuses: that has its time until `taken`.
+        An undocumented one is mostly a mistype, which the dish refuses: that has its time until `taken`.
         """
         self._homed_before = self._board.state.homed
         if verdict.listed:

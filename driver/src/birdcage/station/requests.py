@@ -214,7 +214,7 @@ class Watch:
 
 @dataclass(frozen=True, slots=True)
 class Unwatch:
-    """Nobody looks there any more."""
+    """End a watch."""
 
     watcher: str
 

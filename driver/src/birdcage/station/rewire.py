@@ -109,7 +109,7 @@ class Rewire:
             case Link.UP:
                 return motion is not None or state.activity in MOVING or state.raw_motion
             case Link.SILENT:
-                # STOP may still reach it. Nobody will see it arrive: its motion counts until it must have ended.
+                # STOP may still reach it. No reading will show it arrive: its motion counts until it must have ended.
                 clock = self._board.clock
                 return motion is not None and clock.monotonic() < motion.over_by(clock.rate)
         return False

@@ -36,7 +36,7 @@ class SearchSwitch:
         return self._antenna.protocol.model.search_switch is Switch.UNTIL_POWER_UP
 
     def set(self, *, disabled: bool) -> Path | None:
-        """Switch the search off, or back on; return the path of the backup, None where no setting was written."""
+        """Switch the search off, or back on; return the path of the backup, None if no setting was written."""
         protocol = self._antenna.protocol
         if self._until_power_up:
             protocol.kill_search()

@@ -81,6 +81,6 @@ class StationSettings(Rules):
     identify: Callable[[str], str | None] = lambda _port: None
     """The identity of the dish at a port, under which it is remembered; None for one that ends with the program."""
     held_keeper: HeldKeeper | None = None
-    """Keeps HELD for the programs that come after; None where it ends with this one."""
+    """Keeps HELD for the programs that come after; None if it ends with this one."""
     remark: Callable[[str], None] = lambda _text: None
     """Puts a remark into the transcript."""

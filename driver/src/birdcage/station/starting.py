@@ -26,7 +26,7 @@ class Starting:
         self._heard = 0
 
     def hear(self, line: str, *, met: bool) -> None:
-        """Take in a line that nobody asked for; a log that streams while nothing answers is shown."""
+        """Take in an unsolicited line; a log that streams while nothing answers is shown."""
         if self._antenna.protocol.model.homing_s is not None or self._board.state.link.state is Link.UP:
             return
         if UNREADABLE in line or (met and self._is_answer(line)):

@@ -30,7 +30,7 @@ class Link(Enum):
 
 
 class Activity(Enum):
-    """What the dish is doing, as far as is known."""
+    """What the dish is known to be doing."""
 
     UNKNOWN = "unknown"
     IDLE = "idle"
@@ -120,7 +120,7 @@ class Pointing:
     """Computed and not read: nothing can be asked while a silent slew lasts. `at` is then when it was computed, and
     `read_at` when the dish last said where it was."""
     read_at: float | None = None
-    """Monotonic seconds of the last reading, where `modelled`; None where `at` is that."""
+    """Monotonic seconds of the last reading, where `modelled`; None if `at` is that."""
 
     @property
     def told_at(self) -> float:
@@ -155,7 +155,7 @@ class Motion:
     to_skew_deg: float | None = None
     """Where the skew is sent; None in a motion of azimuth and elevation, whose own angles then do not change."""
     rests_at: float | None = None
-    """Monotonic seconds at which the move of one axis that is under way should end; None where STOP need not wait."""
+    """Monotonic seconds at which the move of one axis that is under way should end; None if STOP need not wait."""
     az_way_deg: float | None = None
     """How far the azimuth turns from `from_az_deg`, clockwise positive; None while which way round is not known."""
 
@@ -165,11 +165,11 @@ class HeldState:
     """STOP is latched."""
 
     by: str
-    """Empty where that is not known."""
+    """Empty if that is not known."""
     since: float
     """Monotonic seconds since when this program knows."""
     utc: datetime | None
-    """When it was latched; None where that is not known."""
+    """When it was latched; None if that is not known."""
     reason: str
     """`stop`, `link`, `suspend`, `clock step`, `fault`, `restart`."""
     next_holder: str | None = None
@@ -238,7 +238,7 @@ class StationState:
     position_lost: str | None = None
     """Why the last position no longer holds (`released`, `unhomed`, `unreadable`, `raw command`), else None."""
     position_text: str = ""
-    """What the dish said instead of where it is, in a sentence; empty where that was not asked or needs no words."""
+    """What the dish said instead of where it is, in a sentence; empty if that was not asked or needs no words."""
     target_az_deg: float | None = None
     target_el_deg: float | None = None
     target_skew_deg: float | None = None
@@ -250,7 +250,7 @@ class StationState:
     holder: str | None = None
     held: HeldState | None = None
     held_trouble: str = ""
-    """Why HELD, or its release, is not kept for the programs that come after; empty where it is."""
+    """Why HELD, or its release, is not kept for the programs that come after; empty if it is."""
     fault: Fault | None = None
     last_stop: StopReport | None = None
     homed: bool | None = None
@@ -265,13 +265,13 @@ class StationState:
     gear: Gear = field(default_factory=Gear)
     """What is known of its own play and overshoot, which `dish` has too, with where it comes from."""
     beam: Beam | None = None
-    """Of this dish with that feed; None where it is not known."""
+    """Of this dish with that feed; None if it is not known."""
     stow_allowed: bool = False
     el_min_deg: float | None = None
     """The lowest and highest true elevation that a motion may go to: the dish's own limits and the user's."""
     el_max_deg: float | None = None
     cable_min_deg: float | None = None
-    """How far the cable may turn, counted by the dish; None where there is no such limit."""
+    """How far the cable may turn, counted by the dish; None if there is no such limit."""
     cable_max_deg: float | None = None
     no_go_sectors: tuple[NoGoSector, ...] = ()
     """True degrees, from `birdcage.toml`."""

@@ -67,7 +67,7 @@ class StopWay(ABC):
 
     @abstractmethod
     def on_sight(self, earlier: Pointing, later: Pointing) -> Grip:
-        """Return what stops a motion that nobody asked for, and that two readings show."""
+        """Return what stops an unasked motion that two readings show."""
 
     @abstractmethod
     def still_s(self, *, slowest: bool) -> float:
@@ -157,7 +157,7 @@ class Retarget(StopWay):
 class Queued(StopWay):
     """Any byte ends a silent slew; the move of one axis ends at its target, and nothing else is sent (decision 0011).
 
-    What nobody asked for is its TV search, or a slew of somebody else's: a byte, and then the search is ended.
+    An unasked motion is its TV search, or a slew of somebody else's: a byte, and then the search is ended.
     """
 
     anywhere = True

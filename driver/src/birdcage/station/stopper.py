@@ -234,7 +234,7 @@ class Stopper:
             pending.note = f"The TV search was not ended: {refused} "
 
     def _may_crawl(self, means: str) -> bool:
-        """Return whether the dish may move otherwise than at a speed that is known: as nobody here has sent it."""
+        """Return whether the dish may move at an unknown speed: in a motion not sent from here."""
         if self._pending is not None and self._pending.slowest:
             return True
         return means in LOOKING and self._board.state.activity in OTHERS

@@ -24,7 +24,7 @@ from birdcage.station.vigil import Vigil
 from birdcage.station.watches import Watches
 
 LONGEST_LINE = 120
-"""Characters. No command that is known needs a third of it, and what a firmware does with more nobody knows."""
+"""Characters. No command that is known needs a third of it, and what a firmware does with more is unknown."""
 
 
 class Talk:
@@ -64,7 +64,7 @@ class Talk:
             self._end_excursion()
 
     def due(self) -> float | None:
-        """Return when to look at the line under way, or to give the console back; None while nobody talks."""
+        """Return when to look at the line under way, or to give the console back; None while no one talks."""
         if self._is_over:
             return self._last
         line_due = self.line.due()
@@ -204,7 +204,7 @@ class Talk:
             # Before the first byte: a STOP that comes after that byte must know what to stop.
             self._antenna.motion = model
         self._stopper.homing = bool(verdict.homes)
-        # What nobody has written down may lead to another menu.
+        # An undocumented line may lead to another menu.
         self._look.elsewhere = not motors or verdict.takes_s > 0 or verdict.streams or not verdict.listed
         try:
             typed = console.type_line(

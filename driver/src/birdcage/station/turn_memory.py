@@ -1,4 +1,4 @@
-"""Remembers the turn of a dish's cable while nobody looks: counted when it was last left, at the same place (SEAMS)."""
+"""Remembers the turn of a dish's cable between programs: counted when it was last left, at the same place (SEAMS)."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from birdcage.station.state import Activity
 FILE = "turn.json"
 LONGEST = 1024
 SAME_DEG = 0.05
-"""A dish that nobody has moved prints the same angles again, to a hundredth or two."""
+"""A dish that was not moved prints the same angles again, to a hundredth or two."""
 HOME_DEG = 2.0
 """So near to its reference a dish may stand because it has homed meanwhile, which unwinds its cable."""
 CLOSE_S = 0.2
@@ -106,7 +106,7 @@ class TurnMemory:
 
 
 def read_left(file: Path, firmware: str) -> Left | None:
-    """Return how a dish that speaks `firmware` was left; None where nothing tells, or not what can be believed."""
+    """Return how a dish that speaks `firmware` was left; None if nothing tells, or not what can be believed."""
     try:
         with file.open("rb") as opened:
             told = json.loads(opened.read(LONGEST))

@@ -9,7 +9,7 @@ __all__ = ["AzimuthWay", "cable_limits", "is_safe_at_any_turn", "way_to"]
 
 
 def cable_limits(state: StationState) -> tuple[float, float] | None:
-    """Return how far the cable may turn, as the station has it; None where there is no such limit."""
+    """Return how far the cable may turn, as the station has it; None if there is no such limit."""
     if state.cable_min_deg is not None and state.cable_max_deg is not None:
         return state.cable_min_deg, state.cable_max_deg
     cable = state.dish.cable if state.dish is not None else None

@@ -1,4 +1,4 @@
-"""What the station does when nobody asks for anything: looks where somebody looks, and notices what should not be."""
+"""What the station does while idle: polls what is watched, and notices what should not be."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ LESS_THAN_A_FAILED_HOMING = ("reboot", "unhomed")
 
 
 class Vigil:
-    """Idle work: polls, and the alarms for motion nobody asked for, reboots, suspends and clock steps."""
+    """Idle work: polls, and the alarms for unasked motion, reboots, suspends and clock steps."""
 
     def __init__(
         self, board: Board, antenna: BirdcageAntenna, control: Control, mover: Mover, stopper: Stopper, look: Look,
@@ -117,7 +117,7 @@ class Vigil:
             self._judge(before, after)  # else STOP came in the middle of it, and looks for itself
 
     def _judge(self, before: Pointing | None, after: Pointing | None) -> None:
-        """At rest, two readings must agree; else the dish moves though nobody asked."""
+        """At rest, two readings must agree; else the dish moves unasked."""
         if after is None:
             self._unsettled = False
             return
@@ -128,7 +128,7 @@ class Vigil:
         if activity is not Activity.IDLE and after.at - before.at < APART_S:
             self.look_again()  # a dish that moves is seen twice at the same place, so soon
             return
-        # After a motion that nobody follows, or out of sight, a slow dish must not pass for one at rest.
+        # After a motion that is not followed, or out of sight, a slow dish must not pass for one at rest.
         least_deg = STILL_DEG if self._unsettled or activity is not Activity.IDLE else UNASKED_DEG
         if self._look.apart_deg(doubted or before, after) <= least_deg:
             if activity is Activity.IDLE and self._has_crept(doubted or before, after):
@@ -224,7 +224,7 @@ class Vigil:
         self._control.hold("birdcage", "fault")
 
     def on_line(self, line: str) -> None:
-        """Hear a line that nobody asked for; boot text means that the dish has forgotten everything."""
+        """Hear an unsolicited line; boot text means that the dish has forgotten everything."""
         self._board.tell(TranscriptLine(*self._board.stamp(), "<", line))
         if self._met and self.hear_stall(line):
             return
@@ -271,7 +271,7 @@ class Vigil:
         return True
 
     def _hear_failed_homing(self, line: str) -> None:
-        """A dish that starts, and was not met yet, is in nobody's way: only that it failed to home counts."""
+        """Of a dish that starts, and was not met yet, only a failed homing counts."""
         found, fault = motor_fault(line, self._antenna.protocol.model), self._board.state.fault
         if found is None or not found.homing:
             return

@@ -45,7 +45,7 @@ class Watches:
         self._watchers.pop(watcher, None)
 
     def period_s(self, feature: str, shortest_s: float) -> float | None:
-        """Return the period at which the keenest watcher wants a feature, not below `shortest_s`; None for nobody."""
+        """Return the shortest period at which a feature is watched, at least `shortest_s`; None without a watcher."""
         rates = [watch.rate_hz for watch in self._watchers.values() if feature in watch.features]
         return max(shortest_s, 1.0 / max(rates)) if rates and max(rates) > 0 else None
 
@@ -54,7 +54,7 @@ class Watches:
         return any(feature in watch.features for watch in self._watchers.values())
 
     def position_due(self, *, for_any: bool) -> float | None:
-        """Return when to read the position next, while at rest; None when nobody looks at it, or `for_any` feature."""
+        """Return when to read the position next, while at rest; None without a watcher (`for_any` feature)."""
         period_s = self.period_s("position", POSITION_PERIOD_S)
         if period_s is None and for_any and self._watchers:
             period_s = POSITION_PERIOD_S
@@ -65,7 +65,7 @@ class Watches:
         self._position_at = at
 
     def rssi_due(self) -> float | None:
-        """Return when to read the signal next, or to go and read it; None when nobody looks."""
+        """Return when to read the signal next, or to go and read it; None without a watcher."""
         if not self.looked_at("rssi"):
             self.excursion = None
             return None

@@ -79,7 +79,7 @@ class Day:
 
     @property
     def standing(self) -> str:
-        """Whether it is always up, and why not in reach then; empty where the time of day decides."""
+        """Whether it is always up, and why not in reach then; empty if the time of day decides."""
         if self.never_up:
             return "never up here"
         if not self.always_up:

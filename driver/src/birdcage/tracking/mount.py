@@ -34,8 +34,8 @@ class Mount:
     """Lowest and highest elevation that the gate lets through, in the dish's own degrees; None: as the model has it."""
     el_max_deg: float | None = None
     beam: Beam | None = None
-    """Of this dish with the feed that is mounted; None where it is not known."""
+    """Of this dish with the feed that is mounted; None if it is not known."""
 
     def beam_at(self, frequency_hz: float | None) -> Beam | None:
-        """Return the beam at a frequency, as `Beam.at`; None where it is not known."""
+        """Return the beam at a frequency, as `Beam.at`; None if it is not known."""
         return None if self.beam is None else self.beam.at(frequency_hz)

@@ -59,7 +59,7 @@ class Leg:
     """The dish's own azimuth at the start: the turn of the cable where that is known."""
     to_az_deg: float
     turn: int | None = None
-    """Cable = dish azimuth + 360 turn; None where nothing winds up, or the turn is not known."""
+    """Cable = dish azimuth + 360 turn; None if nothing winds up, or the turn is not known."""
     waypoints: tuple[tuple[float, float], ...] = ()
     """Dish azimuth and elevation of every stop of a rewind, and of the way over a no-go sector to a leg that does not
     begin where the one before ended; the last one is where the next following begins. As in `Preposition`."""
@@ -93,7 +93,7 @@ class Keyhole:
     limit_deg: float
     """The least that is possible with both axes at once at their greatest speeds."""
     max_loss_db: float | None = None
-    """What `max_error_deg` costs at most; None where the beam is not known."""
+    """What `max_error_deg` costs at most; None if the beam is not known."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -103,7 +103,7 @@ class Forecast:
     t_s: Floats
     error_deg: Floats
     loss_db: Floats | None
-    """By the beam of dish and feed, as `Beam.loss_db`; None where that is not known."""
+    """By the beam of dish and feed, as `Beam.loss_db`; None if that is not known."""
     rms_deg: float
     max_deg: float
 
@@ -132,7 +132,7 @@ class Plan:
     """Where the target stands, from AOS to LOS: true degrees, lifted by refraction."""
     course: Curve | None
     """Where the dish is to stand, in its own degrees, azimuth unrolled as in `Leg`, from the first leg to the last;
-    None where nothing can be reached."""
+    None if nothing can be reached."""
     legs: tuple[Leg, ...]
     preposition: Preposition | None
     keyholes: tuple[Keyhole, ...]
@@ -147,7 +147,7 @@ class Plan:
     elements: ElementError | None = None
     """How far off the elements may be; None for what follows none, and for orbits that are made up."""
     pointing: PointingError | None = None
-    """What to expect of dish and elements together; None where nothing is followed."""
+    """What to expect of dish and elements together; None if nothing is followed."""
     day: Day | None = None
     """The next 24 hours of what does not pass; None for a pass, or where not all of them are known."""
 

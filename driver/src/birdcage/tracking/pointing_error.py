@@ -47,13 +47,13 @@ class PointingError:
     elements: ElementError | None
     """None for what follows no elements, and for orbits that are made up."""
     median: Level | None
-    """None where it is not known."""
+    """None if it is not known."""
     p90: Level | None
     """One pass in ten is worse; without elements as `median`."""
 
     @property
     def unknown(self) -> str:
-        """Why it is not known, as a clause; empty where it is."""
+        """Why it is not known, as a clause; empty if it is."""
         return "" if self.elements is None else self.elements.unknown
 
     @property
@@ -75,7 +75,7 @@ class PointingError:
         )
 
     def at(self, t_s: float, dish_deg: float) -> float | None:
-        """Return the error to expect at a time, as a rule, of a dish so far off the track; None where it is unknown."""
+        """Return the error to expect at a time, as a rule, of a dish so far off the track; None if it is unknown."""
         found = self.elements
         if found is None:
             return dish_deg

@@ -55,7 +55,7 @@ class Pursuer:
             yield from self._park(voyage.park)
 
     def _may_leave(self, leg: Leg) -> Generator[Step, Answer, bool]:
-        """Wait for the time to leave; return whether it has come, and was counted down to if nobody has just asked."""
+        """Wait for the time to leave; return whether it has come, and was counted down to unless just asked for."""
         leave_s = self._voyage.leave_s(leg)
         asked = self._voyage.asked and max(leave_s, self._now_s) - self._begun_s <= JUST_ASKED_S
         begin_s = leave_s if asked else leave_s - COUNTDOWN_S

@@ -70,9 +70,9 @@ class Answer:
 
     now_s: float
     sent_s: float | None = None
-    """When the line of a `Send` or `Limit` began to go out; None where its answer was lost: it may have been taken."""
+    """When the line of a `Send` or `Limit` began to go out; None if its answer was lost: it may have been taken."""
     az_deg: float | None = None
-    """Of a `Look` or `Slew`: where the dish was; None where that is not known."""
+    """Of a `Look` or `Slew`: where the dish was; None if that is not known."""
     el_deg: float | None = None
     seen_s: float | None = None
     """When it was there, as well as can be told: in the middle of the exchange."""

@@ -50,7 +50,7 @@ def aside(right_deg: float, up_deg: float) -> str:
 
 
 def maybe(value: float | None, digits: int = 2) -> str:
-    """Return an angle; a dash for one that nobody knows."""
+    """Return an angle; a dash for an unknown one."""
     return "--" if value is None else f"{value:.{digits}f}°"
 
 

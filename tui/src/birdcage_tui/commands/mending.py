@@ -57,7 +57,7 @@ def motion_mend(view: View) -> Mend | None:
 
 
 def offered(command: Command, view: View) -> Mend | None:
-    """Return what comes before what a command offers; None where nothing does.
+    """Return what comes before what a command offers; None if nothing does.
 
     Enter releases what is held before anything else; a motion that can't be sent gives way to what mends that.
     """

@@ -16,7 +16,7 @@ def can_choose(view: View) -> str | None:
 
 
 def can_hear(view: View) -> str | None:
-    """Return why nobody can say what the feed hears."""
+    """Return why what the feed hears is unknown."""
     if view.sky is None or not view.sky.rows:
         return "No passes yet."
     return None if view.sky.feed else "The feed has no band. Set freq_min_hz and freq_max_hz in birdcage.toml."

@@ -103,7 +103,7 @@ class Asking:
         return view.state.held is not None and self.verdict.grade >= Grade.MOVES
 
     def drop(self) -> None:
-        """Nobody is there any more: a line that waits for control is not sent."""
+        """The app ends: a line that waits for control is not sent."""
         self.text, self.armed = "", False
 
     def complete(self, view: View) -> str:

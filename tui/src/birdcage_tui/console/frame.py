@@ -94,7 +94,7 @@ class PromptCell(Pane):
         super().show(view)
 
     def draw(self, cells: Cells, view: View) -> None:  # noqa: ARG002 - what it says is set by the console
-        """Write it, right-aligned, so that it stands against what is typed."""
+        """Write it, right-aligned, against what is typed."""
         cells.right(cells.width - 1, 0, self.words, self.ink)
         self.heat(0, 0, cells.width, "console-type")
 

@@ -12,7 +12,7 @@ from birdcage.station.raw import Direction, printable
 HEX_WIDTHS = (16, 12, 8, 4)
 """Bytes a row; the first that fits is taken."""
 BY_BIRDCAGE = "   by birdcage"
-"""Stands after a line that nobody typed, and that is no mere question."""
+"""Stands after a line that was not typed, and that is no mere question."""
 
 
 class Stamps(Enum):

@@ -123,7 +123,7 @@ class ConsoleOverlay(Container):
         return self._shell.session.clock.monotonic()
 
     def show(self, view: View) -> None:
-        """Draw everything. Where nothing has the focus (a dialog gave it to nobody), the log takes it."""
+        """Draw everything. Where nothing has the focus (a dialog gave it back to none), the log takes it."""
         if self.size.area and self.screen.focused is None:
             self.screen.set_focus(self._pane)
         if not view.link_up:

@@ -85,7 +85,7 @@ class Quarter:
 
 
 def horizon_deg(view: View) -> float | None:
-    """Return how high trees and roofs stand where the dish looks; None where that is not known."""
+    """Return how high trees and roofs stand where the dish looks; None if that is not known."""
     position = view.state.position
     return None if position is None or not view.horizon.mask.is_line else view.horizon.mask.at(position.az_deg)
 

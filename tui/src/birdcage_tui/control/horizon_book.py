@@ -45,7 +45,7 @@ class HorizonBook:
 
     @property
     def known(self) -> HorizonMask | None:
-        """The mask; None where this app keeps none, so that another's counts."""
+        """The mask; None if this app keeps none, so that another's counts."""
         return None if self._file is None else self.mask
 
     @property

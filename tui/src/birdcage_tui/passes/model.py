@@ -58,7 +58,7 @@ class Path:
         return range_km, self.rate_km_s[begin] * rest + self.rate_km_s[end] * share
 
     def fastest_deg_s(self) -> float | None:
-        """Return the greatest angular rate of the pass; None where there is no path."""
+        """Return the greatest angular rate of the pass; None if there is no path."""
         places = list(zip(self.t_s, self.az_deg, self.el_deg, strict=True))
         rates = [
             separation(*before[1:], *after[1:]) / (after[0] - before[0])
@@ -139,7 +139,7 @@ class Frequency:
     what: str
     """`its LRPT`, `middle of feed`."""
     signal: tuple[str, ...] = ()
-    """What is sent there, SatDump's name for it, and how sure that is; empty where nothing is known to be sent."""
+    """What is sent there, SatDump's name for it, and how sure that is; empty if nothing is known to be sent."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -166,7 +166,7 @@ class Row:
     still_up: bool = False
     """It was up when the search ended."""
     hears: str | None = None
-    """What the feed in use hears of it, in words; empty: nothing that is known; None: nobody can say."""
+    """What the feed in use hears of it, in words; empty: nothing that is known; None: unknown."""
     sunlit_share: float | None = None
     """How much of the pass the Sun shines on it, 0 to 1."""
     sun: tuple[float, float] | None = None
@@ -190,7 +190,7 @@ class Row:
 
     @property
     def path(self) -> Path | None:
-        """Where it goes; None where that is not known."""
+        """Where it goes; None if that is not known."""
         return None if self.way is None else self.way.path()
 
     @property
@@ -216,7 +216,7 @@ class Row:
     def next_event(self, t_s: float) -> tuple[float, str] | None:
         """Return what comes next: of reach if there is any to come, else AOS or LOS.
 
-        None once it is over, and for what was up when the search ended: nobody has looked further.
+        None once it is over, and for what was up when the search ended: nothing later was searched.
         """
         for start, end in () if self.reach is None else self.reach.intervals:
             if t_s < start:

@@ -89,7 +89,7 @@ class PassWorld(WorldMapPane):
             self._waits = cast(Host, self.app).sky.look_down(ask, lambda world: self.post_message(self.Seen(world)))
 
     def on_pass_world_seen(self, event: Seen) -> None:
-        """Draw the answer; ask again if another moment is shown by now."""
+        """Draw the answer; ask again if another moment is shown meanwhile."""
         event.stop()
         self._waits = False
         self.look_down(event.world)

@@ -72,7 +72,7 @@ def arrange(choices: Sequence[Choice], width: int, folded: Collection[str] = ())
 def fold_to(choices: Sequence[Choice], width: int, room: int, opened: str) -> frozenset[str]:
     """Return the names of the choices whose fields are not shown, so that the rows fit into `room`.
 
-    None where all fit; else all but the opened one.
+    Empty if all fit; otherwise all but the opened one.
     """
     if len(arrange(choices, width)) <= room:
         return frozenset()

@@ -69,7 +69,7 @@ class StepsPane(Pane):
             self._at += [row.first] * (1 + len(block) + gap)
 
     def _blocks(self, width: int, height: int) -> list[list[str]] | None:
-        """Return the evidence of each step, wrapped as far as there is room; None where a row a step must do."""
+        """Return the evidence of each step, wrapped as far as there is room; None if a row a step must do."""
         if not self.tall or not all(row.single for row in self._rows):
             return None
         for most in (3, 2, 1):

@@ -55,7 +55,7 @@ def sample_of(view: View) -> Sample | None:
 
 
 def beam_of(view: View) -> Beam | None:
-    """Return the beam at the frequency of the plan that is drawn; None where it is not known."""
+    """Return the beam at the frequency of the plan that is drawn; None if it is not known."""
     plan, beam = plan_of(view), view.state.beam
     return beam if beam is None or plan is None else beam.at(plan.aim.frequency_hz)
 

@@ -182,7 +182,7 @@ def _curve(canvas: Braille, series: Series, x_of: Callable[[float], float], up: 
 def _errors(cells: Cells, view: View, plan: Plan, box: tuple[int, int, int], x_of: Callable[[float], float]) -> None:
     """Draw the error: expected, and as it was; degrees at the left, dB of the beam at the right.
 
-    Where that of the elements is unknown it is the dish's own, called so, and costs nobody knows what.
+    Where that of the elements is unknown it is the dish's own, called so, and its cost is unknown.
     """
     y, height, width = box
     top = error_top(view, plan)

@@ -94,7 +94,7 @@ def live_words(view: View, *, brief: bool = False) -> str:
 
 
 def countdown_s(view: View) -> float | None:
-    """Return the seconds until it moves though nobody has just asked for it; None unless it counts down."""
+    """Return the seconds until it moves without a fresh request; None unless it counts down."""
     pursuit = pursuit_of(view)
     if pursuit is None or pursuit.phase is not Phase.COUNTDOWN:
         return None

@@ -53,7 +53,7 @@ def read_document(path: Path | None) -> Document:
 
 
 def _unreadable(path: Path, line: int | None, what: str) -> Document:
-    # Nobody can tell which limits it held, so it counts as holding some.
+    # Which limits it held is unknown, so it counts as holding some.
     sentence = f"{what} All settings have their defaults."
     return Document(path, problems=(Problem(path, line, None, sentence, limits_motion=True),))
 

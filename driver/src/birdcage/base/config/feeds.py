@@ -60,7 +60,7 @@ class FeedProfile(Section):
 
     @property
     def middle_hz(self) -> float | None:
-        """The middle of the band; None where that is not known."""
+        """The middle of the band; None if that is not known."""
         low, high = self.freq_min_hz, self.freq_max_hz
         return None if low is None or high is None else (low + high) / 2.0
 

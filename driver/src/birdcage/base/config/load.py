@@ -140,7 +140,7 @@ class _Reader:
         for key, what in complaints:
             self._complain((*path, key), what, limits_motion=limits_motion)
         if complaints:
-            # Keys that contradict each other: nobody can tell which is wrong, so the section keeps its defaults.
+            # Keys that contradict each other: which is wrong is unknown, so the section keeps its defaults.
             for key in values:
                 self._sources.pop(".".join((*path, key)), None)
             return base

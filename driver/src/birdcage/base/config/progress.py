@@ -1,4 +1,4 @@
-"""`[setup]`: how far the setup is, one line a step, so that it can be left and gone on with."""
+"""`[setup]`: how far the setup is, one line a step; it can be left and resumed."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ class SetupSettings(Section):
 
     @property
     def clock_offset_s(self) -> float | None:
-        """How far this machine's clock was ahead of a watch or GPS, 0 where it is trusted; None when nobody looked."""
+        """How far this machine's clock was ahead of a watch or GPS, 0 if it is trusted; None if not compared."""
         found = _CLOCK.fullmatch(self.clock or "")
         if found is None:
             return None

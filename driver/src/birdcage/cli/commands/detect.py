@@ -46,7 +46,7 @@ def command(context: click.Context) -> None:
 
 
 def _owner(dish: Wanted) -> str | None:
-    """Return who has the port, in a sentence; None where no birdcage program has."""
+    """Return who has the port, in a sentence; None if no birdcage program has."""
     from birdcage.station.ring import NoAnswer, NobodyThere, find_owner, owners_folder, ring
 
     owner = find_owner(owners_folder(dish.paths), dish.port)

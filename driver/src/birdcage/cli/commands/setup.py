@@ -53,7 +53,7 @@ def command(listing: bool, step: str | None) -> None:
             firmware = setup.begin_anew
         if not firmware:
             break
-        # Another dish than was thought: its firmware is kept by now, and counts over what was given at the start.
+        # Another dish than was thought: its firmware has been saved, and counts over what was given at the start.
         for name in ("firmware", "baud"):
             flags().values.pop(name, None)
         dish_wanted = replace(wanted(), firmware=firmware, firmware_given=True)

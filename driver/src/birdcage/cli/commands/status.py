@@ -77,7 +77,7 @@ def _unknown(dish: Wanted) -> dict[str, Any]:
 
 
 def _wear(dish: Wanted, firmware: str | None, *, demo: bool) -> dict[str, Any] | None:
-    """Return what each axis has done so far, by its name; None where nothing was counted, or can't be read."""
+    """Return what each axis has done so far, by its name; None if nothing was counted, or can't be read."""
     from birdcage.base.errors import StoreError
     from birdcage.base.wear import read_wear
     from birdcage.cli.say import say

@@ -24,7 +24,7 @@ class DiseqcReply:
     """What an LNB or switch answered. No source documents the fields of an answer."""
 
     timed_out: bool
-    """Nobody answered: no switch or LNB that speaks DiSEqC 2.x."""
+    """No answer: no switch or LNB that speaks DiSEqC 2.x."""
     lines: tuple[str, ...]
     """As printed; `di2conf` has shown `3 21180544 238 <4.5`."""
 

@@ -43,7 +43,7 @@ class Gains:
     """Gains of a control loop, in the firmware's own units."""
 
     motor: int | None
-    """None where the dish prints one set for all."""
+    """None if the dish prints one set for all."""
     kp: float
     kv: float
     ki: float | None

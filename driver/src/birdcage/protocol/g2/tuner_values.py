@@ -1,7 +1,7 @@
 """What the tuner tells, and how it is read off its lines.
 
 Only `rssi` is quoted in full (reference section 7.6). Of the others the sources tell the fields, not the form: each is
-looked for by its name, and is None where it is not found; `lines` are then what there is.
+looked for by its name, and is None if it is not found; `lines` are then what there is.
 """
 
 from __future__ import annotations

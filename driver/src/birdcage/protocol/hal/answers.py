@@ -20,7 +20,7 @@ _NUMBER = re.compile(r"(?:^|(?<=[\s=:]))([-+]?\d+(?:\.\d+)?)(?=\s|$)")
 
 
 def parse_position(lines: Iterable[str]) -> Position:
-    """Return the angles that `a` printed; skew None where none was printed.
+    """Return the angles that `a` printed; skew None if none was printed.
 
     PositionUnknown (`unhomed`) for an axis that does not know where it is, UnreadablePosition unless azimuth and
     elevation were printed as angles.

@@ -25,7 +25,7 @@ class BootWatch:
         """The last line heard."""
 
     def hear(self, text: str, now: float) -> None:
-        """Take in a line that nobody asked for."""
+        """Take in an unsolicited line."""
         self._heard_at, self.last = now, text.strip()
         if any(mark in text for mark in self._marks):
             self._ended = True

@@ -1,4 +1,4 @@
-"""The commands of the Trav'ler with HAL 2.05, menu by menu (reference sections 2 and 4). Nobody has a full list."""
+"""The commands of the Trav'ler with HAL 2.05, menu by menu (reference sections 2 and 4). No full list is known."""
 
 from __future__ import annotations
 

@@ -79,7 +79,7 @@ class FeedStep(Step):
             self._mount(own[int(choice.removeprefix("feed-")) - 1], {})
 
     def _beam(self, feed: FeedProfile) -> Beam | None:
-        """Return the beam of this dish with a feed; None where it is not known, as before the dish is."""
+        """Return the beam of this dish with a feed; None if it is not known, as before the dish is."""
         dish = self.bench.state.dish
         return beam_of(feed, None if dish is None else dish.reflector)
 

@@ -41,7 +41,7 @@ class FirstStep(Step):
         return self._pointed or self._expected()
 
     def _expected(self) -> str:
-        """Name the slot and where it stands; empty where none does."""
+        """Name the slot and where it stands; empty if none does."""
         found = self._slot()
         if found is None:
             return ""

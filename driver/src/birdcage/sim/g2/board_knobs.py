@@ -33,7 +33,7 @@ class BoardSettings(Settings):
     snr_counts: float = 15.0
     """Counts above the empty sky for each dB of SNR; without lock it says 0. [I]"""
     lnb_13v_counts: float = 0.0
-    """What 13 V adds to the level of the empty sky in `rssi`: it differs between polarities, by how much in DVB nobody
+    """What 13 V adds to the level of the empty sky in `rssi`: it differs between polarities, by how much in DVB no one
     measured. [open]"""
     tuner_read_s: float = 0.05
     """Time of one look of the tuner in `table`, `tablex`, `diag`, `range`, `srch` and the menu PEAK. [I]"""

@@ -1,6 +1,6 @@
 """What can be chosen about a simulated Trav'ler with HAL 2.05 beside what every dish has (`birdcage.sim.settings`).
 
-Nobody has captured a byte of this console (reference section 14): texts and layouts are free. Each field is an option
+No byte of this console was ever captured (reference section 14): texts and layouts are free. Each field is an option
 of the address: `sim:hal205?prompts=alike&wrap=360`. Provenance tags as in `birdcage.sim.settings`.
 """
 

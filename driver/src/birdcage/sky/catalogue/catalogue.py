@@ -74,7 +74,7 @@ class Catalogue:
         """Take in elements; of each satellite those with the newest epoch stay. All of it happens or nothing.
 
         An epoch that is too far ahead of `fetched` counts as older than every other (`birdcage.sky.ahead`).
-        `group`: the satellites belong to it from now on, and with `whole_group` nobody else does. Elements without a
+        `group`: the satellites belong to it from now on, and with `whole_group` no other does. Elements without a
         name take the one that is known. `fetched` is when they came, UTC; now if not given.
         """
         group = None if group is None else clean(group)

@@ -24,9 +24,9 @@ class Entry:
     tags: tuple[str, ...] = ()
     favourite: bool = False
     priority: int = 0
-    """Higher comes first; 0 is what nobody has set."""
+    """Higher comes first; 0 if not set."""
     time_offset_s: float | None = None
-    """How much later than its elements say the satellite comes; None where nobody has set it."""
+    """How much later than its elements say the satellite comes; None if not set."""
     time_offset_set: datetime | None = None
     """When the user set that, UTC."""
 

@@ -1,7 +1,7 @@
 """The tables of `catalogue.sqlite`.
 
 A satellite is known by its key: its catalogue number, or its name where it has none. What the user says about it
-(`note`, `tag`) stands apart from the elements, so that it outlives each set of them.
+(`note`, `tag`) stands apart from the elements, and outlives each set of them.
 """
 
 from __future__ import annotations

@@ -33,7 +33,7 @@ _NEEDED = (
 
 
 def _filled(fields: Mapping[str, object], key: str) -> object:
-    """Return the value, None where it is left out or empty."""
+    """Return the value, None if it is left out or empty."""
     value = fields.get(key)
     return None if isinstance(value, str) and not value.strip() else value
 

@@ -20,7 +20,7 @@ _NUMBERS = re.compile(r"[-+−]?[\d.]+°?[\s,;/][-+−\d.,;/\s°º]*|(?:az|el|az
 
 
 def read_form(typed: str) -> Target | None:
-    """Return the target that numbers name; None where it is no such form. ValueError says what is wrong with one."""
+    """Return the target that numbers name; None if it is no such form. ValueError says what is wrong with one."""
     refuse_two_ways(typed)
     for form, make in _FORMS:
         found = form.fullmatch(typed)

@@ -91,7 +91,7 @@ class SlotTarget:
         return LookAngle(seen.az_deg, seen.el_deg, seen.range_km, 0.0)
 
     def skew(self, observer: Observer) -> Skew | None:
-        """Return how far a feed is to be turned for a linear downlink; None where it is circular."""
+        """Return how far a feed is to be turned for a linear downlink; None if it is circular."""
         return skew_of(self.slot, observer)
 
 

@@ -30,7 +30,7 @@ class Silence:
     """That a satellite is off the air, and who says so."""
 
     since: str
-    """Day, month or year; empty where no source says it."""
+    """Day, month or year; empty if no source says it."""
     seen: str
     """What day, month or year the source speaks of."""
     source: str
@@ -60,7 +60,7 @@ class Sender:
     names: tuple[str, ...]
     """What else it is called; `*` stands for anything."""
     silence: Silence | None
-    """None where anything of it is on the air, or that is not known."""
+    """None if anything of it is on the air, or that is not known."""
 
     @property
     def plain_names(self) -> frozenset[str]:

@@ -29,7 +29,7 @@ class Hit(Protocol):
 
     @property
     def time_offset_s(self) -> float | None:
-        """How much later than computed it comes; None where nobody has set it."""
+        """How much later than computed it comes; None if not set."""
 
 
 class Searchable(Protocol):
@@ -78,7 +78,7 @@ class Resolution:
     """Whether that is by its whole name, its number or numbers typed, and not by a part of a name."""
     reason: Reason = "found"
     problem: str = ""
-    """Why nothing is found, and what to type or do; empty where something is."""
+    """Why nothing is found, and what to type or do; empty if something is."""
     candidates: tuple[Candidate, ...] = ()
     """What may be meant, best first, where nothing is found."""
 
@@ -94,7 +94,7 @@ class Resolution:
 
     @property
     def silent_since(self) -> str | None:
-        """Day, month or year since which what is found is off the air; None where it is not, or none is known."""
+        """Day, month or year since which what is found is off the air; None if it is not, or none is known."""
         silence = None if self.found is None else self.found.silence
         return None if silence is None else silence.since or None
 

@@ -100,7 +100,7 @@ class Resolver:
         return tuple(other for s in self._senders if s.is_of(norad_id, name) for other in (s.name, *s.names))
 
     def sender(self, text: str) -> Sender | None:
-        """Return who in the table of downlinks is called that, whether the catalogue has it or not; None for nobody."""
+        """Return who in the table of downlinks is called that, in the catalogue or not; None if no entry is."""
         return next((each for each in self._senders if each.is_called(plain(text))), None)
 
     def silence_words(self, norad_id: int, name: str) -> str:
@@ -116,7 +116,7 @@ class Resolver:
     # --- whole names
 
     def _exactly(self, typed: str) -> Resolution | None:
-        """Return what bears this name, or that two do, or that it is known but absent; None where nothing does."""
+        """Return what bears this name, or that two do, or that it is known but absent; None if nothing does."""
         wanted = plain(typed)
         star, satellite = self._star(wanted), self._satellite(typed)
         if star is not None and satellite is not None:

@@ -32,7 +32,7 @@ def below_words(target: Target, observer: Observer, when: datetime) -> str:
 
 
 def next_rise(target: Target, observer: Observer, when: datetime) -> datetime | None:
-    """Return when a target that is below the horizon comes over it; None where that takes longer than a day."""
+    """Return when a target that is below the horizon comes over it; None if that takes longer than a day."""
     when = when.astimezone(UTC)
     if isinstance(target, Satellite):
         return _next_aos(target, observer, when)

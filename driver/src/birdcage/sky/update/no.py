@@ -24,7 +24,7 @@ class Pause:
 
 
 def pause_of(reply: Reply, host: str, now: datetime) -> Pause | None:
-    """Return the pause that an answer asks for; None where it asks for none."""
+    """Return the pause that an answer asks for; None if it asks for none."""
     asked = _retry_after(reply.headers.get("retry-after", ""), now)
     if reply.status == 403 and b"has not updated since" in reply.body:
         # CelesTrak: "GP data has not updated since your last successful download of GROUP=..."

@@ -1,6 +1,6 @@
 """`birdcage elements update`: fetches groups into the catalogue, politely, each for itself.
 
-A group that cannot be had costs neither its old elements nor the other groups. Nobody is asked more often than they
+A group that cannot be had costs neither its old elements nor the other groups. No server is asked more often than they
 want: not within two hours of the last answer (`--force` does), and not during a pause that a server has asked for by
 403 or 429 (nothing does).
 """

@@ -62,7 +62,7 @@ GROUPS: dict[str, str] = {
 """What there is by name, and in words. All but `satnogs` are CelesTrak's own names."""
 
 DEFAULT_GROUPS = ("stations", "weather", "amateur", "geo")
-"""Fetched where nobody has named any."""
+"""Fetched by default."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +78,7 @@ class Source:
 def find_sources(names: tuple[str, ...], *, mirror_url: str | None = None) -> tuple[Source, ...]:
     """Return where these groups are fetched. ConfigError for a name that is none, with the nearest one.
 
-    With `mirror_url`, whose `{group}` stands for the name, everything comes from there, any name is good, and nobody
+    With `mirror_url`, whose `{group}` stands for the name, everything comes from there, any name is good, and no one
     but its owner says how often it may be asked.
     """
     return tuple(_source(name, mirror_url) for name in dict.fromkeys(names))

@@ -39,7 +39,7 @@ def take(reply: Reply, source: str, host: str) -> Harvest:
 
 
 def _check_whole(text: str, host: str) -> None:
-    """Refuse JSON and XML that end before their end: nobody can tell what is missing."""
+    """Refuse JSON and XML that end before their end: what is missing is unknown."""
     from xml.parsers import expat
 
     begins = text.lstrip()[:1]

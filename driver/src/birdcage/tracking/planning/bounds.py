@@ -51,7 +51,7 @@ class Bounds:
     low_el_deg: float
     high_el_deg: float
     cable: tuple[float, float] | None
-    """None where nothing winds up."""
+    """None if nothing winds up."""
     turn_known: bool
     """Whether the azimuth tells the turn of the cable; True where nothing winds up."""
     keepouts: tuple[Keepout, ...]
@@ -88,7 +88,7 @@ class Bounds:
 
 
 def _keepouts(mount: Mount) -> tuple[Keepout, ...]:
-    """Return the sectors as the gate has them, so that it lets every motion of a plan through."""
+    """Return the sectors as the gate has them: it lets every motion of a plan through."""
     found = []
     for one in mount.limits.no_go:
         sector = mount.alignment.sector_to_dish(one.az_from_deg, one.az_to_deg, one.el_below_deg)

@@ -16,7 +16,7 @@ from birdcage.tracking.planning.sky_path import sky_path
 def day_ahead(
     target: Target, observer: Observer, mount: Mount, start_s: float, refraction: Refraction, time_offset_s: float
 ) -> Day | None:
-    """Return the day from a time on (POSIX seconds); None where a position is not known for all of it."""
+    """Return the day from a time on (POSIX seconds); None if a position is not known for all of it."""
     end_s = start_s + HOURS * 3600.0
     try:
         sky = sky_path(target, observer, start_s, end_s, refraction=refraction, time_offset_s=time_offset_s)

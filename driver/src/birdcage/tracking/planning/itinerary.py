@@ -28,7 +28,7 @@ class Stretch:
     end_s: float
     turn: int
     route: Route | None = None
-    """From where the stretch before ended; None where the dish goes on along the path, and for the first."""
+    """From where the stretch before ended; None if the dish goes on along the path, and for the first."""
     rewinds: bool = False
     """Whether that way turns the cable back."""
 

@@ -12,7 +12,7 @@ _STOP_S = 1.0
 
 
 def preposition(sight: Sight, course: Curve, before_s: float, now_s: float) -> Preposition | None:
-    """Return the first point of the course and the way there; None where no way is safe.
+    """Return the first point of the course and the way there; None if no way is safe.
 
     `before_s`: how long before the first leg the dish is to be in place. While the position is not known the way has
     one stop, and begins early enough for the longest slew there is.

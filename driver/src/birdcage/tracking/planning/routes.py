@@ -39,7 +39,7 @@ class Route:
 
 
 def route(bounds: Bounds, model: DishModel, start: Point, end: Point, *, either_way: bool = False) -> Route | None:
-    """Return the way of a dish that rests, azimuths unrolled; None where a no-go sector closes it.
+    """Return the way of a dish that rests, azimuths unrolled; None if a no-go sector closes it.
 
     Up first, across, then down where a no-go sector stands between. `either_way`: the dish may turn the other way
     round, which only it knows.

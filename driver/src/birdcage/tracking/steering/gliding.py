@@ -37,7 +37,7 @@ class Glide:
         turns_deg = wanted_deg - course.at(acts_s)[self._column]
         if turns_deg:
             # An axis that does not come to rest lacks the overshoot that the course of the motor counts on, or that
-            # stepping has against a play that nobody knows (decision 0035).
+            # stepping has against an unknown play (decision 0035).
             wanted_deg += self.axis.gliding_lead_deg(turns_deg)
         way, way_s = wanted_deg - at_deg, max(next_s - acts_s, REST_S)
         # The dish counts whole steps a second.

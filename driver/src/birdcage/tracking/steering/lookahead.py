@@ -72,7 +72,7 @@ class Lookahead:
     def choose(self, course: Curve, at_deg: tuple[float, float], start_s: float) -> Move | None:
         """Return the best first move for a dish that stands at `at_deg` when it gets it, at `start_s`.
 
-        The second move begins as the first one ends. None where no move is worth a command.
+        The second move begins as the first one ends. None if no move is worth a command.
         """
         # An axis is due when it would be off where it meets the course, not where it would run ahead of it.
         due = np.array([self._off(course, column, at_deg[column], start_s) for column in (0, 1)]) >= self._dead_bands

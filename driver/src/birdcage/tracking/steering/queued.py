@@ -1,6 +1,6 @@
 """Steers a dish that moves one axis at a time and keeps every command that it gets (reference tracking 3.5, item 4).
 
-It gets one command at a time, chosen by looking two moves ahead, sent so that it arrives as the previous move ends: a
+It gets one command at a time, chosen by looking two moves ahead, sent to arrive as the previous move ends: a
 queue that is fed faster than it drains only grows.
 """
 
