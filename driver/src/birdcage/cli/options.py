@@ -56,6 +56,8 @@ class Wanted:
     @property
     def model(self) -> DishModel | None:
         """What that firmware drives; None for one that this version does not speak."""
+        from birdcage.station.known import model_of
+
         return model_of(self.firmware)
 
     @property
@@ -70,13 +72,6 @@ class Wanted:
 
         model = self.named_model
         return beam_of(self.settings.active_feed, None if model is None else model.reflector)
-
-
-def model_of(firmware: str | None) -> DishModel | None:
-    """Return what a firmware drives; None for none, and for one that this version does not speak."""
-    from birdcage.station.known import list_models
-
-    return next((model for model in list_models() if model.firmware == firmware), None)
 
 
 def flags() -> Flags:

@@ -36,24 +36,13 @@ def find_saved(places: Places, name: str) -> Place:
 
 def place_line(place: Place) -> str:
     """Return a place in one line."""
+    from birdcage.sky.horizon import horizon_words
     from birdcage.sky.locator import encode
 
     lat, lon = place.latitude_deg, place.longitude_deg
     where = f"{abs(lat):8.4f} {'N' if lat >= 0 else 'S'} {abs(lon):9.4f} {'E' if lon >= 0 else 'W'}"
     name = place.name or "(no name)"
     return f"{name:20} {encode(lat, lon)} {where} {place.height_m:5.0f} m  {horizon_words(place.horizon)}"
-
-
-def horizon_words(points: Sequence[tuple[float, float]]) -> str:
-    """Return a horizon in a few words."""
-    from birdcage.sky.horizon import HorizonMask
-
-    if not points:
-        return "flat horizon"
-    if not HorizonMask(points).is_line:
-        return f"flat horizon: a line needs a second point, not at {points[0][0]:.0f}°"
-    az_deg, el_deg = max(points, key=lambda point: point[1])
-    return f"horizon of {len(points)} points, up to {el_deg:.1f}° at {az_deg:.0f}°"
 
 
 def place_values(place: Place) -> dict[str, object]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import bisect
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from functools import cached_property
 
 from birdcage.base.geometry import wrap_360
@@ -91,3 +91,13 @@ class HorizonMask:
 
 def _apart(one_deg: float, other_deg: float) -> float:
     return abs((one_deg - other_deg + 180.0) % 360.0 - 180.0)
+
+
+def horizon_words(points: Sequence[tuple[float, float]]) -> str:
+    """Return a horizon in a few words."""
+    if not points:
+        return "flat horizon"
+    if not HorizonMask(points).is_line:
+        return f"flat horizon: a line needs a second point, not at {points[0][0]:.0f}°"
+    az_deg, el_deg = max(points, key=lambda point: point[1])
+    return f"horizon of {len(points)} points, up to {el_deg:.1f}° at {az_deg:.0f}°"

@@ -10,7 +10,7 @@ from birdcage.protocol.registry import FIRMWARE_REGISTRY
 
 __all__ = [
     "DishModel", "Hindrance", "PortInfo", "SearchSwitch", "SystemFacts", "Turn", "has_speed", "list_firmwares",
-    "list_models", "list_ports", "look_at_system",
+    "list_models", "list_ports", "look_at_system", "model_of",
 ]  # fmt: skip
 
 
@@ -22,3 +22,8 @@ def list_firmwares() -> tuple[str, ...]:
 def list_models() -> tuple[DishModel, ...]:
     """Return what each of those firmwares drives, in the same order."""
     return tuple(FIRMWARE_REGISTRY[name].model for name in list_firmwares())
+
+
+def model_of(firmware: str | None) -> DishModel | None:
+    """Return what a firmware drives; None for none, and for one that this version does not speak."""
+    return next((model for model in list_models() if model.firmware == firmware), None)

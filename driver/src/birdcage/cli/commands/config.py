@@ -32,8 +32,8 @@ def show() -> None:
     """
     from birdcage.base.beam import beam_of
     from birdcage.base.config import rows
-    from birdcage.cli.options import model_of
     from birdcage.cli.say import say, tell, tell_json
+    from birdcage.station.known import model_of
 
     settings = load_settings(find_paths())
     model = model_of(settings.dish.firmware)

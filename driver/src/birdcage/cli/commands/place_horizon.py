@@ -97,8 +97,8 @@ def clear() -> None:
 def _keep(mask: HorizonMask) -> None:
     """Write it into `[place]`, and to the saved place where that is the one in use."""
     from birdcage.base.horizon import keep_horizon
-    from birdcage.cli.place_words import horizon_words
     from birdcage.cli.say import say
+    from birdcage.sky.horizon import horizon_words
 
     paths = find_paths()
     saved = keep_horizon(paths, load_settings(paths).place, mask.points)

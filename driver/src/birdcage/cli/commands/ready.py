@@ -22,8 +22,9 @@ def command(context: click.Context, try_recording: bool) -> None:
     then the exit status is 1.
     """
     from birdcage.base.clock import RealClock
-    from birdcage.cli.ready_checks import GLYPHS, checks
     from birdcage.cli.say import say, tell, tell_json
+    from birdcage.ready.check import GLYPHS
+    from birdcage.ready.checks import checks
 
     paths = find_paths()
     found = list(checks(paths, load_settings(paths), RealClock().utc(), try_recording=try_recording))

@@ -1,11 +1,11 @@
-"""What `birdcage ready` asks of the sky: elements, clock, ephemeris."""
+"""What a station needs to know of the sky: elements, clock, ephemeris."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from birdcage.cli.ready_checks import Check
+from birdcage.ready.check import Check
 
 if TYPE_CHECKING:
     from datetime import datetime
@@ -24,9 +24,11 @@ def clock(paths: Paths, now: datetime) -> Check:
 
     verdict = check_clock(now, paths.state)
     if not verdict.doubtful:
-        return Check("clock", "good", verdict.sentence)
+        return Check("clock", "clock", "good", verdict.sentence)
     wrong = verdict.offset_s is not None and abs(verdict.offset_s) > DOUBTFUL_S
-    return Check("clock", "must" if wrong else "look", verdict.doubt, "birdcage clock --gps, or --utc from a watch")
+    return Check(
+        "clock", "clock", "must" if wrong else "look", verdict.doubt, "birdcage clock --gps, or --utc from a watch"
+    )
 
 
 def elements(paths: Paths, now: datetime) -> Iterator[Check]:
@@ -43,7 +45,9 @@ def elements(paths: Paths, now: datetime) -> Iterator[Check]:
         with Catalogue(paths.catalogue) as catalogue:
             entries, favourites = catalogue.entries(), catalogue.favourites()
     except StoreError as error:
-        yield Check("elements", "must", f"the catalogue can't be read: {error}", f"move {paths.catalogue} away")
+        yield Check(
+            "elements", "elements", "must", f"the catalogue can't be read: {error}", f"move {paths.catalogue} away"
+        )
         return
     ages = sorted((now - each.elements.epoch).total_seconds() for each in entries if each.elements.source != "frozen")
     if not ages:
@@ -54,18 +58,18 @@ def elements(paths: Paths, now: datetime) -> Iterator[Check]:
     if len(ages) == 1:
         words = f"one satellite, {span(middle)} old"
     old = middle > OLD_DAYS * 86400.0
-    yield Check("elements", "look" if old else "good", words, "birdcage elements update" if old else "")
+    yield Check("elements", "elements", "look" if old else "good", words, "birdcage elements update" if old else "")
     ahead = ahead_words([each.elements for each in entries], now)
     if ahead:
-        yield Check("epochs", "look", ahead, "birdcage elements update")
+        yield Check("elements", "epochs", "look", ahead, "birdcage elements update")
     if not favourites:
-        yield Check("favourites", "look", "none is named", "birdcage elements favourite NAME")
+        yield Check("favourites", "favourites", "look", "none is named", "birdcage elements favourite NAME")
     for entry in favourites:
         yield _favourite(entry, now)
 
 
 def _none() -> Check:
-    return Check("elements", "must", "only the few old ones that ship", "birdcage elements update")
+    return Check("elements", "elements", "must", "only the few old ones that ship", "birdcage elements update")
 
 
 def _favourite(entry: Entry, now: datetime) -> Check:
@@ -77,8 +81,10 @@ def _favourite(entry: Entry, now: datetime) -> Check:
         offset += f" is of {entry.time_offset_set:%Y-%m-%d}"
     words = f"{found.glyph} {found.grade}: {found.words}{offset}"
     if found.grade in ("fresh", "usable"):
-        return Check(entry.name, "good", words)
-    return Check(entry.name, "must" if found.grade == "useless" else "look", words, "birdcage elements update")
+        return Check("favourites", entry.name, "good", words)
+    return Check(
+        "favourites", entry.name, "must" if found.grade == "useless" else "look", words, "birdcage elements update"
+    )
 
 
 def ephemeris(now: datetime) -> Check:
@@ -89,9 +95,13 @@ def ephemeris(now: datetime) -> Check:
 
     if not (files("birdcage.sky") / "data" / "de421_2020_2053.bsp").is_file():
         return Check(
-            "ephemeris", "must", "the excerpt of DE421 is missing from the installation", "install birdcage again"
+            "ephemeris",
+            "ephemeris",
+            "must",
+            "the excerpt of DE421 is missing from the installation",
+            "install birdcage again",
         )
     if not FIRST <= now <= LAST:
         words = f"it covers {FIRST:%Y} to {LAST:%Y}, and the clock says {now:%Y-%m-%d}"
-        return Check("ephemeris", "must", words, "set the clock")
-    return Check("ephemeris", "good", f"DE421, to {LAST:%Y-%m-%d}")
+        return Check("ephemeris", "ephemeris", "must", words, "set the clock")
+    return Check("ephemeris", "ephemeris", "good", f"DE421, to {LAST:%Y-%m-%d}")

@@ -1,11 +1,11 @@
-"""What `birdcage ready` looks at beside the dish: the user's own commands."""
+"""What runs beside the dish: the user's own commands."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from birdcage.cli.ready_checks import Check
+from birdcage.ready.check import Check
 
 if TYPE_CHECKING:
     from birdcage.base.config import Settings
@@ -25,11 +25,11 @@ def hooks(settings: Settings) -> Iterator[Check]:
         try:
             words = shlex.split(command)
         except ValueError as error:
-            yield Check("hooks", "look", f"{key} cannot be read: {error}", "birdcage config path")
+            yield Check("hooks", "hooks", "look", f"{key} cannot be read: {error}", "birdcage config path")
             return
         if not words or shutil.which(words[0]) is None:
             missing = f"there is no program {words[0]!r}" if words else "it is empty"
-            yield Check("hooks", "look", f"{key}: {missing}", "birdcage config path")
+            yield Check("hooks", "hooks", "look", f"{key}: {missing}", "birdcage config path")
             return
     if commands:
-        yield Check("hooks", "good", f"{', '.join(commands)} can be started")
+        yield Check("hooks", "hooks", "good", f"{', '.join(commands)} can be started")

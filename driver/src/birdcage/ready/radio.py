@@ -1,11 +1,11 @@
-"""What `birdcage ready` asks of the receiver: whether it answers, what it gives, whether it records."""
+"""What is asked of the receiver: whether it answers, what it gives, whether it records."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from birdcage.cli.ready_checks import Check
+from birdcage.ready.check import Check
 
 if TYPE_CHECKING:
     from birdcage.base.config import Settings
@@ -32,17 +32,17 @@ def radio(settings: Settings, *, try_recording: bool) -> Iterator[Check]:
     try:
         answers = ask_receiver(address, RADIO_S, try_recording=try_recording and settings.radio.record)
     except ConfigError as error:
-        yield Check("radio", "look", str(error), "birdcage config path")
+        yield Check("radio", "radio", "look", str(error), "birdcage config path")
         return
     except RadioLost as error:
         remedy = SILENT if error.reason == "silent" else f"start rigctld, SDR++ or gqrx at {address}"
-        yield Check("radio", "look", str(error), remedy)
+        yield Check("radio", "radio", "look", str(error), remedy)
         return
     tuned = "" if answers.frequency_hz is None else f", tuned to {answers.frequency_hz / 1e6:.10g} MHz"
     who = ": SDR++, which serves one program at a time" if answers.is_sdrpp else ""
-    yield Check("radio", "good", f"{address} answers{tuned}{who}")
+    yield Check("radio", "radio", "good", f"{address} answers{tuned}{who}")
     if settings.radio.strength and answers.level_code is not None:
-        yield Check("radio level", "look", no_level(answers.level_code), "radio.strength = false")
+        yield Check("radio", "radio level", "look", no_level(answers.level_code), "radio.strength = false")
     if settings.radio.record:
         yield _recording(answers)
 
@@ -54,11 +54,11 @@ def _recording(answers: Answers) -> Check:
         words = "not tried, as AOS would begin a recording"
         if answers.is_sdrpp:
             words += "; SDR++ answers 0 to it with Recording switched off, too"
-        return Check("recording", "look", words, f"{BOX}, then {TRY}" if answers.is_sdrpp else TRY)
+        return Check("radio", "recording", "look", words, f"{BOX}, then {TRY}" if answers.is_sdrpp else TRY)
     if code:
         words = f"AOS is answered with RPRT {code}: this receiver begins no recording"
-        return Check("recording", "look", words, "radio.record = false, and a hook that records")
+        return Check("radio", "recording", "look", words, "radio.record = false, and a hook that records")
     if answers.is_sdrpp:
         words = "AOS and LOS are answered with 0, as SDR++ does with Recording switched off, too"
-        return Check("recording", "look", words, f"look for a new file of 2 s; if there is none, {BOX}")
-    return Check("recording", "good", "AOS is taken, and LOS 2 s later: look for the file")
+        return Check("radio", "recording", "look", words, f"look for a new file of 2 s; if there is none, {BOX}")
+    return Check("radio", "recording", "good", "AOS is taken, and LOS 2 s later: look for the file")

@@ -1,32 +1,19 @@
-"""What `birdcage ready` looks at, one thing each: is it good, is it worth a look, must it be mended first."""
+"""What a station needs, one thing each: is it good, is it worth a look, must it be mended first."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
+
+from birdcage.ready.check import Check
 
 if TYPE_CHECKING:
     from datetime import datetime
 
     from birdcage.base.config import Settings
     from birdcage.base.paths import Paths
-
-State = Literal["good", "look", "must"]
-GLYPHS: dict[State, str] = {"good": "✓", "look": "!", "must": "✗"}
-
-
-@dataclass(frozen=True, slots=True)
-class Check:
-    """One line of the list."""
-
-    name: str
-    state: State
-    words: str
-    remedy: str = ""
-    """The command, or what else mends it; empty for what is good."""
 
 
 def checks(paths: Paths, settings: Settings, now: datetime, *, try_recording: bool = False) -> Iterator[Check]:
@@ -35,13 +22,27 @@ def checks(paths: Paths, settings: Settings, now: datetime, *, try_recording: bo
     No port is opened. Over a network only the receiver is asked, where one is set: `try_recording` lets that
     record for 2 s more.
     """
-    from birdcage.cli.ready_beside import hooks
-    from birdcage.cli.ready_radio import radio
-    from birdcage.cli.ready_sky import clock, elements, ephemeris
+    from birdcage.ready.radio import radio
+    from birdcage.ready.sky import clock
+
+    for check in kept_checks(paths, settings, now):
+        yield check
+        if check.subject == "place":
+            yield clock(paths, now)
+        if check.subject == "downlinks":
+            yield from radio(settings, try_recording=try_recording)
+
+
+def kept_checks(paths: Paths, settings: Settings, now: datetime) -> Iterator[Check]:
+    """Yield what files tell: nothing is asked, neither the system about its clock nor a receiver.
+
+    For a running app: it watches its clock itself, and some receivers serve one program at a time: its tracker.
+    """
+    from birdcage.ready.hooks import hooks
+    from birdcage.ready.sky import elements, ephemeris
 
     yield config(paths, settings)
     yield place(settings)
-    yield clock(paths, now)
     yield from elements(paths, now)
     yield ephemeris(now)
     yield dish(settings)
@@ -50,7 +51,6 @@ def checks(paths: Paths, settings: Settings, now: datetime, *, try_recording: bo
     yield limits(settings)
     yield feed(settings)
     yield downlinks(paths)
-    yield from radio(settings, try_recording=try_recording)
     yield from hooks(settings)
 
 
@@ -59,72 +59,81 @@ def config(paths: Paths, settings: Settings) -> Check:
     if not settings.problems:
         there = paths.config_file.exists()
         return Check(
-            "config", "good", f"{paths.config_file} is in order" if there else "no file: every setting has its default"
+            "config",
+            "config",
+            "good",
+            f"{paths.config_file} is in order" if there else "no file: every setting has its default",
         )
     count = len(settings.problems)
     words = f"{settings.problems[0].text}{f' And {count - 1} more.' if count > 1 else ''}"
     if settings.motion_problem is not None:
-        return Check("config", "must", f"nothing would move: {words}", "birdcage config check")
-    return Check("config", "look", words, "birdcage config check")
+        return Check("config", "config", "must", f"nothing would move: {words}", "birdcage config check")
+    return Check("config", "config", "look", words, "birdcage config check")
 
 
 def place(settings: Settings) -> Check:
     """Whether it is known where the dish will stand."""
     here = settings.place
     if here.latitude_deg is None or here.longitude_deg is None:
-        return Check("place", "must", "not set, so passes and directions can't be computed", "birdcage place add")
+        return Check(
+            "place", "place", "must", "not set, so passes and directions can't be computed", "birdcage place add"
+        )
     where = f"{here.latitude_deg:.3f}, {here.longitude_deg:.3f}, {here.height_m:.0f} m"
-    from birdcage.cli.place_words import horizon_words
+    from birdcage.sky.horizon import horizon_words
 
     horizon = horizon_words(here.horizon)
-    return Check("place", "good", f"{f'{here.name}: ' if here.name else ''}{where}, {horizon}")
+    return Check("place", "place", "good", f"{f'{here.name}: ' if here.name else ''}{where}, {horizon}")
 
 
 def dish(settings: Settings) -> Check:
     """Whether it is known which dish it is."""
-    from birdcage.station.known import list_models
+    from birdcage.station.known import model_of
 
     name = settings.dish.firmware
     if name is None:
-        return Check("dish", "look", "firmware not set: the port is asked", "birdcage setup")
-    model = next((each for each in list_models() if each.firmware == name), None)
+        return Check("dish", "dish", "look", "firmware not set: the port is asked", "birdcage setup")
+    model = model_of(name)
     if model is None:
-        return Check("dish", "must", f"firmware {name!r} is unknown to this version", "birdcage setup")
-    return Check("dish", "good", f"{model.name}, firmware {name}")
+        return Check("dish", "dish", "must", f"firmware {name!r} is unknown to this version", "birdcage setup")
+    return Check("dish", "dish", "good", f"{model.name}, firmware {name}")
 
 
 def port(settings: Settings) -> Check:
     """Whether the port is ready to use. It is not opened."""
     name = settings.dish.port
     if name is None:
-        return Check("port", "look", "not set; plug in the adapter", "birdcage ports")
+        return Check("port", "port", "look", "not set; plug in the adapter", "birdcage ports")
     if ":" in name and not Path(name).exists():
-        return Check("port", "look", f"{name} is an address; it is tried only when opened")
+        return Check("port", "port", "look", f"{name} is an address; it is tried only when opened")
     if name.upper().startswith("COM"):
         from birdcage.station.known import list_ports
 
         plugged = name.upper() in (each.device.upper() for each in list_ports())
-        return Check("port", "good", f"{name} is there") if plugged else _no_port(name)
+        return Check("port", "port", "good", f"{name} is there") if plugged else _no_port(name)
     if not Path(name).exists():
         return _no_port(name)
     if not os.access(name, os.R_OK | os.W_OK):
         return Check(
-            "port", "must", f"{name} is there, but you lack permission", "birdcage wiring, and the group dialout"
+            "port",
+            "port",
+            "must",
+            f"{name} is there, but you lack permission",
+            "birdcage wiring, and the group dialout",
         )
-    return Check("port", "good", f"{name} is ready to use")
+    return Check("port", "port", "good", f"{name} is ready to use")
 
 
 def _no_port(name: str) -> Check:
-    return Check("port", "look", f"{name} is not plugged in: take the adapter along", "birdcage ports")
+    return Check("port", "port", "look", f"{name} is not plugged in: take the adapter along", "birdcage ports")
 
 
 def tv_search(settings: Settings) -> Check:
     """Whether the dish's own search for television is remembered as switched off."""
     kept = settings.setup.kept("search")
     if kept is not None and kept.done:
-        return Check("TV search", "good", f"{kept.evidence or 'done'} ({kept.when[:10]})")
+        return Check("search", "TV search", "good", f"{kept.evidence or 'done'} ({kept.when[:10]})")
     words = "left out" if kept is not None and kept.skipped else "not known"
-    return Check("TV search", "look", f"{words}: the dish may begin to search by itself", "birdcage init")
+    return Check("search", "TV search", "look", f"{words}: the dish may begin to search by itself", "birdcage init")
 
 
 def limits(settings: Settings) -> Check:
@@ -140,21 +149,21 @@ def limits(settings: Settings) -> Check:
         told.append(f"{len(motion.no_go_sectors)} no-go sectors")
     if motion.cable_min_deg is None or motion.cable_max_deg is None:
         told.insert(0, "of the cable only the firmware's: your own coax may be shorter")
-        return Check("limits", "look", ", ".join(told), "birdcage setup")
-    return Check("limits", "good", ", ".join(told))
+        return Check("limits", "limits", "look", ", ".join(told), "birdcage setup")
+    return Check("limits", "limits", "good", ", ".join(told))
 
 
 def feed(settings: Settings) -> Check:
     """Whether it is known what hangs in the focus."""
     from birdcage.base.beam import beam_of
-    from birdcage.cli.options import model_of
     from birdcage.sky.downlinks_hearing import has_band
+    from birdcage.station.known import model_of
 
     name, mounted = settings.feed.active, settings.active_feed
     if "feed.active" not in settings.sources:
-        return Check("feed", "look", f"{name}, the default: is it the one that is mounted?", "birdcage setup")
+        return Check("feed", "feed", "look", f"{name}, the default: is it the one that is mounted?", "birdcage setup")
     if not has_band(mounted):
-        return Check("feed", "look", f"{name} has no band: freq_min_hz and freq_max_hz", "birdcage config path")
+        return Check("feed", "feed", "look", f"{name} has no band: freq_min_hz and freq_max_hz", "birdcage config path")
     assert mounted.freq_min_hz is not None
     assert mounted.freq_max_hz is not None
     lo = "" if mounted.lo_hz is None else f", LO {mounted.lo_hz / 1e6:.10g} MHz"
@@ -163,7 +172,7 @@ def feed(settings: Settings) -> Check:
     model = model_of(settings.dish.firmware)
     beam = beam_of(mounted, None if model is None else model.reflector)
     width = "" if beam is None else f", beam {beam.size}"
-    return Check("feed", "good", f"{name}, {band}{lo}{width}, {stow}")
+    return Check("feed", "feed", "good", f"{name}, {band}{lo}{width}, {stow}")
 
 
 def downlinks(paths: Paths) -> Check:
@@ -172,6 +181,6 @@ def downlinks(paths: Paths) -> Check:
 
     table = load_downlinks(paths.downlinks_file)
     if table.problems:
-        return Check("downlinks", "look", table.problems[0], f"mend {paths.downlinks_file}")
+        return Check("downlinks", "downlinks", "look", table.problems[0], f"mend {paths.downlinks_file}")
     own = sum(each.own for each in table)
-    return Check("downlinks", "good", f"{len(table)} known{f', {own} of them your own' if own else ''}")
+    return Check("downlinks", "downlinks", "good", f"{len(table)} known{f', {own} of them your own' if own else ''}")
