@@ -33,6 +33,7 @@ from birdcage_tui.goto import GotoLine
 from birdcage_tui.help import HelpScreen, help_words
 from birdcage_tui.jump import JumpScreen, Target, targets
 from birdcage_tui.messages import CommandChosen
+from birdcage_tui.pages.dashboard import DashboardPage
 from birdcage_tui.pages.page import Page
 from birdcage_tui.palette import Palette
 from birdcage_tui.settings import Place
@@ -40,6 +41,7 @@ from birdcage_tui.shell import Shell
 from birdcage_tui.stop_words import power_switch
 from birdcage_tui.themes import LOOKS
 from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.unready import SETUP, setup_step
 from birdcage_tui.view import YOU, View
 
 MOTIONS = (Goto, Jog, TurnSkew, Home, Stow)
@@ -90,6 +92,8 @@ class BirdcageApp(Shell):
 
     def _deed(self, name: str) -> Callable[[], object] | None:
         """Return what the app itself does for a command; None for what a page does."""
+        if name == SETUP and isinstance(self.page, DashboardPage) and (step := setup_step(self.view())):
+            return lambda: self.show_page("setup", then=f"look-{step}")
         if name.startswith("page-"):
             return lambda: self.show_page(name.removeprefix("page-"))
         if name in DIRECTIONS:

@@ -71,7 +71,7 @@ class KeyBar(Pane):
             dim = command.refused(view) is not None
             mend = offered(command, view)
             if mend is not None and mend.words not in told:
-                name, shown, word, dim = mend.command, mend.shown, mend.words, not mend.command
+                name, shown, word, dim = mend.command, mend.shown or shown, mend.words, not mend.command
                 told.add(word)
             elif mend is not None or name in told:
                 continue  # what comes first stands there already
@@ -79,8 +79,7 @@ class KeyBar(Pane):
                 continue
             told.add(name)
             start = x
-            if shown:
-                x = cells.put(x, 0, f" {shown} ", "bar-dim" if dim else "key")
+            x = cells.put(x, 0, f" {shown} ", "bar-dim" if dim else "key")
             x = cells.put(x, 0, word, "bar-dim" if dim else "bar")
             self.heat(start, 0, x - start, name or command.name)
             x += 2

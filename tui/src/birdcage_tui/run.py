@@ -29,6 +29,7 @@ from birdcage_tui.calibrate.source import make_calibrate
 from birdcage_tui.clock_watch import make_check
 from birdcage_tui.control.horizon_file import ConfigHorizon
 from birdcage_tui.glyphs import fitting
+from birdcage_tui.ready_watch import KeptChecks
 from birdcage_tui.settings import AppSettings, Place
 from birdcage_tui.sky_feed import make_sky
 from birdcage_tui.terminal_cells import ASPECT
@@ -252,6 +253,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSetti
         calibrate=make_calibrate(session, load_again, paths, environ={} if options.demo else None, flags=flags),
         horizon=ConfigHorizon(paths, settings, load_again),
         clock_check=make_check(clock, paths),
+        ready=None if options.demo else KeptChecks(load_again, paths, clock),  # a demo lacks nothing
         keep_place=keep_place,
         first_page=begin,
     )

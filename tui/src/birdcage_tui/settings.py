@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
     from birdcage_tui.calibrate.feed import MakeCalibrate
     from birdcage_tui.clock_told import ClockTold
+    from birdcage_tui.ready_watch import ReadySource
     from birdcage_tui.setup.engine import SetupEngine
     from birdcage_tui.sky_feed import MakeSky
     from birdcage_tui.track_feed import MakeTrack
@@ -81,6 +82,8 @@ class AppSettings:
     """Where the line of trees and roofs is kept; None: nowhere."""
     clock_check: Callable[[], ClockTold] | None = field(default=None, compare=False)
     """Finds out how good this machine's clock is, on a thread after the first frame; None: nothing does."""
+    ready: ReadySource | None = field(default=None, compare=False)
+    """Finds what the station lacks, on a thread after the first frame; None: nothing does."""
     keep_place: Callable[[float, float, float, str], None] | None = field(default=None, compare=False)
     """Writes latitude, longitude, height in metres and name of the dish's place; None: nowhere. ConfigError."""
     first_page: str = "dashboard"

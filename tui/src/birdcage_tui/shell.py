@@ -37,7 +37,9 @@ from birdcage_tui.pages.dashboard import DashboardPage
 from birdcage_tui.pages.page import Page
 from birdcage_tui.paging import Paging
 from birdcage_tui.palette import CommandProvider
+from birdcage_tui.ready_watch import ReadyWatch
 from birdcage_tui.scope import Scope, scopes_of
+from birdcage_tui.screen_size import size_classes
 from birdcage_tui.settings import AppSettings
 from birdcage_tui.signal_book import SignalBook
 from birdcage_tui.sky_feed import SkyFeed
@@ -59,8 +61,6 @@ FRESH_S = 0.6
 """A frame younger than this has the time and the ages on it: no other is drawn for them alone."""
 LISTEN_S = 0.4
 """Between two looks at how long the dish has been silent."""
-POCKET_TALL = 20
-"""From so many rows on the pocket view's buttons are three rows tall."""
 
 
 class Shell(Surface):
@@ -100,6 +100,7 @@ class Shell(Surface):
         self.clock_watch = ClockWatch(
             self.settings.clock_check, lambda told: self.soon(partial(self._hear_clock, told))
         )
+        self.ready = ReadyWatch(self.settings.ready, self.soon, self._changed)
         self.aim: tuple[float, float] | None = None
         """Where the go-to line would lead, while one types into it."""
         self.signals = SignalBook()
@@ -154,6 +155,7 @@ class Shell(Surface):
         self.sky.begin(self.station.state, self.settings.place, self.horizon.known)
         self.track.begin(self.settings.place, self.horizon.known)
         self.clock_watch.begin()
+        self.ready.begin()
         self.watch_page()
         if self.settings.first_page != "dashboard":
             self.show_page(self.settings.first_page)
@@ -165,7 +167,7 @@ class Shell(Surface):
 
     def on_unmount(self) -> None:
         """Hear no more events, and let go of what was made."""
-        for each in (self.sky, self.track, self.calibrate, self.clock_watch):
+        for each in (self.sky, self.track, self.calibrate, self.clock_watch, self.ready):
             each.close()
         if self._unsubscribe is not None:
             self._unsubscribe()
@@ -206,6 +208,7 @@ class Shell(Surface):
             followed=tuple(self.track.looks),
             heard=self.signals.heard,
             calibrate=self.calibrate.now,
+            ready=self.ready.now,
         )
 
     def paint(self) -> None:
@@ -283,17 +286,14 @@ class Shell(Surface):
         self._changed()
 
     def on_resize(self, event: events.Resize) -> None:
-        """Choose the layout: one size may need both its width and its height."""
+        """Choose the layout."""
         width, height = event.size  # `self.size` may still be the old one
         screen = self.screen_stack[0]
-        tiny = width < 80 or height < 24
-        for node in (screen, self):
-            node.set_class(tiny, "-tiny")
-        screen.set_class(tiny and height >= POCKET_TALL, "-thumb")
-        self._fold(tiny)
-        screen.set_class(width >= 100 and height >= 30, "-wide")
-        screen.set_class(width >= 150, "-grand")
-        screen.set_class(height >= 44, "-tall")
+        classes = size_classes(width, height)
+        for name, holds in classes.items():
+            screen.set_class(holds, name)
+        self.set_class(classes["-tiny"], "-tiny")
+        self._fold(classes["-tiny"])
         self.call_after_refresh(self.paint)
 
     def _fold(self, tiny: bool) -> None:

@@ -19,6 +19,7 @@ from birdcage_tui.settings import AppSettings
 
 if TYPE_CHECKING:
     from birdcage.pursuit.now import DeskNow
+    from birdcage.ready.check import Check
     from birdcage.station.pursuit import Sample as Look
 
     from birdcage_tui.calibrate.feed import CalibrateNow
@@ -111,6 +112,8 @@ class View:
     """Whose `signal` is."""
     calibrate: CalibrateNow | None = None
     """What the calibration shows; None before its tab was visited."""
+    ready: tuple[Check, ...] | None = None
+    """What the station lacks; None before that was looked at, and where it can't be told."""
 
     @property
     def position_age_s(self) -> float | None:

@@ -12,6 +12,7 @@ from birdcage_tui.stop_words import awaited_words, power_switch, searching, stop
 from birdcage_tui.track.pursuing import pursuit_of
 from birdcage_tui.track.resume import resume_words
 from birdcage_tui.track.words import PHASE, headline, live_words, trouble
+from birdcage_tui.unready import worst
 from birdcage_tui.view import View
 
 ACTIVITY = {
@@ -211,8 +212,11 @@ def _standing(view: View, *, brief: bool) -> str:
     """Return what holds all the time and is easily forgotten: feed, offsets, place, clock; first a doubt."""
     state, place, clock = view.state, view.settings.place, view.clock
     doubt = "" if clock is None or clock.ink != "warn" else f"{clock.glyph} clock {clock.words}"
+    finding = worst(view)
     if doubt and brief:
         return doubt.replace("doubtful: ", "")
+    if brief and finding is not None and finding.brief:
+        return finding.brief
     parts = [state.feed_name] if state.feed_name else []
     if state.beam is not None:
         parts.append(f"beam {state.beam.size}")
@@ -248,8 +252,10 @@ def next_steps(view: View) -> list[tuple[str, str]]:
             ("text", f"Opening {state.port.split('?')[0] or 'the port'} and listening for the dish."),
             ("dim", "birdcage sends no motion. The position shows once the dish reports it."),
         ]
+    finding = worst(view)
+    lack = [] if finding is None else [(finding.ink, finding.words)]
     if link is Link.LOST and not state.port:
-        return [("warn-strong", "No port set."), ("text", state.link.detail)]
+        return [("warn-strong", "No port set."), ("text", state.link.detail), *lack]
     if link in (Link.LOST, Link.SILENT):
         back = "birdcage looks for the port again by itself." if link is Link.LOST else "birdcage asks again by itself."
         return [
@@ -285,7 +291,10 @@ def next_steps(view: View) -> list[tuple[str, str]]:
     elif pursuit is not None:
         steps.append(("text", "2, c: details. x there: end it. Arrows: take over."))
     elif not view.moving:
+        steps += lack
+        lack = []
         steps.append(("text", f"Next: g goes to a direction, arrows step {view.step_deg:g}°."))
+    steps += lack
     if view.clock is not None and view.clock.ink == "warn":
         steps.append((view.clock.ink, f"{view.clock.glyph} {view.clock.doubt}"))
         steps.append(("text", view.clock.cost))

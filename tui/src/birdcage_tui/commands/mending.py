@@ -67,6 +67,8 @@ def offered(command: Command, view: View) -> Mend | None:
     if mend is None:
         reason = command.refused(view)
         mend = motion_mend(view) if reason is not None and reason == can_move(view) else None
+    if mend is not None and not mend.command and command.name == "home":
+        return None  # it mends, where anything does
     return mend
 
 

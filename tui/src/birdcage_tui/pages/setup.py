@@ -25,7 +25,14 @@ class SetupPage(SetupBody):
     )
 
     def do(self, command: str) -> bool:
-        """Carry out a command of this page; return False for one that it does not know."""
+        """Carry out a command of this page; return False for one that it does not know.
+
+        `look-limits` puts the cursor on a step: F1's *What next* leads there.
+        """
+        if command.startswith("look-"):
+            names = [step.name for step in self.views]
+            self.look_at(names.index(command.removeprefix("look-")))
+            return True
         deeds = {
             "setup-do": self.do_step,
             "setup-up": lambda: self.look(-1),

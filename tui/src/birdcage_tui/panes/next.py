@@ -6,6 +6,7 @@ from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import wrap
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.sky_next import draw_next, next_rows, troubled
+from birdcage_tui.unready import worst
 from birdcage_tui.view import View
 from birdcage_tui.words import next_steps
 
@@ -29,19 +30,23 @@ class NextPane(Pane):
     def draw(self, cells: Cells, view: View) -> None:
         """Wrap the sentences; in a tall pane a blank row parts them. Passes stand below, where nothing is wrong."""
         width = max(cells.width - 2, 10)
-        steps = [(ink, _wrapped(words, width)) for ink, words in next_steps(view)]
-        rows = sum(len(lines) for _, lines in steps)
-        passes = next_rows(view)
-        spare = cells.height - (rows if troubled(view) else len(steps[0][1]))
+        steps = [(ink, words, _wrapped(words, width)) for ink, words in next_steps(view)]
+        rows = sum(len(lines) for *_, lines in steps)
+        passes, finding = next_rows(view), worst(view)
+        first = steps[: 2 if finding is not None and finding.words in [words for _, words, _ in steps[:2]] else 1]
+        spare = cells.height - (rows if troubled(view) else sum(len(lines) for *_, lines in first))
         kept = max(min(len(passes), spare, max(cells.height // 2, cells.height - FOR_WORDS, 2)), 0)
         height = cells.height - kept
         air = 1 if height >= rows + len(steps) - 1 + bool(kept) else 0
         y = 0
-        for ink, lines in steps:
+        for ink, words, lines in steps:
             if y and y + len(lines) > height:
                 break  # half a sentence is worse than none
+            mends = finding is not None and words == finding.words
             for line in lines:
                 cells.put(1, y, line, ink)
+                if finding is not None and finding.command and mends:
+                    self.heat(0, y, cells.width, finding.command)
                 y += 1
             y += air
         for below, row in enumerate(passes[:kept], max(y, 0)):

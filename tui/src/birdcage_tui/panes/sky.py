@@ -19,7 +19,7 @@ from birdcage_tui.view import View
 ON_SLOT_DEG = 0.75
 """A target closer to a slot than this points at it."""
 TITLES = sky_titles("Sky")
-OLD = (f"{OLD_SIGN} place uncertain: elements are old", f"{OLD_SIGN} old elements")
+OLD = (f"{OLD_SIGN} place uncertain: old elements", f"{OLD_SIGN} old elements")
 """The legend of what is not to be believed, from all of it to the least."""
 PATH = 120
 """Pieces that the path of a motion is drawn in."""
@@ -66,7 +66,7 @@ class SkyPane(Pane):
     def _tell_old(self, width: int, view: View) -> None:
         """Say in the frame what the sign of old elements means, while one is on the map."""
         any_old = target_is_old(view) or (view.sky is not None and any(one.old for one in view.sky.up))
-        legend = next((words for words in OLD if len(words) <= width - 2), OLD[-1]) if any_old else ""
+        legend = next((words for words in OLD if len(words) <= width - 4), OLD[-1]) if any_old else ""
         if legend != self._legend:
             self._legend = legend
             if not self._pointed:

@@ -12,7 +12,7 @@ LEAST_WIDTH, LEAST_HEIGHT = 40, 11
 SKY_WIDTH, SKY_HEIGHT = 24, 8
 """The smallest sky worth drawing."""
 TALL = 19
-"""From so many rows on, buttons and STOP are three rows tall (`POCKET_TALL` in `shell`, less the status line)."""
+"""From so many rows on, buttons and STOP are three rows tall (`POCKET_TALL` in `screen_size`, less the status line)."""
 
 
 @dataclass(frozen=True, slots=True)
