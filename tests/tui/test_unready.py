@@ -16,6 +16,8 @@ from birdcage.base.config.edit import edit
 from birdcage.base.errors import ConfigError
 from birdcage.base.paths import Paths, throw_away_paths
 from birdcage.ready.check import Check
+from birdcage.sky.catalogue import Catalogue
+from birdcage.sky.frozen import frozen
 from birdcage.station.state import Link, LinkState, Search
 from birdcage_tui.control.fields import FieldsScreen
 from birdcage_tui.panes.next import NextPane
@@ -74,7 +76,7 @@ def test_the_worst_is_named_with_its_key_until_it_is_mended(size):
         return before, await told(app, pilot)
 
     before, after = play(through, LIMITS, OLD_FAVOURITE, SHIPPED, size=size)
-    assert "✗ Elements: only the old ones that ship. I: add newer ones." in before
+    assert "✗ Elements: only the old ones that ship. I: add newer ones, or run `birdcage elements update`." in before
     assert "Cable limits" not in before, "one at a time"
     assert before.startswith("At rest.")
     assert "Elements" not in after
@@ -235,6 +237,20 @@ def test_what_was_written_is_seen(tmp_path):
     edit(paths.config_file, {"place.latitude_deg": 52.0, "place.longitude_deg": 5.0})
     assert source.fingerprint() != before
     assert "place" not in {check.subject for check in source.find()}
+
+
+def test_reading_the_catalogue_is_no_change_of_it(tmp_path):
+    paths, source = kept(tmp_path)
+    with Catalogue(paths.catalogue) as catalogue:
+        catalogue.add(frozen()[:1])
+    before = source.fingerprint()
+    with Catalogue(paths.catalogue) as catalogue:
+        catalogue.entries()
+        assert source.fingerprint() == before
+    assert source.fingerprint() == before
+    with Catalogue(paths.catalogue) as catalogue:
+        catalogue.add(frozen())
+        assert source.fingerprint() != before
 
 
 def test_what_was_skipped_in_the_setup_is_decided(tmp_path):

@@ -77,7 +77,8 @@ def _written(file: Path) -> tuple[int, int] | None:
         found = file.stat()
     except OSError:
         return None
-    return found.st_mtime_ns, found.st_size
+    # A reader makes an empty write-ahead log, and takes it away again.
+    return (found.st_mtime_ns, found.st_size) if found.st_size else None
 
 
 class ReadyWatch:

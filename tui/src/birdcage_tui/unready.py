@@ -40,9 +40,7 @@ def worst(view: View) -> Finding | None:
     sentence, key, command, deed = _told(check)
     glyph, ink = ("✗", "warn-strong") if check.state == "must" else ("▲", "text")
     words = f"{glyph} {sentence} {key}: {deed}." if key else f"{glyph} {sentence}"
-    brief = (
-        f"✗ {BRIEF[check.subject]} {key}: {deed}" if check.state == "must" and check.subject in BRIEF and key else ""
-    )
+    brief = BRIEF.get(check.subject, "") if check.state == "must" and key else ""
     return Finding(ink, words, brief, command, STEPS.get(check.subject, "") if command == SETUP else "")
 
 
@@ -99,7 +97,8 @@ SENTENCES = {
     "limits": "Cable limits are the firmware's. Your coax may be shorter.",
     "feed": "Which feed is fitted? birdcage assumes {words}.",
 }
-BRIEF = {"place": "No location.", "elements": "Old elements.", "favourites": "Old elements."}
+_OLD = "✗ Old elements. I: add newer ones"
+BRIEF = {"place": "✗ No location. L: set it", "elements": _OLD, "favourites": _OLD}
 DEEDS = {"search": "switch it off", "limits": "set yours", "feed": "tell which", "port": "find the dish"}
 
 
@@ -112,5 +111,6 @@ def _elements(check: Check) -> tuple[str, str, str, str]:
         return f"The elements of {check.name} are {unfit}.", key, command, deed
     if check.name == "epochs":
         return "Some elements are dated ahead of this computer's clock.", key, command, deed
-    words = "Elements: only the old ones that ship." if check.state == "must" else f"Elements: {check.words}."
-    return words, key, command, deed
+    if check.state == "must":
+        return "Elements: only the old ones that ship.", key, command, f"{deed}, or run `{check.remedy}`"
+    return f"Elements: {check.words}.", key, command, deed
