@@ -223,7 +223,16 @@ def test_a_table_ends_after_forty_and_says_how_many_there_are(run, as_json):
     assert stay
     assert not any(name in result.stdout for name in stay)
     assert len(run(*words, "--limit", 50).stdout.splitlines()) == 1 + 50
-    assert stay[0] in run(*words, "--name", stay[0]).stdout
+    named = run(*words, "--name", stay[0]).stdout
+    row = next(line for line in named.splitlines() if stay[0] in line)
+    assert row.startswith("always up")
+    assert "48:00:00" not in row
+    told = next(one for one in everything if one["name"] == stay[0])
+    assert (told["always_up"], told["duration_s"]) == (True, None)
+    assert told["reach_s"] != 48 * 3600.0
+    assert not any(
+        one["always_up"] for one in as_json(run("passes", *PLACE, "--start", "2018-01-21", "--hours", 2, "--json"))
+    )
 
 
 def test_a_file_that_was_written_is_named(passes, tmp_path):

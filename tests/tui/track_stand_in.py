@@ -16,6 +16,7 @@ from birdcage.sky.skew import Skew
 from birdcage.station.pursuit import Phase, Pursuit, PursuitOptions, Sample
 from birdcage.station.state import Activity, HeldState
 from birdcage.tracking.plan import Aim
+from birdcage_tui.view import Sample as Heard
 from track_plans import NOON, believed, geo, moon, plan, utc
 
 
@@ -167,9 +168,21 @@ def followed_geo(clock):
     of = replace(of, aim=replace(of.aim, skew=SKEW))
     state, now, _ = _following(of, clock)
     seen = [replace(each, at=each.at - 300.0, utc=each.utc) for each in looks(of, NOON + 300.0, clock.monotonic())]
-    why = "On the target. It is always up."
+    why = "On the target."
     followed = replace(state.pursuit, why=why, next_what="", next_at=None)
     return replace(state, pursuit=followed), replace(now, radio=RadioNow()), seen
+
+
+ON_SLOT = ("craft-geo", "craft-geo-held")
+
+
+def on_slot(clock):
+    """What the tuner has heard in those five minutes: four readings every six seconds."""
+    now = clock.monotonic()
+    return [
+        Heard(now - 300.0 + 6.0 * visit + 0.4 * read, 900.0 + 12.0 * math.sin(visit * 1.7 + read), 190.0, 40.0)
+        for visit in range(50) for read in range(4)
+    ]  # fmt: skip
 
 
 def chosen_geo(clock):
@@ -355,6 +368,9 @@ def app_in(name, **options):
     app.station.state = state
     app.track._make = Source(now)
     app.track.looks.extend(seen)
+    if name in ON_SLOT:
+        app.signals.tuner.clear()
+        app.signals.tuner.extend(on_slot(clock))
     app.track._number = None if state.pursuit is None else state.pursuit.number
     return app
 
@@ -362,6 +378,8 @@ def app_in(name, **options):
 def change_to(app, name):
     """Let an app that runs show another scene, as if it had been in it from the start."""
     app.station.state, now, seen = SCENES[name](app.session.clock)
+    app.signals.tuner.clear()
+    app.signals.tuner.extend(on_slot(app.session.clock) if name in ON_SLOT else ())
     app.track._number = None if app.station.state.pursuit is None else app.station.state.pursuit.number
     app.track.looks.clear()
     app.track.looks.extend(seen)

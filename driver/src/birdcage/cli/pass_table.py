@@ -56,14 +56,18 @@ def _cells(row: PassRow, start: datetime, freq_hz: float | None) -> tuple[str, .
     passing, found = row.passing, row.reach
     day = "" if passing.aos.date() == start.date() else f"{passing.aos:%m-%d} "
     azimuths = (passing.aos_azimuth_deg, passing.tca_azimuth_deg, passing.los_azimuth_deg)
+    stays = passing.always_up
+    reach = "-" if not found.intervals else minutes(found.total_s)
+    if stays and found.intervals:
+        reach = "in parts" if found.lost else "always"
     cells = (
-        f"{day}{passing.aos:%H:%M:%S}{'<' if passing.already_up else ''}",
-        f"{passing.los:%H:%M:%S}{'>' if passing.still_up else ''}",
+        "always up" if stays else f"{day}{passing.aos:%H:%M:%S}{'<' if passing.already_up else ''}",
+        "-" if stays else f"{passing.los:%H:%M:%S}{'>' if passing.still_up else ''}",
         f"{'* ' if row.favourite else ''}{passing.name}",
         f"{passing.max_elevation_deg:.1f}°",
         " ".join(f"{az % 360.0:3.0f}°" for az in azimuths),
-        minutes(found.total_s) if found.intervals else "-",
-        f"{found.intervals[0].start:%H:%M:%S}" if found.intervals else "-",
+        reach,
+        f"{found.intervals[0].start:%H:%M:%S}" if found.intervals and not (stays and not found.lost) else "-",
         "-" if found.best_el_deg is None else f"{found.best_el_deg:.1f}°",
         ", ".join(found.reasons) or "-",
         _sun(row),

@@ -132,7 +132,7 @@ class Pursuer:
             return f"On the target until {clock_text(leg.end_s)}."
         if plan.reach_end_s is not None:
             return f"On the target until {clock_text(plan.reach_end_s)}."
-        return "On the target. It is always up." if plan.day is not None and plan.day.always_up else "On the target."
+        return "On the target."
 
     def _steer(self, helm: Helm) -> Activity:
         """Hand the controller's steps on, and note where they send the dish."""

@@ -14,7 +14,7 @@ from birdcage_tui.passes.desk import Desk
 from birdcage_tui.passes.empty import GET_ELEMENTS, empty_words
 from birdcage_tui.passes.model import Row
 from birdcage_tui.passes.spark import Sparks
-from birdcage_tui.passes.words import count_text, reach_sign, reach_text, reasons_text
+from birdcage_tui.passes.words import count_text, reach_sign, reach_text, reasons_text, standing_text
 from birdcage_tui.view import View
 
 LEAST_NAME, MOST_NAME = 10, 24
@@ -131,12 +131,12 @@ class PassList(Pane, can_focus=True):
             cells.put(3, y, f"{event[1]:<5}", dim)
             cells.right(16, y, count_text(event[0] - t_s), ink)
         else:
-            cells.put(3, y, "stays up", dim)
+            cells.put(3, y, standing_text(row), dim)
         cells.put(17, y, fit(row.name, width), text if reachable else dim)
         x = 17 + width
         cells.right(x + 6, y, reach_text(row), text if reachable else dim)
         cells.right(x + 11, y, f"{row.max_el_deg:.0f}°", dim)
-        if curve:
+        if curve and not row.stays:  # its curve would be a line
             self._sparks.draw(cells, x + 12, y, curve, row, dim, text if lit else "target")
         sign, ink, words = reach_sign(row.reach)
         x = cells.put(x + 13 + curve, y, sign, text if lit else ink)

@@ -12,7 +12,16 @@ from birdcage_tui.panes.sky_ground import QUIET, Ground, has_stops, name_target,
 from birdcage_tui.passes.desk import Desk
 from birdcage_tui.passes.figures import brief
 from birdcage_tui.passes.model import Row
-from birdcage_tui.passes.words import EDGES, EVENT_WORDS, clock_text, count_text, length_text, reach_sign
+from birdcage_tui.passes.words import (
+    EDGES,
+    EVENT_WORDS,
+    clock_text,
+    count_text,
+    length_text,
+    reach_sign,
+    reach_text,
+    standing_text,
+)
 from birdcage_tui.view import View
 
 WORDS = 25
@@ -148,7 +157,7 @@ def _who(row: Row, t_s: float, width: int) -> list[tuple[str, str]]:
     name = f"{'★ ' if row.favourite else ''}{row.name}"
     number = f"  {row.norad_id}" if row.norad_id else ""
     event = row.next_event(t_s)
-    words = "stays up" if event is None else f"{EVENT_WORDS[event[1]]} in {count_text(event[0] - t_s)}"
+    words = standing_text(row) if event is None else f"{EVENT_WORDS[event[1]]} in {count_text(event[0] - t_s)}"
     return [("strong", f"{name}{number}" if cell_len(name + number) <= width else name), ("target", words)]
 
 
@@ -157,8 +166,10 @@ def _held(row: Row) -> str:
     if row.reach is None:
         return "computing the reach …"
     if not row.reach.intervals:
-        return f"never in reach: {reach_sign(row.reach)[2]}"
-    return f"{length_text(row.reach.total_s)} in reach, best {row.reach.best_el_deg or 0.0:.0f}°"
+        return f"{'always out of' if row.stays else 'never in'} reach: {reach_sign(row.reach)[2]}"
+    if row.stays and not row.reach.lost:
+        return "always in reach"
+    return f"{'in parts' if row.stays else reach_text(row)} in reach, best {row.reach.best_el_deg or 0.0:.0f}°"
 
 
 def _low(row: Row, t_s: float, width: int) -> list[tuple[str, str]]:
@@ -167,7 +178,7 @@ def _low(row: Row, t_s: float, width: int) -> list[tuple[str, str]]:
     age = "" if row.age is None else f" {row.age.glyph} {row.age.short}"
     rise = "" if row.already_up else f"{clock_text(row.aos_s, seconds=False)} "
     fall = "later" if row.still_up else clock_text(row.los_s, seconds=False)
-    span = f"up {rise}to {fall}, max {row.max_el_deg:.0f}°"
+    span = f"max {row.max_el_deg:.0f}°" if row.stays else f"up {rise}to {fall}, max {row.max_el_deg:.0f}°"
     return [who, (ink, words + age if len(words + age) <= width else words), ("text", _held(row)), ("dim", span)]
 
 
@@ -179,13 +190,18 @@ def _tall(row: Row, t_s: float, width: int, moment: str) -> list[tuple[str, str]
     lines = [
         *_who(row, t_s, width),
         ("text", f"{moment} AZ {place[0]:.1f}°  EL {place[1]:.1f}°" if place is not None else ""),
-        ("dim", f"AOS  {began}"),
-        ("dim", f"TCA  {clock_text(row.tca_s)}  {row.tca_az_deg:5.1f}°"),
-        ("dim", f"LOS  {ends}"),
-        ("dim", f"max {row.max_el_deg:.1f}°, {length_text(row.los_s - row.aos_s)} up"),
-        ("text", _held(row)),
     ]
-    if row.reach is not None:
+    if row.stays:
+        lines += [("dim", f"max {row.max_el_deg:.1f}° at {clock_text(row.tca_s, seconds=False)}")]
+    else:
+        lines += [
+            ("dim", f"AOS  {began}"),
+            ("dim", f"TCA  {clock_text(row.tca_s)}  {row.tca_az_deg:5.1f}°"),
+            ("dim", f"LOS  {ends}"),
+            ("dim", f"max {row.max_el_deg:.1f}°, {length_text(row.los_s - row.aos_s)} up"),
+        ]
+    lines.append(("text", _held(row)))
+    if row.reach is not None and not (row.stays and not row.reach.lost):
         lines += [("text", f"  {clock_text(start)} to {clock_text(end)}") for start, end in row.reach.intervals[:3]]
     if row.age is not None:
         told = wrap(f"{row.age.glyph} elements {row.age.words}", width, indent="  ")

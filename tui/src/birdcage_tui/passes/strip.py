@@ -13,6 +13,10 @@ from birdcage_tui.view import View
 
 AXIS = 4
 """Columns of the scale at the left."""
+DECIMALS = 3
+"""Columns more where it shows hundredths."""
+LEAST_DRIFT_DEG = 0.1
+"""The least that the scale of a drift spans."""
 
 
 class PassStrip(Pane):
@@ -31,6 +35,9 @@ class PassStrip(Pane):
             return
         width, height = cells.width - AXIS - 1, cells.height - 2
         if width < 12 or height < 2:
+            return
+        if row.stays:
+            self._drift(cells, row, width - DECIMALS, height)
             return
         t_s, low, high = self._desk.time(view), view.state.el_min_deg, view.state.el_max_deg
         top = self._top(row, high)
@@ -56,6 +63,29 @@ class PassStrip(Pane):
             place = row.path.at(t_s)
             if place is not None:
                 cells.put(x, int(y_of(place[1])) // 4, "✕", "target-strong")
+
+    @staticmethod
+    def _drift(cells: Cells, row: Row, width: int, height: int) -> None:
+        """Draw the elevation of what is always up on a scale of its own: how far it drifts while the search lasts."""
+        assert row.path is not None, "the curve is of it"
+        low, high = min(row.path.el_deg), max(row.path.el_deg)
+        spare = max(LEAST_DRIFT_DEG - (high - low), (high - low) * 0.1) / 2.0
+        canvas, columns = Braille(width, height), width * 2
+        for column in range(columns):
+            at_s = row.aos_s + (column + 0.5) / columns * (row.los_s - row.aos_s)
+            place = row.path.at(at_s)
+            if place is not None:
+                loud = row.reach is not None and row.reach.holds(at_s)
+                y = (height * 4 - 1) * (1.0 - (place[1] - low + spare) / (high - low + 2.0 * spare))
+                canvas.dot(column, y, "target" if loud else "dim")
+        canvas.onto(cells, AXIS + DECIMALS, 0)
+        for y, el_deg in ((0, high + spare), (height - 1, low - spare)):
+            cells.right(AXIS + DECIMALS, y, f"{el_deg:.2f}°", "dim")
+        words = f"always up, drifts {high - low:.2f}°"
+        cells.put(AXIS + DECIMALS, height, words, "text")
+        cells.put(AXIS, height + 1, clock_text(row.aos_s, seconds=False), "dim")
+        after = f"{(row.los_s - row.aos_s) / 3600.0:.0f} h later"
+        cells.right(AXIS + DECIMALS + width, height + 1, after, "dim")
 
     @staticmethod
     def _top(row: Row, high: float | None) -> float:

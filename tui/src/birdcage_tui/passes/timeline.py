@@ -92,7 +92,7 @@ class Timeline(Pane):
             key = (row.norad_id, row.name)
             if row.los_s < self._start_s or row.aos_s > end_s:
                 continue
-            wanted = row.favourite or (row.reach_s > 0 and (room >= WITH_OTHERS or not any_favourite))
+            wanted = row.favourite or (row.reach_s > 0 and not row.stays and (room >= WITH_OTHERS or not any_favourite))
             if key in lanes or wanted or (chosen is not None and key == (chosen.norad_id, chosen.name)):
                 lanes.setdefault(key, []).append(row)
         own = None if chosen is None else (chosen.norad_id, chosen.name)

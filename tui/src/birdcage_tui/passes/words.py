@@ -64,10 +64,23 @@ def reasons_text(reasons: str, width: int) -> str:
 
 
 def reach_text(row: Row) -> str:
-    """Return how long a pass is in reach; a dash while that is not known, and for nothing a nought."""
+    """Return how long a pass is in reach in six columns; a dash while that is not known, and for nothing a nought.
+
+    What is always up has no duration, and one that lasts beyond the search is told as more than that.
+    """
     if row.reach is None:
         return "--"
-    return length_text(row.reach.total_s) if row.reach.intervals else "none"
+    if not row.reach.intervals:
+        return "none"
+    if row.stays:
+        return "parts" if row.reach.lost else "always"
+    cut = row.still_up and row.los_s - row.reach.intervals[-1][1] <= 1.0
+    return f">{row.reach.total_s / 3600.0:.0f}h" if cut and row.reach.total_s >= 3600.0 else length_text(row.reach_s)
+
+
+def standing_text(row: Row) -> str:
+    """Return what to say of a row for which nothing was found to come next."""
+    return "always up" if row.stays else "stays up"
 
 
 def shift_text(shift_s: float) -> str:

@@ -121,6 +121,9 @@ class TrackNow(Pane):
         followable = shown is not None and any(leg.end_s > view.utc.timestamp() for leg in shown.legs)
         if shown is not None and followable and not shown_is_followed(view):
             found.append(("text", then_words(view, f"f follows {shown.aim.name} instead")))
+        always_up = pursuit.plan.day is not None and pursuit.plan.day.always_up
+        if always_up:  # no pass to be over before its feed is turned
+            found += _skew(pursuit.plan, width)
         if pursuit.why:
             found.append(("dim" if sample is not None else "text", pursuit.why))
         if pursuit.phase in (Phase.YIELDED, Phase.INTERRUPTED):
@@ -132,7 +135,8 @@ class TrackNow(Pane):
         if pursuit.latency_s is not None:
             steers += f", {pursuit.latency_s * 1000:.0f} ms a command"
         found += [("dim", steers)] if steers else []
-        return [*found, *_skew(pursuit.plan, width), *(("dim", note) for note in pursuit.plan.notes)]
+        found += [] if always_up else _skew(pursuit.plan, width)
+        return [*found, *(("dim", note) for note in pursuit.plan.notes)]
 
 
 def _watched(view: View, width: int) -> list[tuple[str, str]]:
@@ -153,14 +157,15 @@ def _watched(view: View, width: int) -> list[tuple[str, str]]:
     here = "" if place is None else f"  AZ {place[0]:.1f}°  EL {place[1]:.1f}°"
     found = [*done, ("target-strong", f"{plan.aim.name}{here}")]
     t_s = view.utc.timestamp()
-    found.append(("text", _chance(view, plan, t_s)))
+    chance = _chance(view, plan, t_s)
+    found.append(("text", chance))
     found += _expected(plan, width)
     found += _skew(plan, width)
     if plan.preposition is not None and plan.legs and plan.legs[0].start_s > t_s:
         point = plan.preposition
         where = f"{point.true_az_deg:.0f}°/{point.true_el_deg:.0f}°"
         found.append(("dim", f"It waits at {where}, {point.slew_s:.0f} s away."))
-    return [*found, *(("dim", note) for note in plan.notes)]
+    return [*found, *(("dim", note) for note in plan.notes if note != chance)]
 
 
 def _expected(plan: Plan, width: int) -> list[tuple[str, str]]:

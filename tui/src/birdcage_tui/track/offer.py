@@ -48,8 +48,10 @@ class Offer:
 
     def is_of(self, plan: Plan | None) -> bool:
         """Return whether a plan is for this pass."""
-        if plan is None or plan.passing is None or plan.aim.norad_id != self.norad_id:
+        if plan is None or plan.aim.norad_id != self.norad_id:
             return False
+        if plan.passing is None:
+            return plan.day is not None and plan.day.always_up  # it has no other pass
         return abs(plan.passing.tca.timestamp() - self.tca_s) < SAME_S
 
 
@@ -77,6 +79,8 @@ def offer_words(offer: Offer, view: View) -> tuple[str, str]:
     t_s = view.utc.timestamp()
     leg = next((each for each in plan.legs if each.end_s > t_s), None)
     if leg is None:
+        if plan.day is not None and plan.day.standing:
+            return "warn-row", f"{name}: {plan.day.standing}."
         return "warn-row", f"{name} is not in reach on this pass: nothing to follow."
     if pursuit_of(view) is not None:
         name += " instead"

@@ -13,7 +13,8 @@ from birdcage_tui.passes.words import clock_text, count_text
 from birdcage_tui.track.path import Points, Spot
 from birdcage_tui.track.pursuing import beam_of, plan_of, shown_is_followed
 from birdcage_tui.track.scale import error_top, shown_deg, window
-from birdcage_tui.track.words import degrees
+from birdcage_tui.track.still import draw_still
+from birdcage_tui.track.words import degrees, drifts
 from birdcage_tui.view import View
 
 if TYPE_CHECKING:
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
 LEFT, RIGHT = 6, 7
 """Columns of the scales."""
 TICKS_S = (10.0, 20.0, 30.0, 60.0, 120.0, 300.0, 600.0, 900.0, 1800.0, 3600.0)
+TITLE = "Azimuth, elevation, error"
 MARKS = {"keyhole": "warn", "rewind": "warn", "unreach": "text", "reach": "text"}
 """What is written on the time axis, most important first, and its ink."""
 
@@ -34,12 +36,13 @@ class TrackStrips(Pane):
 
     HELP = (
         "Yellow is the target, blue the dish: plan and past. Below, the pointing error in degrees, with the loss in "
-        "decibels at the right. Dim is the error that the plan expects."
+        "decibels at the right. Dim is the error that the plan expects. Of a target that is always up: signal and "
+        "error of the last 20 minutes, and its drift in the next 24 hours."
     )
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
-        self.border_title = "Azimuth, elevation, error"
+        self.border_title = TITLE
         self._points = Points()
 
     def draw(self, cells: Cells, view: View) -> None:
@@ -49,6 +52,13 @@ class TrackStrips(Pane):
         rows = cells.height - axis
         if plan is None or width < 12 or rows < 3:
             cells.put(1, 0, "Select a target to see its curves."[: cells.width - 2], "dim")
+            return
+        day = plan.day
+        title = TITLE if day is None or not day.always_up else f"Signal and error{', drift' if drifts(day) else ''}"
+        if title != self.border_title:
+            self.border_title = title
+        if day is not None and day.always_up:
+            draw_still(cells, view, plan, day, followed=shown_is_followed(view))
             return
         heights = [rows // 3 + (extra < rows % 3) for extra in (2, 1, 0)]  # the error has what is left over
         start_s, end_s = window(plan, view)

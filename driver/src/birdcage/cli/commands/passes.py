@@ -69,9 +69,10 @@ def command(
 
     SATELLITE is named as for `birdcage where`: iss, AO-91, METEOR-M N2-3, 25544.
     AOS and LOS are of the satellite. *Reach* is the part that the dish can point at. Floor, ceiling, horizon, no-go
-    sectors, cable, and speed near the zenith limit it. `<` was up
-    before, `>` stays up. Without a name the table leaves out what is always up. DOWNLINK is what of it the
-    active feed listens to, in MHz, with `?` where it is doubtful; SATDUMP is SatDump's name for it.
+    sectors, cable, and speed near the zenith limit it. `<` was up before, `>` stays up.
+    What is always up makes no passes. The table lists it only by name, JSON and CSV give it no duration, calendars
+    leave it out. DOWNLINK is what of it the active feed listens to, in MHz, with `?` where it is doubtful; SATDUMP is
+    SatDump's name for it.
     Times and elevations are without refraction, which `birdcage track` adds: near the horizon the dish points up to
     half a degree higher.
     """
@@ -100,7 +101,7 @@ def command(
     found = _search(watched, observer, begin, hours, min_elevation)
     which = np.arange(len(found))
     if table_wanted and not named:
-        which = _that_move(found)
+        which = _that_move(found, hours)
     shown = SHOWN if limit is None and table_wanted else limit
     rows = _rows(found, which, watched, observer, limits, sort, shown)
     now = datetime.now(UTC)
@@ -112,7 +113,8 @@ def command(
     if ics_file is not None:
         from birdcage.sky.export.as_ics import passes_ics
 
-        _write(ics_file, passes_ics(rows, observer, now, watched.note), len(rows))
+        dated = [row for row in rows if not row.passing.always_up]
+        _write(ics_file, passes_ics(dated, observer, now, watched.note), len(dated))
     if flags().json:
         tell_json([values_of(row, freq_hz, heard, now) for row in rows])
     elif table_wanted:
@@ -192,15 +194,17 @@ def _search(watched: Watched, observer: Observer, start: datetime, hours: float,
     return found
 
 
-def _that_move(found: PassTable) -> NDArray[np.intp]:
+def _that_move(found: PassTable, hours: float) -> NDArray[np.intp]:
     """Return which passes begin or end within the time, and say how many satellites stay up all through it."""
     import numpy as np
 
     from birdcage.cli.say import say
+    from birdcage.sky.passes.model import DAY_S
 
     stays = found.already_up & found.still_up
     if stays.any():
-        say(f"Left out, as always up: {stays.sum()}. `birdcage sky` lists them.")
+        why = "always up" if hours * 3600.0 >= DAY_S else f"up all these {hours:g} hours"
+        say(f"Left out, as {why}: {stays.sum()}. `birdcage sky` lists them.")
     return np.flatnonzero(~stays)
 
 

@@ -19,7 +19,9 @@ def passes_csv(
     writer: csv.DictWriter[str] | None = None
     for row in rows:
         values = values_of(row, freq_hz, heard, now)
-        values["reach"] = " ".join(f"{one.start:%Y-%m-%dT%H:%M:%SZ}/{one.end:%H:%M:%SZ}" for one in row.reach.intervals)
+        spans = (f"{one.start:%Y-%m-%dT%H:%M:%SZ}/{one.end:%H:%M:%SZ}" for one in row.reach.intervals)
+        always = row.passing.always_up and row.reach.intervals and not row.reach.lost
+        values["reach"] = "always" if always else " ".join(spans)
         values["not_reached_because"] = ", ".join(row.reach.reasons)
         values = {name: str(value).lower() if isinstance(value, bool) else value for name, value in values.items()}
         if writer is None:

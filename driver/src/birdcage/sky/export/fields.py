@@ -35,6 +35,8 @@ def values_of(
     downlink of a satellite is listened to; how old that is, is told as of `now`, else as of the pass.
     """
     passing, found = row.passing, row.reach
+    stays = passing.always_up
+    always_reached = stays and bool(found.intervals) and not found.lost
     values: dict[str, object] = {
         "name": passing.name,
         "norad_id": passing.norad_id,
@@ -45,9 +47,11 @@ def values_of(
         "tca_azimuth_deg": round(passing.tca_azimuth_deg, 4),
         "los_azimuth_deg": round(passing.los_azimuth_deg, 4),
         "max_elevation_deg": round(passing.max_elevation_deg, 4),
-        "duration_s": round(passing.duration_s, 3),
-        "reach": [{"start": iso(stretch.start), "end": iso(stretch.end)} for stretch in found.intervals],
-        "reach_s": round(found.total_s, 3),
+        "duration_s": None if stays else round(passing.duration_s, 3),
+        "reach": []
+        if always_reached
+        else [{"start": iso(stretch.start), "end": iso(stretch.end)} for stretch in found.intervals],
+        "reach_s": None if always_reached else round(found.total_s, 3),
         "max_reach_elevation_deg": None if found.best_el_deg is None else round(found.best_el_deg, 4),
         "refraction": "none",
         "not_reached_because": list(found.reasons),
@@ -67,6 +71,7 @@ def values_of(
     }
     sent = None if heard is None else heard(passing.norad_id, passing.name)
     values |= _signal(sent, passing.aos if now is None else now)
+    values |= {"always_up": stays, "always_in_reach": always_reached}
     if freq_hz is not None:
         for name, distance in (("aos", row.at_aos), ("tca", row.at_tca), ("los", row.at_los)):
             values[f"{name}_doppler_hz"] = round(doppler_hz(freq_hz, distance.range_rate_km_s), 1)

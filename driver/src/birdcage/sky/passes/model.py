@@ -5,6 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from datetime import datetime
 
+DAY_S = 86_160.0
+"""One turn of the Earth, rounded down: what is up all that time is up for good."""
+
 
 @dataclass(frozen=True, slots=True)
 class Pass:
@@ -32,3 +35,8 @@ class Pass:
     def duration_s(self) -> float:
         """From AOS to LOS."""
         return (self.los - self.aos).total_seconds()
+
+    @property
+    def always_up(self) -> bool:
+        """Whether it was up during all of a search over a day or more: then it has no AOS, LOS or duration."""
+        return self.already_up and self.still_up and self.duration_s >= DAY_S
