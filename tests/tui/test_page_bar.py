@@ -37,6 +37,19 @@ def test_the_pages_stand_in_a_row_and_the_present_one_is_lit(size):
     assert found == {"f1": {"1 Dashboard"}, "f3": {"3 Signal"}, "f7": {"7 Passes"}, "f2": {"2 Control"}}
 
 
+def test_a_page_that_the_row_leaves_out_stands_there_while_it_is_seen():
+    async def motor(app, pilot):
+        await pilot.press("f9")
+        await pilot.pause()
+        await pilot.pause()
+        app.paint()
+        return lit(app), stand_in.text_of(app)
+
+    here, text = run(motor, size=(120, 36))
+    assert here == {"9 Motor"}
+    assert "F9" not in text, "one name for the key, on the page and in the row"
+
+
 @pytest.mark.parametrize("size", SIZES, ids=str)
 def test_a_click_on_a_name_goes_there(size):
     async def click(app, pilot):

@@ -74,7 +74,7 @@ def test_everything_can_be_read(look):
     assert contrast(look.text, look.ground) >= (4.5 if night else 7.0)
     for ground in (look.ground, look.raised):
         assert contrast(look.dim, ground) >= (3.0 if night else 4.5), ground
-    assert contrast(look.line, look.ground) >= 1.5
+    assert 1.5 <= contrast(look.faint, look.ground) < contrast(look.line, look.ground)
     for name, style in look.inks.items():
         if name.endswith("-row"):
             ink, ground = style.color.get_truecolor().hex, style.bgcolor.get_truecolor().hex

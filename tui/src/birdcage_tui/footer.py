@@ -26,13 +26,13 @@ class PageBar(Pane):
     INK = "bar-dim"
 
     def draw(self, cells: Cells, view: View) -> None:
-        """Write them from the left, and leave out what this dish has no use for."""
+        """Write them from the left, and leave out what this dish has no use for, unless it is seen."""
         here, x = self._here(), 1
         for number, (name, title, _) in enumerate(PAGES, 1):
-            if name in LACKED and view.state.dish is not None:
+            lit, start = name in here, x
+            if name in LACKED and not lit and view.state.dish is not None:
                 continue
             key = f"F{number}" if view.typing else str(number % 10)
-            lit, start = name in here, x
             x = cells.put(x, 0, f" {key} ", "accent-row" if lit else "key")
             x = cells.put(x, 0, f"{title} " if lit else title, "accent-row" if lit else "bar")
             self.heat(start, 0, x - start, f"page-{name}")

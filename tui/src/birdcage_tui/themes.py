@@ -32,7 +32,7 @@ class Look:
     text: str
     dim: str
     faint: str
-    """Hatching: barely above the ground, and never the only sign of anything."""
+    """Hatching: fainter than a line, and never the only sign of anything."""
     line: str
     """Frames and grids."""
     focus: str
@@ -105,7 +105,7 @@ LOOKS = {
             raised="#171d25",
             text="#dde3ea",
             dim="#8e99a6",
-            faint="#222a33",
+            faint="#2b3540",
             line="#3d4854",
             focus="#7f95ad",
             accent="#63c7f2",
@@ -120,7 +120,7 @@ LOOKS = {
             raised="#e9edf1",
             text="#0c1116",
             dim="#4a545f",
-            faint="#dbe0e5",
+            faint="#c8cfd6",
             line="#a4aeb8",
             focus="#3f5366",
             accent="#00459a",
@@ -135,8 +135,8 @@ LOOKS = {
             ground="#000000",
             raised="#1c0000",
             text="#ff2a1a",
-            dim="#b81c10",
-            faint="#3a0704",
+            dim="#c82014",
+            faint="#5e0d07",
             line="#6a0f08",
             focus="#c82014",
             accent="#ff3a2a",

@@ -18,21 +18,14 @@ WILL = {
         "A sky map in degrees that fills in while it runs.",
     ),
     "system": (
-        "Tables of hardware, motors, NVS, receiver and health.",
         "Each value with its unit, age and the command it came from.",
         "Changes shown as a difference before anything is written.",
     ),
-    "camera": (
-        "Pictures by the clock, or at events of a pass.",
-        "Files named by time, target and direction, never overwritten.",
-    ),
-    "motor": (
-        "A one-axis positioner driven over the coaxial cable.",
-        "Its stored positions, limits, and the arc it can reach.",
-    ),
+    "camera": ("Files named by time, target and direction, never overwritten.",),
+    "motor": ("Stored positions, limits, and the arc in reach.",),
     "survey": (
-        "A sweep of the band with each carrier: frequency, width and level.",
-        "Carriers matched to known satellites, saved as a report.",
+        "Frequency, width and level of each carrier.",
+        "A report of the satellites that the carriers belong to.",
     ),
 }
 MEANWHILE = {
@@ -57,18 +50,17 @@ class PlainWords(Pane):
         x = max((cells.width - width) // 2, 1)
         y = max((cells.height - 14) // 3, 1)
         cells.put(x, y, title, "strong")
-        cells.right(x + width, y, f"F{number}", "dim")
+        cells.right(x + width, y, str(number % 10), "dim")
         cells.put(x, y + 1, "─" * width, "line")
         cells.put(x, y + 3, text, "text")
         y += 5
-        cells.put(x, y, "This page is not built yet. It will have:", "warn")
+        cells.put(x, y, "This page is not built yet. It will have:", "text")
         for sentence in WILL[self._name_of_page]:
             for index, line in enumerate(wrap(sentence, width - 4)):
                 y += 1
                 cells.put(x + 2, y, f"{'·' if not index else ' '} {line}", "text")
         y += 2
-        meanwhile = MEANWHILE.get(self._name_of_page, "Until then: the dashboard (1) shows the dish.")
-        for index, line in enumerate(wrap(meanwhile, width)):
+        for index, line in enumerate(wrap(MEANWHILE.get(self._name_of_page, ""), width)):
             cells.put(x, y + index, line, "dim")
 
 
