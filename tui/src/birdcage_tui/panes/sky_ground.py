@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 QUIET = ("faint", "line", "dim")
 """Dots that a name may cover."""
+LINES = (*QUIET, "text", "target", "accent")
+"""All that is drawn in dots, what matters included."""
 LABELS_DEG = (0.0, 20.0, -20.0, 270.0, 290.0, 250.0)
 """Where along a circle its elevation is written, off the usual place: the first that lies on nothing."""
 MASK_STEP_DEG = 2
@@ -146,20 +148,34 @@ def rim(cells: Cells, polar: Polar, view: View) -> None:
 
 
 def name_target(cells: Cells, polar: Polar, name: str, x: int, y: int) -> None:
-    """Write the target's name beside its mark: where it lies on nothing, else over what is there."""
+    """Write the target's name beside its mark, inside the map: where it lies on nothing, else on the fewest signs."""
     name = fit(name, LONGEST_TARGET)
-    if label(cells, (name,), x, y, x - polar.width // 2, "target-strong"):
+    if label(cells, (name,), x, y, x - polar.width // 2, "target-strong", polar.width):
         return
-    left, right = x - 2 - cell_len(name), x + 2
-    start = right if right + cell_len(name) < cells.width and (x < polar.width // 2 or left < 0) else max(left, 0)
-    cells.put(start, y, name, "target-strong")
+    length = cell_len(name)
+    last = max(polar.width - length, 0)
+    sides = (x + 2, x - 1 - length) if x < polar.width // 2 else (x - 1 - length, x + 2)
+    below = min(max(x - length // 2, 0), last)
+    spots = [(start, y) for start in sides if 0 <= start <= last]
+    spots += [(start, row) for row in (y + 1, y - 1) for start in (*sides, below)
+              if 0 <= start <= last and 0 <= row < polar.height]  # fmt: skip
+
+    def cost(spot: tuple[int, int]) -> int:
+        """Return what a name there would hide or touch: a letter is worse than a piece of a line."""
+        near = range(max(spot[0] - 1, 0), min(spot[0] + length + 1, cells.width))
+        letters = sum(not cells.free(column, spot[1], 1, *LINES) for column in near)
+        return 8 * letters + sum(not cells.free(column, spot[1], 1, *QUIET) for column in near)
+
+    cells.put(*min(spots, key=cost, default=(below, y)), name, "target-strong")
 
 
-def label(cells: Cells, names: tuple[str, ...], x: int, y: int, off: int, ink: str) -> bool:
+def label(cells: Cells, names: tuple[str, ...], x: int, y: int, off: int, ink: str, width: int | None = None) -> bool:
     """Write the first name that lies on nothing beside a mark: outward if possible, else not at all.
 
-    `off`: how many columns right of the middle the mark stands. Return whether one was written.
+    `off`: how many columns right of the middle the mark stands; `width`: how many columns the map has, when something
+    else stands right of it. Return whether one was written.
     """
+    end = cells.width if width is None else width
     for name in names:
         length = cell_len(name)
         beside = x + 2 if off >= 0 else x - 1 - length
@@ -169,7 +185,7 @@ def label(cells: Cells, names: tuple[str, ...], x: int, y: int, off: int, ink: s
         else:
             places = [(below, y + 1), (beside, y + 1), (beside, y), (below, y - 1)]
         for start, row in places:
-            if cells.free(start - 2, row, length + 4, *QUIET):
+            if start + length <= end and cells.free(start - 2, row, length + 4, *QUIET):
                 cells.put(start, row, name, ink)
                 return True
     return False

@@ -67,9 +67,9 @@ class PassSky(Pane):
             self._path(canvas, polar, row, t_s)
         canvas.onto(cells, 0, 0)
         rim(cells, polar, view)
-        if row is not None:
-            self._ends(cells, polar, row)
         self._marks(cells, polar, view, row, t_s)
+        if row is not None:
+            self._ends(cells, polar, row)  # last: a time gives way to the name
         x, y = (polar.width + 1, 0) if beside else (1, polar.height)
         if row is None:
             cells.put(x, y, "No pass selected.", "dim")

@@ -15,14 +15,14 @@ EVENT_WORDS = {"AOS": "rises", "reach": "in reach", "out": "out of reach", "LOS"
 
 
 def count_text(span_s: float) -> str:
-    """Return a countdown in seven columns or fewer: `03:20`, from an hour on `2 h 05`, from a day on `3 d 4h`."""
+    """Return a countdown in six columns or fewer: `03:20`, from an hour on `2h05`, from a day on `3d4h`."""
     minutes, seconds = divmod(int(max(span_s, 0.0)), 60)
     if minutes < 60:
         return f"{minutes:02}:{seconds:02}"
     hours, minutes = divmod(minutes, 60)
     if hours < 24:
-        return f"{hours} h {minutes:02}"
-    return f"{hours // 24} d {hours % 24}h"
+        return f"{hours}h{minutes:02}"
+    return f"{hours // 24}d{hours % 24}h"
 
 
 def length_text(span_s: float) -> str:

@@ -1,0 +1,62 @@
+"""The selected pass over the sky: its name and times beside the marks, and the figures, each where it can be read."""
+
+import re
+from dataclasses import replace
+
+import pytest
+import sky_stand_in
+from birdcage_tui.passes.model import Way
+from birdcage_tui.passes.plot import PassSky
+from stage import run
+from stand_in import text_of
+
+NAME = "LEO 12 station"
+
+
+def near_the_rim(before_los_s):
+    """Passes that set soon, one at each part of the rim, the next to set first."""
+    found = []
+    for place, az_deg in enumerate(range(0, 360, 40)):
+        path = sky_stand_in.path_of(sky_stand_in.NOON - 440.0 + before_los_s + place, 440.0, az_deg + 100, az_deg, 12)
+        first = sky_stand_in.rows()[0]
+        found.append(replace(
+            first, name=NAME, norad_id=12000 + place, aos_s=path.t_s[0], tca_s=path.t_s[60], los_s=path.t_s[-1],
+            aos_az_deg=path.az_deg[0], tca_az_deg=path.az_deg[60], los_az_deg=path.az_deg[-1], max_el_deg=12.0,
+            reach=sky_stand_in.reach_of(path), way=Way(lambda path=path: path),
+        ))  # fmt: skip
+    return tuple(found)
+
+
+def plots(size, rows, presses):
+    """The rows inside the frame of the path, for each pass in turn."""
+
+    async def each(app, pilot):
+        found = []
+        for _ in range(presses):
+            app.paint()
+            await pilot.pause()
+            where = app.query_one(PassSky).content_region
+            lines = text_of(app).splitlines()[where.y : where.bottom]
+            found.append([line[where.x : where.right] for line in lines])
+            await pilot.press("down")
+            await pilot.pause()
+        return found
+
+    return run(each, "idle", size, key="f7", sky=sky_stand_in.make(rows=rows))
+
+
+@pytest.mark.parametrize("size", [(80, 24), (120, 36)], ids=str)
+@pytest.mark.parametrize("before_los_s", [20.0, 420.0])
+def test_a_name_near_the_rim_is_whole_and_touches_neither_times_nor_figures(size, before_los_s):
+    rows = near_the_rim(before_los_s)
+    for lines in plots(size, rows, len(rows)):
+        text = "\n".join(lines)
+        named = [line for line in lines if NAME in line]
+        assert text.count(NAME) == 2, text  # beside the mark, and above the figures
+        for line in named:
+            assert not re.search(rf"[\w°:]{NAME}|{NAME}[\w°:]", line), text
+        assert text.count("✕") == 1
+        assert sum(bool(re.search(rf"(?<![A-Za-z]){sign}(?![A-Za-z])", text)) for sign in "NESW") >= 3, text
+        for time in re.findall(r".?\d\d:\d\d.?", "\n".join(line for line in lines if "in" not in line)):
+            assert not time[0].isalpha(), text
+        assert "never in reach" in text
