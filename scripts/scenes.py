@@ -71,7 +71,7 @@ async def craft(on: Stage) -> None:
     await on.wait(0.4)
     await on.press("enter")
     await on.wait(2)
-    await on.press("f")
+    await on.press("f", "enter")
     await on.wait(120)
 
 

@@ -195,6 +195,9 @@ class TestNorth:
         ready.clock.advance(10.0)
         assert "mark" not in {choice.name for choice in ready.view("north").choices}
 
+    def test_a_letter_alone_does_not_turn_to_the_sun(self, ready):
+        assert next(choice for choice in ready.view("north").choices if choice.name == "sun").far
+
     def test_turns_to_the_sun(self, ready):
         ready.choose("north", "sun")
         az_deg, el_deg = sun(ready.clock.utc(), 39.1, -95.7)

@@ -76,6 +76,7 @@ PLACES = (
     _page("craft", "f2", "c"),
     _page("craft, roomy", "f2", "c", size=(120, 36)),
     _page("craft, pass picked on F7", "f7", "f", holds="CraftTab/OfferLine"),
+    _page("craft, autotrack offered", "f2", "c", "A", holds="CraftTab/OfferLine"),
     _page("craft, passes", "f2", "c", "v", track="craft-following"),
     _page("craft, search", "f2", "c", "slash", holds="CraftTab/EscField"),
     _page("craft, following", "f2", "c", track="craft-following"),

@@ -20,7 +20,7 @@ DURATION = re.compile(r"\b1h00\b|\b60 min\b|\bin reach \d|In reach for|\bend in\
 @pytest.mark.parametrize(
     ("scene", "words"),
     [
-        ("craft-geo", "always up"), ("craft-geo-chosen", "Always up: f follows it now."),
+        ("craft-geo", "always up"), ("craft-geo-chosen", "Always up: f and Enter follow it now."),
         ("craft-geo-held", "Always up: Enter releases"),
         ("craft-geo-low", "lways up, out of reach: below the 18° floor"),
     ],
@@ -43,7 +43,7 @@ def test_signal_and_error_of_the_last_minutes_stand_where_az_and_el_would_be_fla
 
 def test_what_was_heard_elsewhere_is_not_told_as_the_target_s():
     text = run(read, "craft-geo-chosen", size=(120, 36))
-    assert "f follows it and reads the tuner." in text
+    assert "f and Enter follow it and read the tuner." in text
     assert " cts" not in text
 
 

@@ -132,7 +132,7 @@ def test_help_has_what_enter_does_there(tmp_path):
         return scopes, " ".join(stand_in.text_of(house.app).split())
 
     scopes, text = play(tmp_path, ask)
-    assert scopes == ("offer", "craft")
+    assert scopes == ("offer-follow", "craft")
     assert "Enter Follow the picked pass" in text
 
 

@@ -53,7 +53,7 @@ def test_the_tab_says_that_homing_comes_before_following(tmp_path):
         return await house.look()
 
     text = play(tmp_path, tab, (160, 48), port=UNHOMED)
-    assert "f follows it now" not in text
+    assert "follow it now" not in text
     assert "H homes the dish first, then f" in text
 
 

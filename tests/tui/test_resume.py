@@ -24,7 +24,7 @@ async def follow(house):
     await house.type("noaa 20")
     await house.press("enter")
     await house.look()
-    await house.press("f", "f1")
+    await house.press("f", "enter", "f1")
     for _ in range(12):
         await house.look(1.0)
     assert house.app.view().state.pursuit.phase is Phase.FOLLOWING
@@ -93,7 +93,7 @@ def test_autotrack_that_stop_has_switched_off_goes_on_too(tmp_path):
         house.session.station.submit(Home("you"))
         house.session.step(60.0)
         await house.look(6.0)
-        await house.press("f2", "c", "A")
+        await house.press("f2", "c", "A", "enter")
         for _ in range(20):
             await house.look(1.0)
         on = house.app.track.now.autotrack, house.app.view().state.pursuit.phase

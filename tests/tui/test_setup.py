@@ -265,6 +265,23 @@ def test_a_cause_that_another_speed_mends_offers_that_speed():
     assert run(use, "mute", "silent") == [("link", "other", {"port": "/dev/ttyUSB0", "baud": "9600"})]
 
 
+@pytest.mark.parametrize("size", [(80, 24), (120, 36)], ids=str)
+def test_a_letter_that_would_turn_the_dish_far_selects_its_answer_and_enter_gives_it(size):
+    async def again(app, pilot, engine):
+        engine.area_clear = True
+        engine.change("home", choices=(Choice("home", "h", "Home again", moves=True, far=True),))
+        await settle(app, pilot)
+        await press(app, pilot, "h")
+        before, text = list(engine.asked), stand_in.text_of(app)
+        await press(app, pilot, "enter")
+        return before, text, engine.asked
+
+    before, text, asked = run(again, size=size)
+    assert before == []
+    assert "Enter: Home again. Nothing moves before." in text
+    assert asked == [("home", "home", {})]
+
+
 def test_without_a_port_it_says_so_and_blames_nothing():
     async def none(app, pilot, engine):
         state = app.station.state

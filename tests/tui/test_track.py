@@ -15,6 +15,7 @@ from birdcage_tui.control.tabs import TABS, TabRow
 from birdcage_tui.track.found import FoundList
 from birdcage_tui.track.head import TrackHead
 from birdcage_tui.track.now import TrackNow
+from birdcage_tui.track.offer import OfferLine
 from birdcage_tui.track.passes import TrackPasses
 from birdcage_tui.track.plot import TrackSky
 from birdcage_tui.track.radio import RadioPane
@@ -75,10 +76,9 @@ def test_the_tabs_stand_in_one_row_and_each_is_a_target_for_the_mouse(size):
 @pytest.mark.parametrize(
     ("key", "asked"),
     [
-        ("w", ("watch",)), ("a", ("aim_once",)), ("f", ("follow",)), ("x", ("leave",)),
+        ("w", ("watch",)), ("x", ("leave",)),
         ("right_square_bracket", ("set_time_offset", 0.1)), ("left_square_bracket", ("set_time_offset", -0.1)),
         ("right_curly_bracket", ("set_time_offset", 1.0)), ("z", ("set_time_offset", 0.0)),
-        ("A", ("set_autotrack", True)),
     ],
 )  # fmt: skip
 def test_a_key_asks_the_desk_for_what_it_says(key, asked):
@@ -94,6 +94,63 @@ def test_a_key_asks_the_desk_for_what_it_says(key, asked):
     assert station == []
 
 
+@pytest.mark.parametrize("size", SIZES, ids=str)
+@pytest.mark.parametrize(
+    ("key", "offered", "footer", "asked"),
+    [
+        ("f", "Enter follows ISS (ZARYA): the dish goes to ", "follow it", ("follow",)),
+        ("a", "Enter points once at ISS (ZARYA): the dish goes to ", "point once", ("aim_once",)),
+        ("A", "Enter starts autotrack: first METEOR-M2 4, ", "start autotrack", ("set_autotrack", True)),
+    ],
+)  # fmt: skip
+def test_what_moves_the_dish_is_offered_first_and_enter_or_a_click_does_it(key, offered, footer, asked, size):
+    async def press(app, pilot, desk):
+        await pilot.press(key)
+        await settled(app, pilot)
+        before, text = list(desk.asked), stand_in.text_of(app)
+        await pilot.press("enter")
+        await settled(app, pilot)
+        done, closed = list(desk.asked), stand_in.text_of(app)
+        await pilot.press(key)
+        await settled(app, pilot)
+        await pilot.click(OfferLine, offset=(5, 0))
+        await settled(app, pilot)
+        return before, text, done, closed, desk.asked
+
+    before, text, done, closed, twice = run(press, "craft-chosen", size=size)
+    assert before == []
+    assert f"▶ {offered}" in text
+    assert footer in text.splitlines()[-1]
+    assert done == [asked]
+    assert offered not in closed
+    assert twice == [asked, asked]
+
+
+@pytest.mark.parametrize("way", ["escape", "w", "slash"])
+def test_what_was_offered_is_gone_once_something_else_was_taken_up(way):
+    async def leave(app, pilot, desk):
+        await pilot.press("f", way)
+        await settled(app, pilot)
+        text = stand_in.text_of(app)
+        return text, [each for each in desk.asked if each == ("follow",)], app.station.stops
+
+    text, asked, stops = run(leave, "craft-chosen")
+    assert "Enter follows" not in text
+    assert asked == []
+    assert stops == []
+
+
+def test_autotrack_is_switched_off_at_once():
+    async def off(_app, pilot, desk):
+        desk.show(replace(desk.now, autotrack=True))
+        await pilot.pause()
+        await pilot.press("A")
+        await pilot.pause()
+        return desk.asked
+
+    assert run(off) == [("set_autotrack", False)]
+
+
 def test_the_arrows_never_step_the_dish_here():
     async def press(app, pilot, _desk):
         await pilot.press("left", "right", "up", "down", "h", "l")
@@ -102,6 +159,12 @@ def test_the_arrows_never_step_the_dish_here():
 
     assert "Jog" not in run(press)
     assert "Jog" in run(press, "craft-idle", keys=("f2",))
+
+
+async def settled(app, pilot):
+    await pilot.pause()
+    app.paint()
+    await pilot.pause()
 
 
 def test_a_pass_is_chosen_with_arrow_and_enter():
@@ -177,7 +240,7 @@ def test_enter_releases_what_is_held_before_it_chooses():
     released, asked = run(press, "craft-held")
     assert released
     assert asked == []
-    assert "Enter releases the dish, then f follows it." in run(read, "craft-held", size=(120, 36))
+    assert "Enter releases the dish, then f and Enter follow it." in run(read, "craft-held", size=(120, 36))
 
 
 @pytest.mark.parametrize("size", SIZES[:2], ids=str)
@@ -197,7 +260,7 @@ def test_without_a_place_it_says_what_to_do_first(size):
 
 @pytest.mark.parametrize(
     ("minutes", "says"),
-    [(-4.0, "Behind the horizon mask: f follows it anyway."), (3.0, "Behind the horizon mask in")],
+    [(-4.0, "Behind the horizon mask: f and Enter follow it anyway."), (3.0, "Behind the horizon mask in")],
 )
 def test_what_a_mask_hides_all_the_way_can_be_followed_and_says_so(minutes, says):
     async def hidden(app, pilot, desk):

@@ -234,12 +234,12 @@ def test_follow_gives_back_what_was_taken_by_hand():
         app.paint()
         await pilot.pause()
         text = stand_in.text_of(app)
-        await pilot.press("f")
+        await pilot.press("f", "enter")
         await pilot.pause()
         return text, app.station.asked_for(ReleaseLease), desk.asked
 
     text, released, asked = run(follow)
-    assert "f: follow again. x: end." in text
+    assert "f and Enter follow again. x: end." in text
     assert released == [ReleaseLease("you")]
     assert asked == [("follow",)]
 
@@ -290,6 +290,6 @@ def test_what_is_shown_beside_what_is_followed_is_only_watched():
     text = run(other)
     assert "FOLLOWING NOAA 20" in text
     assert "20° floor in 01:01" in text
-    assert "f follows METEOR-M2 4 instead." in text
+    assert "f and Enter follow METEOR-M2 4 instead." in text
     assert "● w Watch" in text
     assert "○ f Follow" in text

@@ -61,6 +61,8 @@ class Choice:
     """Whether it moves the dish: not before the person has said that the area is clear."""
     fields: tuple[Field, ...] = ()
     """What has to be typed for this answer."""
+    far: bool = False
+    """Whether it may turn the dish farther than one jog step: its letter alone is not enough."""
 
 
 @dataclass(frozen=True, slots=True)

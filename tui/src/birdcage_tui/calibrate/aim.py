@@ -118,7 +118,7 @@ class AimPane(Pane, can_focus=True):
         elif now.told:
             ink, words = "good", now.told
         elif ObjectsPane.scope in view.scopes:
-            ink, words = "dim", "Enter turns the dish to the object under the cursor."
+            ink, words = "dim", "Enter goes to the selected object."
         elif guide.target and not guide.busy and not view.moving:
             first = motion_mend(view)
             ink, words = "dim", guide.may_not_take or "Nudge to the highest signal, then press Enter."

@@ -43,8 +43,13 @@ def can_forget(view: View) -> str | None:
 
 
 def can_take_offer(view: View) -> str | None:
-    """Return why the pass that was picked on F7 cannot be followed; what is held is released first, as everywhere."""
+    """Return why the target that was offered cannot be followed; what is held is released first, as everywhere."""
     return None if can_release(view) is None else can_follow(view)
+
+
+def can_take_autotrack(view: View) -> str | None:
+    """Return why autotrack, which was offered, cannot begin; what is held is released first, as everywhere."""
+    return None if can_release(view) is None else can_autotrack(view)
 
 
 def can_autotrack(view: View) -> str | None:
@@ -63,6 +68,13 @@ def _craft(name: str, keys: tuple[str, ...], shown: str, title: str, text: str, 
     return Command(f"track-{name}", keys, shown, title, text, group, refused, footer, HERE, page=PAGE)
 
 
+def _offer(deed: str, title: str, text: str, footer: str) -> Command:
+    """Return what Enter does while the row is shown that says what would move."""
+    refused = can_take_autotrack if deed == "autotrack" else can_take_offer
+    return Command(f"offer-{deed}", ("enter",), "Enter", title, text, "Craft", refused, footer, (f"offer-{deed}",),
+                   page=PAGE)  # fmt: skip
+
+
 TRACK = (
     _tab("manual", "b", "Manual", "Move the dish by hand."),
     _tab("presets", "P", "Presets", "Saved directions, over the whole width."),
@@ -75,14 +87,14 @@ TRACK = (
     _craft("search", ("slash",), "/", "Search", "Type a name, a number, a slot (19.2E), a body, or 180 45.",
            can_search, "search"),
     _craft("watch", ("w",), "w", "Watch", "Show the target without moving. Ends following."),
-    _craft("aim", ("a",), "a", "Aim once", "Point at the target once.", can_follow),
-    _craft("follow", ("f",), "f", "Follow", "Keep the dish on the target once it is in reach.",
-           can_follow, "follow"),
+    _craft("aim", ("a",), "a", "Aim once", "Offer to point at the target once: Enter does it.", can_follow),
+    _craft("follow", ("f",), "f", "Follow",
+           "Offer to keep the dish on the target once it is in reach: Enter does it.", can_follow, "follow"),
     _craft("leave", ("x",), "x", "Leave", "End following. The dish stays where it is.", can_leave, "leave"),
     _craft("take", ("enter",), "Enter", "Choose", "Select the target or pass under the cursor.", can_take, "choose"),
-    Command("offer-follow", ("enter",), "Enter", "Follow the picked pass",
-            "Follow the pass that you picked on F7.", "Craft", can_take_offer, "follow it",
-            where=("offer",), page=PAGE),
+    _offer("follow", "Follow the picked pass", "Follow what the row above the plan names.", "follow it"),
+    _offer("aim", "Point once", "Point once at what the row above the plan names.", "point once"),
+    _offer("autotrack", "Start autotrack", "Follow the scheduled passes one after another.", "start autotrack"),
     _craft("up", ("up", "k"), "↑ k", "Row above", "In the targets or the passes.", can_search),
     _craft("down", ("down", "j"), "↓ j", "Row below", "In the targets or the passes.", can_search),
     _craft("earlier", ("left_square_bracket",), "[", "0.1 s earlier", "The target comes earlier than computed.",
@@ -96,8 +108,8 @@ TRACK = (
     _craft("on-time", ("z",), "z", "No offset", "Reset the time offset.", group="Time offset"),
     _craft("view", ("v",), "v", "Next view", "Curves, passes, autotrack and radio take turns where there is no room "
            "for all.", can_search, "view"),
-    _craft("autotrack", ("A",), "A", "Autotrack", "Follow the scheduled passes one after another, or stop that. "
-           "The schedule shows them.", can_autotrack),
+    _craft("autotrack", ("A",), "A", "Autotrack", "Offer to follow the scheduled passes one after another: Enter "
+           "does it. A switches it off, too.", can_autotrack),
     _craft("frequency", ("F",), "F", "Frequency …", "Downlink in MHz. Empty: the satellite's own."),
     _craft("forget", ("D",), "D", "Dismiss", "Stop offering the interrupted pass.", can_forget),
 )  # fmt: skip

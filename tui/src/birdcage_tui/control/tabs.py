@@ -35,7 +35,7 @@ def tab_for(command: str, now: str) -> str:
     """Return on which tab a command of the page is done; the presets have two of them."""
     if command.startswith("tab-"):
         return command.removeprefix("tab-")
-    if command in ("open-craft", "open-offer", "offer-follow") or command.startswith("track-"):
+    if command in ("open-craft", "open-offer") or command.startswith(("track-", "offer-")):
         return "craft"
     if command.startswith("preset"):
         return now if now in ("manual", "presets") else "presets"

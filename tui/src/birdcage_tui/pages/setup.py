@@ -129,7 +129,11 @@ class SetupPage(SetupBody):
         for choice in self.answers():
             if choice.key != "enter" and event.character == choice.key:
                 event.stop()
-                self.take(choice, typed=False)
+                if choice.far:
+                    self.form.focus_button(choice)
+                    self.remark(f"Enter: {choice.label}. Nothing moves before.")
+                else:
+                    self.take(choice, typed=False)
                 return
 
     # Answers.

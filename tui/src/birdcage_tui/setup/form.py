@@ -213,6 +213,12 @@ class AnswerForm(Vertical):
         names = {_name(choice, field): field.name for field in choice.fields}
         return {names[box.name]: box.value for box in self._boxes if box.name in names}
 
+    def focus_button(self, choice: Choice) -> None:
+        """Give the focus to the button of a choice, where Enter takes it."""
+        for button in self._buttons:
+            if button.choice.name == choice.name and button.can_focus:
+                self.screen.set_focus(button)
+
     def focus_fields(self, choice: Choice) -> None:
         """Give the focus to the first field of a choice that is still empty, else to its first; unfold it before."""
         if choice.name in self.folded:

@@ -20,7 +20,7 @@ from birdcage_tui.track.found import FoundList
 from birdcage_tui.track.head import TrackHead
 from birdcage_tui.track.layout import VIEWS, layout
 from birdcage_tui.track.now import TrackNow
-from birdcage_tui.track.offer import OfferLine
+from birdcage_tui.track.offer import Offer, OfferLine
 from birdcage_tui.track.passes import TrackPasses
 from birdcage_tui.track.plot import TrackSky
 from birdcage_tui.track.pursuing import plan_of
@@ -38,11 +38,9 @@ ORDERS: dict[str, Callable[[TrackSource], None]] = {
     "track-leave": lambda source: source.leave(),
     "track-forget": lambda source: source.forget_unfinished(),
 }
-MOVES = ("track-aim", "track-follow", "track-autotrack")
-"""What may move the dish."""
 ENDS_OFFER = frozenset({"track-search", "track-watch", "track-aim", "track-follow", "track-leave", "track-up",
                         "track-down", "track-autotrack"})  # fmt: skip
-"""After these Enter no longer follows the pass that was picked on F7."""
+"""After these Enter no longer does what was offered before."""
 LOWEST_HZ, HIGHEST_HZ = 1e6, 100e9
 
 
@@ -78,8 +76,8 @@ class CraftTab(Vertical):
         border-title-style: none; }
     """
     HELP = (
-        "Track a target. / searches, Enter selects. w watches it, a aims at it once, f follows it, x stops following. "
-        "[ and ] shift its time when it comes early or late."
+        "Track a target. / searches, Enter selects. f then Enter follows it, a then Enter aims at it once, w watches "
+        "it, x stops following. [ and ] shift its time when it comes early or late."
     )
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
@@ -90,7 +88,7 @@ class CraftTab(Vertical):
 
     def compose(self) -> ComposeResult:
         """The parts, from the top left."""
-        offer = OfferLine(id="craft-offer")
+        offer = OfferLine(self.carry_out, id="craft-offer")
         offer.display = False
         yield offer
         yield TrackHead(id="craft-head")
@@ -177,8 +175,8 @@ class CraftTab(Vertical):
                 return True
             case "open-offer":
                 self._open_offer(source)
-            case "offer-follow":
-                self.host.say("No pass is picked: f on F7 picks one.")
+            case "offer-follow" | "offer-aim" | "offer-autotrack":
+                self.host.say("Nothing is offered now. f offers to follow the target.")
             case "track-search":
                 self._open_search()
             case "track-up" | "track-down":
@@ -191,20 +189,35 @@ class CraftTab(Vertical):
                 return False
             case "track-take":
                 self._take(view, source)
-            case _ if command in MOVES and view.state.holder == YOU:
-                # What you have taken by hand is given back to the tracker first.
-                self.host.ask(ReleaseLease(YOU))
-                return self.do_with(command, view, source)
+            case "track-aim" | "track-follow":
+                self._offer(command)
+            case "track-autotrack" if view.track is None or not view.track.autotrack:
+                self._offer(command)
             case _:
                 return self.do_with(command, view, source)
         self.host.paint()
         return True
 
+    def carry_out(self, command: str) -> None:
+        """Do what was offered, and may move the dish."""
+        view, source = self.host.view(), self.host.track.source
+        self.screen.set_focus(None)
+        if source is None:
+            return
+        if view.state.holder == YOU:
+            # What you have taken by hand is given back to the tracker first.
+            self.host.ask(ReleaseLease(YOU))
+        if command == "track-autotrack":
+            source.set_autotrack(True)
+        else:
+            ORDERS[command](source)
+        self.host.paint()
+
     def do_with(self, command: str, view: View, source: TrackSource) -> bool:
-        """Do what the desk is asked for."""
+        """Do what the desk is asked for, and moves nothing."""
         match command:
             case "track-autotrack":
-                source.set_autotrack(view.track is None or not view.track.autotrack)
+                source.set_autotrack(False)
             case _ if command in ORDERS:
                 ORDERS[command](source)
             case _ if command in OFFSETS_S or command == "track-on-time":
@@ -250,14 +263,20 @@ class CraftTab(Vertical):
 
     def _open_offer(self, source: TrackSource | None) -> None:
         """Choose the pass that was picked on F7, and offer to follow it."""
-        offer, line = self.host.track.offer, self.query_one(OfferLine)
+        offer = self.host.track.offer
         if offer is None or source is None:
             self.host.say("The pursuit desk is not open yet.")
             return
         self._close_search()
         source.choose(offer.text)
         source.choose_pass(offer.tca)
-        self._shown, line.offer, line.display = VIEWS[0], offer, True
+        self._shown = VIEWS[0]
+        self._offer("track-follow", offer)
+
+    def _offer(self, deed: str, offer: Offer | None = None) -> None:
+        """Say in a row what would move; Enter there does it, since no letter turns the dish that far."""
+        line = self.query_one(OfferLine)
+        line.deed, line.offer, line.display = deed, offer, True
         self.screen.set_focus(line)
 
     def _ask_frequency(self, view: View) -> None:

@@ -20,7 +20,7 @@ SET_PLACE = "Set it in Setup (8), step 9. In a shell: birdcage place add home JO
 NO_TARGET = "No target selected. Enter selects the row under the cursor; / searches."
 
 FIND = "/ finds names and numbers; 19.2E is the slot there."
-HOW = f"Then f follows it. {FIND}"
+HOW = f"Then f and Enter follow it. {FIND}"
 
 
 class TrackHead(Pane):
@@ -61,8 +61,8 @@ class TrackHead(Pane):
             cells.put(
                 1, 0, NO_TARGET if first is None else f"No target selected. {first.sentence}; / searches.", "text"
             )
-            cells.put(1, 1, HOW if motion_mend(view) is None else f"{then_words(view, 'f follows a target')} {FIND}",
-                      "dim")  # fmt: skip
+            follow = then_words(view, "f and Enter follow a target")
+            cells.put(1, 1, HOW if motion_mend(view) is None else f"{follow} {FIND}", "dim")
 
     def _selector(self, cells: Cells, y: int, view: View) -> None:
         desk, pursuit = view.track, pursuit_of(view)

@@ -8,7 +8,7 @@ from birdcage.station.pursuit import Phase
 
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import fit, wrap
-from birdcage_tui.commands.mending import motion_mend, then_words
+from birdcage_tui.commands.mending import then_words
 from birdcage_tui.digits import put_big, width_of
 from birdcage_tui.pane import Pane
 from birdcage_tui.passes.words import clock_text, count_text
@@ -120,15 +120,15 @@ class TrackNow(Pane):
         shown = plan_of(view)
         followable = shown is not None and any(leg.end_s > view.utc.timestamp() for leg in shown.legs)
         if shown is not None and followable and not shown_is_followed(view):
-            found.append(("text", then_words(view, f"f follows {shown.aim.name} instead")))
+            found.append(("text", then_words(view, f"f and Enter follow {shown.aim.name} instead")))
         always_up = pursuit.plan.day is not None and pursuit.plan.day.always_up
         if always_up:  # no pass to be over before its feed is turned
             found += _skew(pursuit.plan, width)
         if pursuit.why:
             found.append(("dim" if sample is not None else "text", pursuit.why))
         if pursuit.phase in (Phase.YIELDED, Phase.INTERRUPTED):
-            mend = motion_mend(view)
-            again = "f: follow again. x: end." if mend is None else f"{mend.sentence}, then f follows again. x: end."
+            again = then_words(view, "f and Enter follow again")
+            again = f"{again} x: end."
             found.append(("text", again))
         found += [("dim", dish)] if whole and pursuit.rms_error_deg is not None else []
         steers = f"{pursuit.controller} controller" if pursuit.controller else ""
@@ -195,10 +195,10 @@ def _skew(plan: Plan, width: int) -> list[tuple[str, str]]:
 
 def _of_day(view: View, day: Day, t_s: float) -> str:
     """Return the same of what does not pass, by its next 24 hours; empty where its plan tells it better."""
-    held = view.state.held is not None
-    follow = "Enter releases the dish, then f follows it." if held else "f follows it now."
+    when = "anyway" if day.hidden else "now"
+    follow = then_words(view, "f and Enter follow it", f"f and Enter follow it {when}")
     if day.hidden:
-        return f"{_capital(day.standing) or 'Behind the horizon mask'}: {follow.replace(' now', ' anyway')}"
+        return f"{_capital(day.standing) or 'Behind the horizon mask'}: {follow}"
     if day.standing:
         return f"{_capital(day.standing)}: {follow}" if day.always_in_reach else f"{_capital(day.standing)}."
     end_s = day.reach_end_s(t_s)
@@ -224,14 +224,14 @@ def _chance(view: View, plan: Plan, t_s: float) -> str:
     heard = next(((start, end) for start, end in spans if end > t_s), None)
     leg = next((each for each in plan.legs if each.end_s > t_s), None)
     if heard is not None and heard[0] <= t_s:
-        does = then_words(view, "f follows it", "f follows it now")
+        does = then_words(view, "f and Enter follow it", "f and Enter follow it now")
         return f"In reach for {count_text(heard[1] - t_s)}: {does}"
     if leg is not None and leg.start_s <= t_s and is_hidden(plan, t_s):
-        does = then_words(view, "f follows it", "f follows it anyway")
+        does = then_words(view, "f and Enter follow it", "f and Enter follow it anyway")
         return f"Behind the horizon mask: {does}"
     starts_s = [*([] if heard is None else [heard[0]]), *([] if leg is None else [leg.start_s])]
     if starts_s and (begins_s := min(starts_s)) > t_s:
-        does = then_words(view, "f waits for it", "f waits for it and follows")
+        does = then_words(view, "f and Enter wait for it", "f and Enter wait for it and follow")
         what = "In reach" if heard is not None else "Behind the horizon mask"
         return f"{what} in {count_text(begins_s - t_s)}: {does}"
     if plan.passing is None:

@@ -1,28 +1,32 @@
-"""A pass that was picked on F7: its plan is shown, and one row says what Enter would do with it."""
+"""What a letter offers to do with the dish: its plan is shown, one row says what would move, and Enter does it."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING, cast
 
+from birdcage.station.pursuit import Phase
 from textual import events
 
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import cut, fit, pad
 from birdcage_tui.commands.mending import release_mend
 from birdcage_tui.commands.table import can_release
-from birdcage_tui.commands.track import can_follow, can_watch
+from birdcage_tui.commands.track import can_autotrack, can_follow, can_watch
 from birdcage_tui.host import Host
 from birdcage_tui.pane import Pane
 from birdcage_tui.passes.words import clock_text
 from birdcage_tui.stop_words import esc_text
-from birdcage_tui.track.pursuing import plan_of, pursuit_of, shown_is_followed
+from birdcage_tui.track.pursuing import plan_of, pursuit_of, shown_is_followed, target_place
 from birdcage_tui.view import View
 
 if TYPE_CHECKING:
     from birdcage.tracking.plan import Plan
 
+BROKEN_OFF = (Phase.YIELDED, Phase.INTERRUPTED)
+"""Phases in which a pursuit can be taken up again."""
 SAME_S = 120.0
 """As near as this two times of TCA are one pass: newer elements may have moved it."""
 
@@ -63,7 +67,38 @@ def offer_words(offer: Offer, view: View) -> tuple[str, str]:
         if chosen and plan is not None and plan.passing is not None:
             return "warn-row", f"{name}: the desk plans another pass. Pick one on F7 again."
         return "bar", f"{name}: its pass is worked out …"
-    if shown_is_followed(view) and pursuit_of(view) is not None:
+    return _follow_words(name, plan, view)
+
+
+def deed_words(deed: str, view: View) -> tuple[str, str]:
+    """Return the same of a command of Track: to follow the chosen target, to aim at it once, or to start autotrack."""
+    desk = view.track
+    plan = None if desk is None else desk.plan
+    name = fit((desk.choice if desk is not None else "") or "" if plan is None else plan.aim.name, 24).rstrip()
+    if deed == "track-follow":
+        return _follow_words(name, plan, view)
+    if (reason := (can_autotrack if deed == "track-autotrack" else can_follow)(view)) is not None:
+        return "warn-row", reason
+    if deed == "track-autotrack":
+        kept = [] if desk is None else [one for one in desk.schedule if one.kept and one.reach_end > view.utc]
+        first = f": first {kept[0].name}, {_when(kept[0].reach_start.timestamp(), view)}" if kept else ""
+        return "accent-row", f"Enter starts autotrack{first}."
+    place = target_place(view)
+    if place is None and desk is not None and desk.look is not None:
+        place = desk.look.az_deg, desk.look.el_deg
+    if place is not None and place[1] < 0.0:
+        return "warn-row", f"{name} is below the horizon now."
+    where = "" if place is None else f": the dish goes to {place[0]:.0f}°/{place[1]:.0f}°"
+    return "accent-row", f"Enter points once at {name}{where}."
+
+
+def _when(at_s: float, view: View) -> str:
+    return "now" if at_s <= view.utc.timestamp() else f"by {clock_text(at_s)}"
+
+
+def _follow_words(name: str, plan: Plan | None, view: View) -> tuple[str, str]:
+    pursuit = pursuit_of(view)
+    if pursuit is not None and shown_is_followed(view) and pursuit.phase not in BROKEN_OFF:
         return "bar", f"{name} is followed already."
     first = release_mend(view)
     if first is not None:
@@ -75,51 +110,60 @@ def offer_words(offer: Offer, view: View) -> tuple[str, str]:
             how = "switch the dish off and on, and it homes by itself" if by_itself else "home the dish first (H)"
             return "warn-row", f"{name}: {how}."
         return "warn-row", f"{name}: {reason}"
-    assert plan is not None, "it is of this pass"
+    if plan is None:
+        return "accent-row", f"Enter follows {name}: its pass is worked out …"
     t_s = view.utc.timestamp()
     leg = next((each for each in plan.legs if each.end_s > t_s), None)
     if leg is None:
         if plan.day is not None and plan.day.standing:
             return "warn-row", f"{name}: {plan.day.standing}."
-        return "warn-row", f"{name} is not in reach on this pass: nothing to follow."
-    if pursuit_of(view) is not None:
-        name += " instead"
+        lies = "out of reach" if plan.passing is None else "not in reach on this pass"
+        return "warn-row", f"{name} is {lies}: nothing to follow."
+    if pursuit is not None:
+        name += " again" if shown_is_followed(view) else " instead"
     az_deg, el_deg = plan.sky.at(max(leg.start_s, t_s))
-    when = "now" if leg.start_s <= t_s else f"by {clock_text(leg.start_s)}"
-    return "accent-row", f"Enter follows {name}: the dish goes to {az_deg % 360.0:.0f}°/{el_deg:.0f}° {when}."
+    where = f"{az_deg % 360.0:.0f}°/{el_deg:.0f}°"
+    return "accent-row", f"Enter follows {name}: the dish goes to {where} {_when(leg.start_s, view)}."
 
 
 class OfferLine(Pane, can_focus=True):
-    """One row. As long as it has the focus, Enter follows what it names; Esc closes it."""
+    """One row. As long as it has the focus, Enter does what it says; Esc closes it."""
 
-    scope = "offer"
-
-    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+    def __init__(self, carry_out: Callable[[str], object], *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
+        self._carry_out = carry_out
+        self.deed = "track-follow"
+        """The command of Track that Enter carries out."""
         self.offer: Offer | None = None
+        """The pass that was picked elsewhere; None: what is chosen on the tab."""
+
+    @property
+    def scope(self) -> str:
+        """What its command has in `where`."""
+        return self.deed.replace("track", "offer", 1)
 
     def draw(self, cells: Cells, view: View) -> None:
         """Write what Enter would do."""
-        if self.offer is None:
-            return
-        ink, words = offer_words(self.offer, view)
+        ink, words = deed_words(self.deed, view) if self.offer is None else offer_words(self.offer, view)
         closes = f"  {esc_text(view, closes='closes')} "
         room = cells.width - len(closes)
         cells.put(0, 0, pad(cut(f" ▶ {words}", room), room) + closes, ink)
-        self.heat(0, 0, cells.width, "offer-follow")
+        self.heat(0, 0, cells.width, self.scope)
 
     def do(self, command: str) -> bool:
-        """Follow it: once its plan is seen, and nothing is held."""
-        if command != "offer-follow" or self.offer is None:
+        """Do it: once its plan is seen, and nothing is held."""
+        if command != self.scope:
             return False
         host = cast(Host, self.app)
         view = host.view()
         if can_release(view) is None:
             host.action_command("release")
-        elif not self.offer.is_of(plan_of(view)):
+        elif self.offer is not None and not self.offer.is_of(plan_of(view)):
             host.say("Its pass is still worked out: Enter again.")
+        elif (reason := (can_autotrack if self.deed == "track-autotrack" else can_follow)(view)) is not None:
+            host.say(reason)
         else:
-            host.action_command("track-follow")
+            self._carry_out(self.deed)
         return True
 
     def on_key(self, event: events.Key) -> None:

@@ -97,7 +97,7 @@ def _nothing(view: View, *, followed: bool) -> str:
         return f"The {dish.name} has no tuner to read. Set a receiver to see the signal."
     if not view.link_up:
         return "No signal: the dish does not answer."
-    return "The tuner is read while the dish stands still." if followed else "f follows it and reads the tuner."
+    return "The tuner is read while the dish stands still." if followed else "f and Enter follow it and read the tuner."
 
 
 def _errors(cells: Cells, view: View, plan: Plan, box: tuple[int, int, int], *, followed: bool) -> None:

@@ -72,7 +72,7 @@ class HomeStep(Step):
         if self._by_itself:
             return self.release_choice()
         label = "Home again" if self.proven else "Area is clear: home"
-        return (*self.release_choice(), Choice("home", "h" if self.proven else "enter", label, moves=True))
+        return (*self.release_choice(), Choice("home", "h" if self.proven else "enter", label, moves=True, far=True))
 
     def take(self, choice: str, values: Mapping[str, str]) -> None:  # noqa: ARG002 - a step's signature
         """Home, or release."""

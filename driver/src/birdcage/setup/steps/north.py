@@ -68,7 +68,7 @@ class NorthStep(Step):
             ways += [
                 Choice("mark", "enter", "The dish looks at the Sun now: mark",
                        fields=(Field("el", "keep the el offset too", "", "y or n", "n"),)),
-                Choice("sun", "u", "Turn to where the Sun should be", moves=True),
+                Choice("sun", "u", "Turn to where the Sun should be", moves=True, far=True),
             ]  # fmt: skip
         marks = any(way.name == "mark" for way in ways)
         if standing:
