@@ -50,17 +50,17 @@ def test_the_tuner_is_read_while_the_dish_stands_still_within_the_budget_of_the_
     bench.step(60)
     assert bench.state.activity is Activity.FOLLOWING
     told = [each.at for each in heard(bench) if each.at > start]
-    assert len(told) >= 30
+    assert len(told) >= 24
     assert max(later - earlier for earlier, later in pairwise(told)) < 8.0
     times = [when for when, _ in bench.received() if when > start]
     for first in times:
         assert sum(first <= when < first + 10 for when in times) <= 30
     visits = [when for when, line in bench.received() if when > start and line == "dvb"]
-    assert len(visits) >= 7
+    assert len(visits) >= 6
     assert all(later - earlier >= 5.0 for earlier, later in pairwise(visits))
     assert not [line for when, line in bench.received() if when > start and line.startswith("a ")]
     read = [each.at for each in bench.events if type(each).__name__ == "PositionRead" and each.at > start]
-    assert max(later - earlier for earlier, later in pairwise(read)) < 4.0
+    assert max(later - earlier for earlier, later in pairwise(read)) < 2.0
 
 
 def test_the_tuner_is_left_alone_while_the_dish_moves_along():

@@ -20,8 +20,8 @@ from birdcage.station.station import Station
 QUEUE_SIZE = 8192
 FRESH_S = 3.0
 """How old a signal may be that stands beside a sample."""
-STILL_FRESH_S = 7.0
-"""The same of the tuner while the dish stands still on a target that does not pass: it is read every 6 s."""
+STILL_FRESH_S = 10.0
+"""The same of the tuner while the dish stands still on a target that does not pass: it is read every 9 s."""
 SELDOM_S = 10.0
 """How often a target is kept that does not pass: it is followed for days."""
 PROGRAM_ENDED = "The program was ended."

@@ -21,7 +21,7 @@ COUNTDOWN_S = 5.0
 JUST_ASKED_S = 60.0
 """So long after a person has asked for it, a first motion is what they asked for."""
 IN_PLACE_DEG = 0.1
-AGAIN_S = 1.0
+AGAIN_S = 0.5
 """How soon it is looked again whether the dish has nothing to do for a while."""
 JOIN_DEG = 1.0
 """Further from the course than this the whole dish is sent there first."""
@@ -139,14 +139,15 @@ class Pursuer:
         controller = self._voyage.controller(helm)
         elevation = helm.model.elevation.index
         try:
-            step, hear_s = next(controller), helm.now_s + HEAR_EVERY_S
+            step, hear_s, seen = next(controller), helm.now_s + HEAR_EVERY_S, False
             while True:
-                if isinstance(step, Wait) and self._place is not None and self._now_s >= hear_s:
+                # Right after a reading of the position, which then waits no longer than the excursion takes.
+                if isinstance(step, Wait) and seen and self._place is not None and self._now_s >= hear_s:
                     hear_s = self._now_s + AGAIN_S
                     if (until_s := still_until(helm, self._place, self._now_s)) > hear_s:
                         self._now_s = (yield Hear(until_s, HEAR_EVERY_S)).now_s
                 answer = yield step
-                self._now_s = answer.now_s
+                self._now_s, seen = answer.now_s, isinstance(step, Look)
                 if isinstance(step, Send) and self._place is not None:
                     az_deg, el_deg = self._place
                     self._place = (az_deg, step.deg) if step.axis == elevation else (step.deg, el_deg)

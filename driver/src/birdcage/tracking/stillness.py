@@ -7,8 +7,9 @@ from birdcage.tracking.controller import Helm
 from birdcage.tracking.planning.routes import Point
 from birdcage.tracking.steering.dead_band import dead_band_deg
 
-HEAR_EVERY_S = 6.0
-"""How often the tuner is read while the dish stands still: calmer than the wire would allow."""
+HEAR_EVERY_S = 8.5
+"""How often the tuner is read while the dish stands still: two visits and the positions between would be too much
+for the wire within 10 s (`station.watches`)."""
 HAIR_DEG = 1e-6
 AHEAD_S = (0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 12.0, 16.0, 24.0, 32.0, 64.0, 128.0, 256.0, 512.0)
 """What is looked at. A target that is as slow as that over one of these spans is so within it, too."""

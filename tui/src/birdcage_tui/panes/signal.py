@@ -14,8 +14,8 @@ from birdcage_tui.words import age_text
 
 LEAST_SPAN = {"counts": 100.0, "dB": 10.0}
 """Between the bottom and the top of the strip at least: noise must look like noise."""
-SLOW_S = 6.0
-"""The tuner is asked every 5 s while the dish may move: only what is older than this is amiss."""
+SLOW_S = 8.5
+"""The tuner is asked every 5 s, while the dish follows every 9 s in bursts: only what is older than this is amiss."""
 COLUMN_S = 1.0
 """Seconds that one column of cells stands for."""
 

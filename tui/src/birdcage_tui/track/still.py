@@ -25,7 +25,7 @@ LEFT, RIGHT = 6, 8
 BACK_S = 1200.0
 """How far back signal and error are shown."""
 SILENT_S = 15.0
-"""A longer silence is a gap: the tuner is read every 6 s, in bursts."""
+"""A longer silence is a gap: the tuner is read every 9 s, in bursts."""
 NEAR_DEG = 1.0
 """So near counts as on the target while the beam is not known."""
 DAY_ROWS = 4
@@ -83,9 +83,7 @@ def _signal(cells: Cells, view: View, day: Day, box: tuple[int, int, int], *, fo
     spare = max(LEAST_SPAN[unit] - (high - low), (high - low) * 0.1) / 2.0
     low, high = low - spare, high + spare
     _curve(cells, series, (low, high), box, "accent")
-    if height > 1:
-        cells.right(LEFT - 1, y, f"{high:.0f}", "dim")
-        cells.right(LEFT - 1, y + height - 1, f"{low:.0f}", "dim")
+    _scale(cells, box, f"{high:.0f}", f"{low:.0f}")
     last_s, last = series[-1]
     ink = "dim" if last_s > SILENT_S else "strong"
     cells.right(cells.width, y + (height - 1) // 2, f"{last:.0f} {'cts' if unit == 'counts' else unit}", ink)
@@ -112,14 +110,21 @@ def _errors(cells: Cells, view: View, plan: Plan, box: tuple[int, int, int], *, 
     if expected is not None:
         _curve(cells, [(BACK_S, expected), (0.0, expected)], (0.0, top), box, "dim", gap_s=2 * BACK_S)
     _curve(cells, series, (0.0, top), box, "accent", of=max)
-    if height > 1:
-        cells.right(LEFT - 1, y, degrees(top), "dim")
-        cells.right(LEFT - 1, y + height - 1, "0", "dim")
+    _scale(cells, box, degrees(top), "0")
     if series:
         stale = series[-1][0] > 2 * STALE_S
         cells.right(cells.width, y + (height - 1) // 2, degrees(series[-1][1]), "dim" if stale else "strong")
     elif expected is not None:
         cells.right(cells.width, y + (height - 1) // 2, f"±{degrees(expected)}", "dim")
+
+
+def _scale(cells: Cells, box: tuple[int, int, int], high: str, low: str) -> None:
+    """Write the ends of a scale, where its name leaves them room."""
+    y, height, _ = box
+    if height > 2:
+        cells.right(LEFT - 1, y, high, "dim")
+    if height > 1:
+        cells.right(LEFT - 1, y + height - 1, low, "dim")
 
 
 def _by_column(series: Series, width: int, of: Callable[[list[float]], float]) -> Series:
