@@ -91,8 +91,8 @@ def test_one_that_is_gone_cannot_be_changed(path):
 
 
 DAMAGE = [
-    (b"[[preset]\nname = 'x'", "no valid TOML"),
-    (b"\xff\xfe\x00", "no UTF-8"),
+    (b"[[preset]\nname = 'x'", "not valid TOML"),
+    (b"\xff\xfe\x00", "not UTF-8"),
     (b"[[preset]]\nname = 'x'\naz_deg = 'north'\nel_deg = 1", "line 1: az_deg must be a number"),
     (b"[[preset]]\nname = 'x'\naz_deg = true\nel_deg = 1", "az_deg must be a number"),
     (b"[[preset]]\nname = 'x'\naz_deg = nan\nel_deg = 1", "azimuth lies from"),
@@ -104,8 +104,8 @@ DAMAGE = [
     (b"preset = 3", "must be tables"),
     (b"preset = [1, 2]", "a preset is a table"),
     (b"[preset]\nname = 'x'", "must be tables"),
-    (b"a = " + b"[" * 100_000, "no valid TOML"),
-    (b"a = 1" + b"0" * 5_000, "no valid TOML"),
+    (b"a = " + b"[" * 100_000, "not valid TOML"),
+    (b"a = 1" + b"0" * 5_000, "not valid TOML"),
     (b"#" * 1_000_001, "larger than"),
 ]
 

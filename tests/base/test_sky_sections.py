@@ -30,9 +30,9 @@ def test_groups_mirror_and_craft_are_read(tmp_path):
     ("line", "words"),
     [
         ('mirror_url = "http://nas/elements.json"', "{group} is missing"),
-        ('mirror_url = "nas/{group}"', "no http or https address"),
-        ('craft_url = "ftp://example.org"', "no http or https address"),
-        ('craft_url = "http://[bad"', "no http or https address"),
+        ('mirror_url = "nas/{group}"', "not an http or https address"),
+        ('craft_url = "ftp://example.org"', "not an http or https address"),
+        ('craft_url = "http://[bad"', "not an http or https address"),
         ("deadline_s = 0.1", "less than 1"),
         ('mirror = "http://nas/{group}"', "did you mean mirror_url?"),
     ],

@@ -170,4 +170,4 @@ def test_the_peak_that_contradicts_the_others_is_named() -> None:
     assert "agree" not in fit(found, priors_of(NOTHING, found), Alignment()).warning
     wrong = Peak(NOON, "Sun", 150.0, 45.0, 0.0, 45.0, sigma_deg=NOISE_DEG, number=7)
     told = fit([*found[:3], wrong, *found[3:]], priors_of(NOTHING, found), Alignment())
-    assert told.warning.startswith("Peak 7 (Sun) does not agree")
+    assert told.warning.startswith("Peak 7 (Sun) disagrees")

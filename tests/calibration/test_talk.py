@@ -72,7 +72,7 @@ def test_another_object_by_name_its_fit_and_a_set(garden, talk):
     told = talk("g 101W", "", "g 119W", "", "f", "a Garden", "x 1", "q")
     assert [peak.target for peak in garden.guide.peaks] == ["119°W EchoStar 14"]
     assert "azimuth offset" in told.out
-    assert "Kept and in force: Garden." in told.err
+    assert "Saved and in use: Garden." in told.err
     assert load(garden.paths.config_file, {}).alignment.active == "Garden"
     assert "1 left" in told.err
 
@@ -82,7 +82,7 @@ def test_what_is_typed_wrong_is_said_and_nothing_moves(garden, talk):
     told = talk("", "z", "n 99", "n x", "u nonsense", "r 30", "g nothing so called", "a", "f")
     for words in (
         "No object is chosen", "Unknown answer. Type ?", "objects in the list", "'x' is not a number of the list",
-        "at most 10 degrees", "No target is called", "nothing to apply", "There is no peak yet",
+        "at most 10 degrees", "No target is called", "nothing to apply", "No peaks yet",
     ):  # fmt: skip
         assert words in told.err, told.err
     assert garden.device.truth().az_deg == before

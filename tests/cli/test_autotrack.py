@@ -83,7 +83,7 @@ def test_settings_and_options_count(autotrack, as_json):
 def test_favourites_of_the_catalogue_count_with_their_priorities(autotrack, as_json, run, tmp_path):
     result = autotrack(elements=False)
     assert result.exit_code == 2
-    assert "There are no favourites: `birdcage elements favourite NAME" in result.stderr
+    assert "No favourites yet. `birdcage elements favourite NAME" in result.stderr
     assert run("elements", "add", tmp_path / "two.tle").exit_code == 0
     assert run("elements", "favourite", "25544").exit_code == 0
     assert {each["norad_id"] for each in as_json(autotrack("--json", elements=False))["passes"]} == {25544}
@@ -101,7 +101,7 @@ def test_favourites_of_the_catalogue_count_with_their_priorities(autotrack, as_j
         (("--until", "2026-11-22"), "go with --engage"),
         (("--speed", 5), "go with --engage"),
         (("--engage", "--speed", 5, "--port", "/dev/ttyUSB0"), "--speed is for a simulated dish"),
-        (("--engage",), "There are no favourites"),
+        (("--engage",), "No favourites yet"),
     ],
 )
 def test_what_does_not_go_together_is_said_and_nothing_is_opened(run, words, said):

@@ -28,7 +28,7 @@ def test_a_port_that_is_none(run, tmp_path) -> None:
     (tmp_path / "file").touch()
     result = run("pos", port=str(tmp_path / "file"))
     assert result.exit_code == 3
-    assert "no serial port" in result.stderr
+    assert "not a serial port" in result.stderr
 
 
 def test_a_silent_dish(run, pty_dish) -> None:

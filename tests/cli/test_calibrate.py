@@ -103,7 +103,7 @@ def test_peaks_are_forgotten_by_number_or_all(peaked, home):
     peaked("remove", "--all")
     result = peaked("fit")
     assert result.exit_code == 1
-    assert "No peak yet" in result.stderr
+    assert "No peaks yet" in result.stderr
 
 
 def test_a_set_is_forgotten_and_its_terms_stay(peaked, home):
@@ -111,7 +111,7 @@ def test_a_set_is_forgotten_and_its_terms_stay(peaked, home):
     peaked("apply", "Roof")
     assert peaked("remove", "--set", "roof").exit_code == 0
     assert load(home.config_file, {}).alignment.an_deg == pytest.approx(0.9, abs=0.15)
-    assert "or its set is gone" in peaked("list").stderr
+    assert "or its saved set is gone" in peaked("list").stderr
     assert peaked("apply", "Roof").exit_code == 2
 
 

@@ -201,7 +201,7 @@ def test_favourites_priorities_tags_and_offset(elements, as_json):
     assert "1.5 s earlier than computed" in elements("offset", "iss").stdout
     assert "no time offset" in elements("offset", "iss", "none").stdout
     elements("favourite", "iss", "--off")
-    assert "no favourites" in elements("favourite").stderr
+    assert "No favourites yet" in elements("favourite").stderr
     for words in (
         ("offset", "iss", "soon"),
         ("offset", "iss", "1e9"),
@@ -245,7 +245,7 @@ def test_ctrl_c_keeps_the_groups_that_had_come(elements, server, monkeypatch):
     server.bodies["/first.json"] = (200, BODY)
     result = elements("update", "first", "second", env={"BIRDCAGE_ELEMENTS_MIRROR_URL": server.mirror})
     assert result.exit_code == 130
-    assert "What had arrived is kept" in result.stderr
+    assert "What arrived is saved" in result.stderr
     assert "NOAA 20" in elements("list", "first").stdout
 
 

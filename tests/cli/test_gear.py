@@ -4,7 +4,7 @@ from __future__ import annotations
 
 
 def test_play_that_is_set_is_kept_for_this_dish_and_shown_with_its_origin(run, as_json, pty_dish):
-    assert "Nothing is known" in run("gear", port=pty_dish.path).stdout
+    assert "are unknown" in run("gear", port=pty_dish.path).stdout
     said = run("gear", "--play-az", "0.05", port=pty_dish.path)
     assert said.exit_code == 0, said.stderr
     assert "azimuth: play 0.050° (set by the user, " in said.stdout
@@ -15,7 +15,7 @@ def test_play_that_is_set_is_kept_for_this_dish_and_shown_with_its_origin(run, a
     status = as_json(run("status", "--quick", "--json", port=pty_dish.path))
     assert status["gear"]["azimuth_play_deg"] == 0.05
     assert "play 0.050° (set by the user, " in run("status", "--quick", port=pty_dish.path).stdout
-    assert "Nothing is known" in run("gear", "--forget", port=pty_dish.path).stdout
+    assert "are unknown" in run("gear", "--forget", port=pty_dish.path).stdout
     assert as_json(run("status", "--quick", "--json", port=pty_dish.path))["gear"] is None
 
 
@@ -24,10 +24,10 @@ def test_what_cannot_be_is_refused_and_keeps_nothing(run, pty_dish):
     assert refused.exit_code != 0
     assert "type 0 to 0.15" in refused.stderr
     assert "--forget goes alone" in run("gear", "--forget", "--play-az", "0.05", port=pty_dish.path).stderr
-    assert "Nothing is known" in run("gear", port=pty_dish.path).stdout
+    assert "are unknown" in run("gear", port=pty_dish.path).stdout
 
 
 def test_a_dish_without_an_adapter_or_a_firmware_is_asked_for(run, pty_dish):
-    assert "names none that is here" in run("gear", port="sim:g2").stderr
+    assert "No adapter at" in run("gear", port="sim:g2").stderr
     unnamed = run("gear", "--play-az", "0.05", port=pty_dish.path, firmware="")
     assert "--firmware g2" in unnamed.stderr

@@ -98,14 +98,14 @@ def test_init_never_waits_without_end(run, pty_dish) -> None:
 def test_the_search_is_switched_off_and_back_with_a_backup(run, pty_dish) -> None:
     refused = run("init", "--restore-search", port=pty_dish.path)
     assert refused.exit_code == 2
-    assert "it moves without being asked" in refused.stderr
+    assert "it moves by itself" in refused.stderr
     for switch, value in (("--restore-search", "0"), ("--disable-search", "1")):
         result = run("init", switch, "--yes", port=pty_dish.path)
         assert result.exit_code == 0, result.stderr
         assert "Now switch the dish off and on." in result.stderr
         assert f"e 20 {value}" in pty_dish.lines()
-        kept = next(line for line in result.stderr.splitlines() if "are kept in" in line)
-        table = Path(kept.partition("kept in ")[2].rstrip(".")).read_text()
+        kept = next(line for line in result.stderr.splitlines() if "Backup of" in line)
+        table = Path(kept.partition("settings: ")[2].rstrip(".")).read_text()
         assert "Disable Tracker" in table
     lines = pty_dish.lines()
     assert lines.index("d") < lines.index("e 20 0")
@@ -113,7 +113,7 @@ def test_the_search_is_switched_off_and_back_with_a_backup(run, pty_dish) -> Non
 
 def test_explains_what_a_dish_with_its_search_on_will_do(run) -> None:
     result = run("init", port="sim:g2?nvs20=0")
-    assert "NVS 20 is FALSE: at power-up this dish homes by itself" in result.stderr
+    assert "NVS 20 is FALSE: at power-up this dish homes, then searches" in result.stderr
     assert "--disable-search" in result.stderr
 
 

@@ -43,7 +43,7 @@ def three_passes():
 
 def test_an_empty_log_says_so_and_makes_no_file(run, as_json):
     result = run("log")
-    assert (result.exit_code, result.stdout, result.stderr.strip()) == (0, "", "No pass was followed yet.")
+    assert (result.exit_code, result.stdout, result.stderr.strip()) == (0, "", "No passes logged yet.")
     assert as_json(run("log", "--json"))["passes"] == []
     assert not Paths.default().journal.exists()
 
@@ -80,7 +80,7 @@ def test_choosing(run, as_json, three_passes):
     assert numbers("--last", 2) == [2, 3]
     assert numbers("--since", "2026-11-21T13:00") == [2, 3]
     assert numbers("--name", "meteor") == numbers("--name", "59051") == [2]
-    assert "No pass in the log matches" in run("log", "--name", "sputnik").stderr
+    assert "No logged pass matches" in run("log", "--name", "sputnik").stderr
 
 
 def test_one_pass_with_its_worst_moments_and_what_hooks_said(run, as_json, three_passes):
@@ -108,11 +108,11 @@ def test_csv_is_the_file_again(run, three_passes):
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (("show", "9"), "The log has no pass 9"),
+        (("show", "9"), "No such pass in the log: 9"),
         (("show", "x"), "log show NUMBER"),
         (("shown",), "log show NUMBER"),
-        (("--csv", "9"), "The log has no pass 9"),
-        (("show", "9" * 30), "The log has no pass"),
+        (("--csv", "9"), "No such pass in the log: 9"),
+        (("show", "9" * 30), "No such pass in the log:"),
     ],
 )
 def test_what_is_not_there_is_said(run, three_passes, words, said):

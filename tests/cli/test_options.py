@@ -66,7 +66,7 @@ def test_a_firmware_that_is_not_spoken_is_one_sentence(run) -> None:
     result = run("pos", firmware="nosuch")
     assert result.exit_code == 2
     assert result.stderr == (
-        "This version does not speak nosuch: it speaks g2, hal205. "
+        "This version does not speak nosuch. It speaks g2, hal205. "
         "Without --firmware, BIRDCAGE_FIRMWARE and dish.firmware the port is asked.\n"
     )
 
@@ -88,7 +88,7 @@ def test_a_damaged_file_is_named_with_its_line_and_refuses_motion_only(run, tmp_
 def test_a_config_that_is_not_there_is_refused(run, tmp_path) -> None:
     result = run("--config", tmp_path / "no.toml", "pos")
     assert result.exit_code == 2
-    assert "no.toml (--config) is no file" in result.stderr
+    assert "no.toml (--config) is not a file" in result.stderr
 
 
 def test_check_of_no_file_is_in_order(run) -> None:

@@ -122,7 +122,7 @@ def test_one_satellite_is_named_as_everywhere(passes, as_json):
     assert as_json(passes("--json", "iss")) == as_json(passes("--json", "ISS (ZARYA)")) == whole
     for words, told in (
         (("ao-91",), "AO-91 (43017) is not among your 1"),
-        (("moon",), "Moon is no satellite with passes: `birdcage where moon`"),
+        (("moon",), "Moon makes no passes: `birdcage where moon`"),
         (("isss",), "Did you mean ISS?"),
         (("iss", "--name", "x"), "not both"),
     ):

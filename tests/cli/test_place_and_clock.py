@@ -195,8 +195,8 @@ class TestClock:
         monkeypatch.setattr(system_time.shutil, "which", lambda _name: None)
         result = run("clock")
         assert result.exit_code == 0
-        assert "Whether the clock is right is not known" in result.stdout
-        assert "One second costs 1° on the space station overhead (1°/s); how many this clock is off is not known." in (
+        assert "This system does not tell whether its clock is right" in result.stdout
+        assert "One second costs 1° on the space station overhead (1°/s); the error of this clock is unknown." in (
             result.stdout
         )
 

@@ -162,7 +162,7 @@ def test_a_port_that_may_not_be_used_must_be_mended(ready, prepared, monkeypatch
     monkeypatch.setattr("os.access", lambda _path, _mode: False)
     status, found = ready()
     assert status == 1
-    assert "you lack permission" in found["port"]["words"]
+    assert "you may not open it" in found["port"]["words"]
 
 
 def test_a_port_that_is_an_address_is_not_asked(ready, prepared):
@@ -213,7 +213,7 @@ def test_without_receiver_and_hooks_there_is_nothing_to_check(ready, prepared):
     [
         (b"137912500\n", "good", "answers, tuned to 137.9125 MHz"),
         (b"RPRT -11\n", "good", "answers"),
-        (b"220 ftp ready\n", "look", "that is no rigctld"),
+        (b"220 ftp ready\n", "look", "that is not rigctld"),
         (b"", "look", "has not answered within 1 s|No answer to 'f' within 1 s"),
     ],
 )

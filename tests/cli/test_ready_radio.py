@@ -66,5 +66,5 @@ def test_a_receiver_that_is_not_to_record_is_never_told_to(checked):
 def test_hamlib_says_that_it_does_not_record(checked, monkeypatch):
     monkeypatch.setattr(SdrPlusPlus, "__call__", lambda _sdr, line: b"7\n" if line == "f" else b"RPRT -18\n")
     found, there = checked("--try-recording")
-    assert "RPRT -18: this receiver begins no recording" in found["recording"]["words"]
+    assert "RPRT -18: this receiver does not record" in found["recording"]["words"]
     assert there.heard[-1] == "AOS"

@@ -54,7 +54,7 @@ def test_init_ends_the_search_and_says_how_long_that_holds(travler, pty_travler)
     result = travler("init", port=pty_travler.path)
     assert result.exit_code == 0, result.stderr
     assert "Trav'ler, speaks hal205" in result.stderr
-    assert "Its TV search is ended, until the dish is next switched on" in result.stderr
+    assert "Its TV search is ended until the next power-up" in result.stderr
     assert "SK 90.00°" in result.stderr
     assert "NVS 20" not in result.stderr
     assert "ngsearch" in pty_travler.lines()
@@ -70,7 +70,7 @@ def test_init_tells_json_how_it_is(travler, as_json) -> None:
 def test_no_setting_gives_the_search_back(travler, pty_travler) -> None:
     result = travler("init", "--restore-search", "--yes", port=pty_travler.path)
     assert result.exit_code == 2
-    assert "begins at each power-up" in result.stderr
+    assert "starts at each power-up" in result.stderr
     assert pty_travler.lines() == []
 
 

@@ -109,7 +109,7 @@ DISH_FAULTS = (
         expect={MOVING: Expect(motion="arrives")},
     ),
     Fault(
-        "waits", "It takes no command before its motor stands", nothing, dialects=("g2",),
+        "waits", "It takes no command before its motor rests", nothing, dialects=("g2",),
         options={"g2": "&second_move=block&second_other=block"}, lasts_s=LONG,
         expect={MOVING: Expect(motion="arrives", stop="nothing")},
     ),

@@ -26,7 +26,7 @@ SHORT = (
     (r"The dish lost its position", "“The dish lost its position”"),
     (r"not homed", "“not homed”"),
     (r"initializing", "“initializing”"),
-    (r"moving unasked|The motion was given up", ""),
+    (r"moving unasked|The motion was cancelled", ""),
 )
 """How each sentence of the state begins, and what is left of it in the table."""
 STOPS = {"at once": "STOP goes out at once", "after a look": "STOP looks, then goes out", "nothing": "STOP looks"}

@@ -71,11 +71,11 @@ def test_a_height_that_is_not_known_is_none(clock, changes, height_m):
     [
         ((VERSION, DEVICES, {"class": "TPV", "mode": 1}, {**SKY, "uSat": 2}), "no_fix", r"mode 1, 2 satellites used"),
         ((VERSION, {"class": "DEVICES", "devices": []}), "no_fix", r"has no receiver"),
-        ((), "no_gps", "is no gpsd: silence for 10 s"),
+        ((), "no_gps", "is not gpsd: silence for 10 s"),
         ((VERSION, {**TPV, "lat": 200}), "no_fix", "has no fix"),
         ((VERSION, {**TPV, "mode": 1}), "no_fix", "mode 1"),
         ((VERSION, {**TPV, "lat": True}), "no_fix", "has no fix"),
-        (([1, 2], "x"), "no_gps", "2 lines that are no JSON"),
+        (([1, 2], "x"), "no_gps", "2 lines that are not JSON"),
     ],
 )
 def test_without_a_fix_the_deadline_says_what_was_seen(clock, reports, reason, says):

@@ -117,13 +117,13 @@ def test_no_permission_names_the_group(pty, monkeypatch):
 def test_a_folder_or_file_is_no_port(tmp_path, make):
     path = tmp_path / "thing"
     getattr(path, make)()
-    with pytest.raises(LinkError, match="no serial port") as refused:
+    with pytest.raises(LinkError, match="not a serial port") as refused:
         open_link(str(path), baud=57600, clock=RealClock())
     assert refused.value.reason == "unsupported"
 
 
 def test_a_character_device_that_is_no_terminal(tmp_path):
-    with pytest.raises(LinkError, match="no serial port") as refused:
+    with pytest.raises(LinkError, match="not a serial port") as refused:
         open_link("/dev/null", baud=57600, clock=RealClock())
     assert refused.value.reason == "unsupported"
 

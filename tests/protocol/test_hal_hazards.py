@@ -34,7 +34,7 @@ def dish():
         ("motor", "a 2 100", MOVES, "feed"),
         ("motor", "a 0 -0.5", MOVES, "sign"),
         ("motor", "g 190 45 90", MOVES, "any key ends it"),
-        ("motor", "g 190", MOVES, "not known"),
+        ("motor", "g 190", MOVES, "unknown"),
         ("ngsearch", "s", SETTING, "next power-up"),
         ("nvs", "s", SETTING, "flash"),
         ("nvs", "e 127", HARMLESS, ""),

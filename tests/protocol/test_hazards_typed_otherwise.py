@@ -24,7 +24,7 @@ def dish():
         ("root", "stow;", RUINS, "fold"),
         ("root", "id ; reboot", MOVES, "several commands"),
         ("mot", "a;a 0 200", MOVES, "Moves an axis"),
-        ("mot", "p & vms 0 20 500", MOVES, "whatever the limits"),
+        ("mot", "p & vms 0 20 500", MOVES, "ignoring the limits"),
         ("mot", "q;q", RUINS, "root menu"),
         ("mot", "a 0 10;sp 0 100", RUINS, "every angle"),
         ("root", "sto", RUINS, "abbreviation"),
@@ -35,7 +35,7 @@ def dish():
         ("dvb", "a 0 200", MOVES, "Elsewhere"),
         ("mot", "w 0 off now", RUINS, "cable"),
         ("root", "stow now please", RUINS, "crushed"),
-        ("mot", "h 0 1 2 3", MOVES, "Nothing stops"),
+        ("mot", "h 0 1 2 3", MOVES, "Only cutting the power stops"),
     ],
 )
 def test_a_danger_typed_otherwise_still_warns(dish, menu, line, grade, word):

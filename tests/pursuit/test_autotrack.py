@@ -42,7 +42,7 @@ def test_without_favourites_there_is_no_schedule_and_it_says_so(make):
     bench.desk.set_autotrack(True)
     now = bench.do()
     assert now.schedule == ()
-    assert "there are none" in now.problem
+    assert "you have none" in now.problem
 
 
 def test_it_follows_one_pass_after_the_other_each_after_a_countdown(auto):

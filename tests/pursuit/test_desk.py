@@ -111,7 +111,7 @@ def test_a_time_offset_is_remembered_with_its_date_and_moves_the_plan(bench):
     assert "at most 3600 s" in bench.do().problem
     bench.desk.choose("sun")
     bench.desk.set_time_offset(1.0)
-    assert "for a satellite" in bench.do().problem
+    assert "needs a satellite" in bench.do().problem
 
 
 def test_a_frequency_stands_in_the_plan_and_the_usual_one_comes_back(bench):

@@ -194,7 +194,7 @@ def test_a_command_that_does_not_read_stdin_and_says_a_lot(stage):
     stage.ended()
     assert len(stage.said) == 1 + 200 + 1 + 1
     assert max(map(len, stage.texts)) <= 1000
-    assert stage.texts[-2].endswith("says more than 200 lines, the rest is dropped.")
+    assert stage.texts[-2].endswith("prints more than 200 lines; the rest is dropped.")
     assert stage.texts[-1].endswith("status 0.")
 
 
@@ -254,7 +254,7 @@ class TestTheWholeFamily:
         stage.run(101.0)
         pid = grandchild(stage)
         stage.ended()
-        assert stage.texts[-1].endswith("ended with status 0, but what it started still runs.")
+        assert stage.texts[-1].endswith("ended with status 0, but a program that it started still runs.")
         assert alive(pid)
         assert stage.hooks.close(10.0)
         until(lambda: not alive(pid))

@@ -24,5 +24,5 @@ def test_what_is_meant(text, meant):
 
 @pytest.mark.parametrize("text", ["", "radio:no", "radio:0", "radio:99999", "::1", "http://radio", "a b", "[::1"])
 def test_what_is_no_address_is_told(text):
-    with pytest.raises(ConfigError, match="write localhost:4532"):
+    with pytest.raises(ConfigError, match="Write localhost:4532"):
         parse_address(text)

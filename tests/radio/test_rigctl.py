@@ -109,7 +109,7 @@ def test_a_deadline_counts_for_the_whole_answer(rig):
 
 
 def test_words_that_are_no_answer_to_a_setting(rig):
-    with pytest.raises(RadioLost, match="no rigctld"):
+    with pytest.raises(RadioLost, match="not rigctld"):
         rig(lambda _line: b"OK\n")[0].tune(1000)
 
 

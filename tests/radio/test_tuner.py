@@ -286,7 +286,7 @@ def test_what_is_no_rigctld_is_told(house):
     house.in_pass()
     house.run(10.0)
     assert house.tuner.now.state is RadioState.REFUSED
-    assert "no rigctld" in house.tuner.now.sentence
+    assert "not rigctld" in house.tuner.now.sentence
     assert house.words == []
 
 
@@ -309,6 +309,6 @@ def test_a_receiver_that_says_yes_and_stays_where_it_is(house):
 
 def test_an_address_that_is_none_and_none_at_all():
     wrong = Tuner(RadioSettings(rigctld="http://radio"), VirtualClock())
-    assert "no address" in wrong.now.sentence
+    assert "not an address" in wrong.now.sentence
     assert math.isinf(wrong.step())
     assert Tuner(RadioSettings(), VirtualClock()).now == RadioNow()

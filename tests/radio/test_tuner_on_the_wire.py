@@ -49,7 +49,7 @@ class TestOnItsThread:
 
         now_s = RealClock().utc().timestamp()
         tuner.follow(replace(passing(now_s - 1.0), shift_hz=fault))
-        self.until(lambda: "a fault of birdcage" in tuner.now.sentence)
+        self.until(lambda: "a bug in birdcage" in tuner.now.sentence)
         self.until(lambda: shown[-1] == tuner.now)
         assert there.heard[-1] == "LOS"
         assert tuner.close()

@@ -89,7 +89,7 @@ def test_clear_holds_for_one_run(house):
     [
         ("hom", "home", {}, "no step 'hom'"),
         ("home", "fly", {}, "no answer 'fly' now; there are home"),
-        ("level", "typed", {"pitch_deg": "1", "roll": "2"}, "nothing to type for roll"),
+        ("level", "typed", {"pitch_deg": "1", "roll": "2"}, "Nothing to type for roll"),
         ("level", "typed", {"pitch_deg": "1"}, "roll: type a number"),
         ("level", "typed", {"pitch_deg": "steep", "roll_deg": "0"}, "'steep' is not a number"),
         ("level", "typed", {"pitch_deg": "nan", "roll_deg": "0"}, "does not lie between"),

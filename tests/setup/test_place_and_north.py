@@ -149,7 +149,7 @@ class TestNorth:
     def test_a_dish_that_looks_elsewhere_is_no_mark(self, ready):
         ready.choose("north", "jog", d_el_deg="-20")
         ready.run(2)
-        with pytest.raises(NotYet, match="does not look at the Sun"):
+        with pytest.raises(NotYet, match="does not point at the Sun"):
             ready.setup.choose("north", "mark")
         assert ready.file().setup.north is None
 
@@ -166,13 +166,13 @@ class TestNorth:
     def test_without_a_place_there_is_no_sun_and_no_declination(self, house):
         assert {choice.name for choice in house.view("north").choices} == {"jog", "compass", "typed"}
         assert any("step 9" in words for words in house.view("north").words)
-        with pytest.raises(NoSuchChoice, match="declination is not known"):
+        with pytest.raises(NoSuchChoice, match="Declination unknown"):
             house.setup.choose("north", "compass", {"reading_deg": "10"})
 
     def test_an_unknown_clock_is_no_clock(self, house):
         house.setup.choose("place", "typed", PLACE)
         assert "mark" not in {choice.name for choice in house.view("north").choices}
-        assert any("clock is not known" in words for words in house.view("north").words)
+        assert any("clock is unchecked" in words for words in house.view("north").words)
 
     @pytest.mark.parametrize(
         ("utc", "words"),

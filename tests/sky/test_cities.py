@@ -48,7 +48,7 @@ def test_several_are_a_question():
 @pytest.mark.parametrize("typed", ["", "  ", ", us", "xyzzy", "paris, xx"])
 def test_none(typed):
     assert search_cities(typed) == ()
-    with pytest.raises(ValueError, match="no city"):
+    with pytest.raises(ValueError, match="No city"):
         find_city(typed)
 
 

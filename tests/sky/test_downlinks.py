@@ -259,7 +259,7 @@ GOOD = '[[downlink]]\nsatellite = "X"\nfreq_mhz = 1\n'
         ('[[downlink]]\nsatellite = "A"\nfreq_mhz = "5"\n', ":4: freq_mhz is '5', not a number from 0.1 to 1e+06."),
         ('[[downlink]]\nsatellite = "A"\nfreq_mhz = [7, 5]\n', ":4: freq_mhz goes from 7 to 5, which is not upward."),
         ('[[downlink]]\nsatellite = "A"\nfreq_mhz = [5]\n', ":4: freq_mhz has 1 numbers, not one or [from, to]."),
-        ('[[downlink]]\nsatellite = "A"\nfreq_hz = 5\n', "freq_hz is no key of a downlink; did you mean freq_mhz?"),
+        ('[[downlink]]\nsatellite = "A"\nfreq_hz = 5\n', "freq_hz is not a key of a downlink; did you mean freq_mhz?"),
         (
             '[[downlink]]\nsatellite = "A"\nfreq_mhz = 5\npolarization = "left"\n',
             ":4: polarization is 'left', not one of RHCP, LHCP, circular, horizontal, vertical, linear.",
@@ -297,5 +297,5 @@ def test_a_file_that_makes_no_sense_counts_for_nothing_and_says_so(own, text):
 def test_a_file_that_is_no_text_or_no_file_says_so(tmp_path):
     path = tmp_path / "downlinks.toml"
     path.write_bytes(b"\xff\xfe\x00")
-    assert "no UTF-8 text" in only(load_downlinks(path).problems)
+    assert "not UTF-8 text" in only(load_downlinks(path).problems)
     assert "can't be read" in only(load_downlinks(tmp_path).problems)

@@ -112,7 +112,7 @@ def test_what_is_meant(typed, name):
         ("+5 -2", "angle", "counts from where the dish points"),
         ("az=180", "angle", "Type both"),
         ("180 95", "angle", "elevation is -90 to 90"),
-        ("200E", "angle", "200E is no longitude"),
+        ("200E", "angle", "200E is not a longitude"),
         ("", "unknown", "No target was named"),
     ],
 )

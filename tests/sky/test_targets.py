@@ -133,7 +133,7 @@ def test_fixed_directions(typed, az, el):
         ("gal x,y", "'x' is not an angle"),
         ("ra 5h61m dec 3", "60 minutes"),
         ("ra 5 34 dec 3", "5h34m or 5d34m"),
-        ("200E", "200E is no longitude"),
+        ("200E", "200E is not a longitude"),
     ],
 )
 def test_an_angle_that_is_none_is_named(typed, words):

@@ -26,7 +26,7 @@ def test_a_place(typed, expected):
         ("", "Type latitude"), ("51.9", "is not a latitude and longitude"), ("1 2 3 4", "is not a latitude"),
         ("4.8E 51.9N", "latitude comes first"), ("95 4", "no place on Earth"), ("JO21", "2° wide"), ("5x 3", "is no"),
         ("ZZ99", "not a Maidenhead locator"),
-        ("springfield", "Which one"), ("nowhere at all", "no city"),
+        ("springfield", "Which one"), ("nowhere at all", "No city"),
     ],
 )  # fmt: skip
 def test_what_is_none(typed, says):

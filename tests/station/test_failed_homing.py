@@ -60,7 +60,7 @@ def test_where_no_papers_tell_it_is_freed_and_homed_again():
     bench.step(2.0)
     assert bench.state.fault.what == "The azimuth did not home: the dish says 'AZ Motor Home Failure'"
     assert bench.state.fault.remedy == (
-        "Look for what blocks it, and free it. Then switch it off and on, or acknowledge and home it."
+        "Find what blocks it, and free it. Then switch it off and on, or acknowledge and home it."
     )
     bench.do(AcknowledgeFault("you"))
     bench.do(Release("you"))

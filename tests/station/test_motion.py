@@ -119,7 +119,7 @@ def test_a_fault_holds_after_a_release_too_until_it_is_acknowledged(bench):
     bench.step(6)
     bench.do(Release("you"))
     since = bench.clock.monotonic()
-    with pytest.raises(Held, match="fault waits to be acknowledged") as held:
+    with pytest.raises(Held, match="Acknowledge the fault first") as held:
         bench.do(go(200, 45))
     assert held.value.reason == "fault"
     assert bench.moves_since(since) == []

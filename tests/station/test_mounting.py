@@ -17,7 +17,7 @@ from .conftest import Bench
 
 
 def test_without_a_dish_there_is_no_mount():
-    with pytest.raises(BirdcageError, match="No dish"):
+    with pytest.raises(BirdcageError, match="not known yet"):
         mount_of(StationState(), Settings())
 
 

@@ -259,7 +259,7 @@ def test_closing_in_mid_slew_ends_it(bench):
 def test_closing_in_a_single_move_says_that_it_ends_by_itself(bench):
     bench.station.submit(Goto(184, 41, "you"))
     bench.step(1.0)
-    assert "ends its move by itself" in bench.session.close()
+    assert "it ends by itself" in bench.session.close()
 
 
 def test_a_combined_move_that_a_person_typed_is_ended_by_a_byte(bench):

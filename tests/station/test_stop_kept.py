@@ -38,7 +38,7 @@ def test_a_move_that_stop_has_kept_is_not_said_to_end_by_itself():
     bench, moves, said = stopped_at(before_first_byte=True)
     assert moves == []
     assert said.means == "nothing moved"
-    assert "kept" in said.sentence
+    assert "dropped" in said.sentence
     assert bench.state.last_stop.confirmed is True
 
 

@@ -165,7 +165,7 @@ def test_no_line_goes_out_while_the_station_moves_the_dish(bench):
     future = bench.station.submit(Goto(200, 45, "you"))
     bench.step(0.5)
     bench.do(AcquireLease(CONSOLE, take_over=True))
-    with pytest.raises(CommandRefused, match="birdcage moves the dish") as refused:
+    with pytest.raises(CommandRefused, match="birdcage is moving the dish") as refused:
         bench.type("mv")
     assert refused.value.reason == "moving"
     bench.step(20)

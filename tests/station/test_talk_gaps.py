@@ -66,7 +66,7 @@ def test_stop_in_the_middle_of_an_idle_reading_goes_on_until_the_dish_was_seen(b
     while bench.state.last_stop is None or bench.state.last_stop.confirmed is None:
         assert bench.state.last_stop is None or bench.state.activity is Activity.STOPPING
         if bench.state.last_stop is not None:
-            with pytest.raises(CommandRefused, match="birdcage moves the dish"):
+            with pytest.raises(CommandRefused, match="birdcage is moving the dish"):
                 bench.do(Raw("a", CONSOLE))
             break
         bench.step(0.001)

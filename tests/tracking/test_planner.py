@@ -108,7 +108,7 @@ def test_a_pass_that_fits_no_turn_gets_one_rewind_that_is_announced():
     )
     (told,) = [one for one in plan.incidents if one.what == "rewind"]
     assert (told.at_s, told.text) == (rewind.start_s, "cable turns back, up to 9.6 s")
-    assert any("turned back" in note for note in plan.notes)
+    assert any("turns back" in note for note in plan.notes)
     assert plan.reach.reasons == ("floor", "cable")
     assert [one.turn for one in plan.reach.intervals] == [-1, -2]
     assert sum(leg.end_s - leg.start_s for leg in (before, after)) == pytest.approx(plan.reach.total_s, abs=0.01)
@@ -145,7 +145,7 @@ def test_above_the_ceiling_the_dish_stays_at_it_while_that_is_within_half_a_beam
     assert wide.course.el_deg.max() == pytest.approx(65.0, abs=1e-6)
     assert "ceiling" in wide.reach.reasons
     assert any(one.what == "unreach" and "65° ceiling" in one.text for one in narrow.incidents)
-    assert any("stays there while that is near enough: up to 0.5° off" in note for note in narrow.notes)
+    assert any("waits there while that is near enough: up to 0.5° off" in note for note in narrow.notes)
 
 
 def test_a_mast_is_passed_above_and_only_when_there_is_time():

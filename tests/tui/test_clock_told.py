@@ -18,7 +18,7 @@ NOW = datetime(2026, 3, 20, 12, tzinfo=UTC)
 GOOD = ClockVerdict("network", "network time (chrony)", NOW, None, 0.02)
 SLOW = ClockVerdict("gps", "gpsd", NOW, -3.0, 0.1, "The clock is 3.0 s slow by gpsd: set it.")
 OLD = ClockVerdict("remembered", "gpsd, 9 days ago", NOW, 0.2, 18.0, "It may be 18.2 s off now.")
-UNKNOWN = ClockVerdict("unknown", "none", NOW, doubt="Whether the clock is right is not known. Compare it.")
+UNKNOWN = ClockVerdict("unknown", "none", NOW, doubt="This system does not tell whether its clock is right.")
 SIZES = [(120, 36), (160, 48), (200, 60)]
 
 

@@ -317,11 +317,11 @@ def test_without_a_place_the_page_says_where_to_set_it():
 
 
 def test_elements_that_ship_are_said_to_be_no_use_to_a_dish():
-    note = "These are the 40 sets that ship with birdcage, the newest of 2026-03-01. They are too old to point by."
+    note = "These are the 40 sets that ship with birdcage, the newest of 2026-03-01. They are too old for pointing."
     sky = sky_stand_in.make(note=note, source="elements that ship")
     assert "▲ elements that ship" in on_page(read, sky=sky)
     text = on_page(listed, sky=sky)
-    assert "the newest of 2026-03-01. They are too old to point by." in text
+    assert "the newest of 2026-03-01. They are too old for pointing." in text
     assert "birdcage elements update" in text
     assert "METOP-C" not in run(read, "idle", (160, 48), sky=sky), "the dashboard announces none of them"
 

@@ -26,12 +26,12 @@ from birdcage_tui.run import _build
 from birdcage_tui.unready import worst
 
 NO_PLACE = Check("place", "place", "must", "not set", "birdcage place add")
-SHIPPED = Check("elements", "elements", "must", "only the few old ones that ship", "birdcage elements update")
+SHIPPED = Check("elements", "elements", "must", "only the few old sets of birdcage", "birdcage elements update")
 OLD_FAVOURITE = Check("favourites", "ISS (ZARYA)", "look", "○ doubtful: 5 d old", "birdcage elements update")
 NO_FAVOURITE = Check("favourites", "favourites", "look", "none is named", "birdcage elements favourite NAME")
-LIMITS = Check("limits", "limits", "look", "of the cable only the firmware's", "birdcage setup")
-FEED = Check("feed", "feed", "look", "stock-ku, the default: is it the one that is mounted?", "birdcage setup")
-SEARCH = Check("search", "TV search", "look", "not known: the dish may begin to search by itself", "birdcage init")
+LIMITS = Check("limits", "limits", "look", "only the firmware's cable limits", "birdcage setup")
+FEED = Check("feed", "feed", "look", "stock-ku, the default: is this feed mounted?", "birdcage setup")
+SEARCH = Check("search", "TV search", "look", "unknown: the dish may start to search by itself", "birdcage init")
 DISH = Check("dish", "dish", "look", "firmware not set: the port is asked", "birdcage setup")
 PORT = Check("port", "port", "look", "not set; plug in the adapter", "birdcage ports")
 HOOKS = Check("hooks", "hooks", "look", "at_tca: there is no program 'x'", "birdcage config path")

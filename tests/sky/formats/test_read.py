@@ -117,7 +117,7 @@ def test_a_satdata_folder(tmp_path: Path) -> None:
         Group("Weather", (25338,), str(tmp_path / "bad.cat")),
     )
     assert [(Path(c.source).name, c.line) for c in harvest.complaints] == [("bad.cat", 3), ("empty.cat", 0)]
-    assert str(harvest.complaints[0]) == f"{tmp_path / 'bad.cat'}:3: 'NOAA 19' is no catalogue number"
+    assert str(harvest.complaints[0]) == f"{tmp_path / 'bad.cat'}:3: 'NOAA 19' is not a catalogue number"
 
 
 def test_a_group_as_text() -> None:

@@ -36,7 +36,7 @@ def aim_of(text: str, view: View) -> Aim:
         return preset
     if view.track is None:
         if preset is None:
-            raise ValueError(f"{text.strip()[:24]} is no direction or preset. Type {EXAMPLES}.")
+            raise ValueError(f"{text.strip()[:24]} is not a direction or preset. Type {EXAMPLES}.")
         return preset
     located = located_of(text, view)
     if located is None:

@@ -370,7 +370,7 @@ class BirdcageAntenna:
     def stop(self) -> None:
         """Reset the move counter and bring the dish to rest: a new target just ahead of where it is.
 
-        NoReply when the dish does not answer within 2 s, CommandRefused when it does not take the new target, or
+        NoReply when the dish did not answer within 2 s, CommandRefused when it does not take the new target, or
         (`queued`) moves on to a target that can't be called back.
         """
         self._check_thread()

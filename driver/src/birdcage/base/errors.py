@@ -96,7 +96,7 @@ class BelowFloor(MotionRefused, ValueError):
 
 
 class PositionUnknown(MotionRefused):
-    """Where the dish stands is not known. Reasons: unread, unhomed, unreadable, released."""
+    """The position of the dish is unknown. Reasons: unread, unhomed, unreadable, released."""
 
     reason = "unread"
 

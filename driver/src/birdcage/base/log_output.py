@@ -141,7 +141,7 @@ class _Line(logging.Formatter):
 def _rotating(file: Path) -> RotatingFileHandler:
     try:
         if file.exists() and not stat.S_ISREG(file.stat().st_mode):
-            raise ConfigError(f"{file} (--log) is no regular file. Name another one.")
+            raise ConfigError(f"{file} (--log) is not a regular file. Name another one.")
         file.parent.mkdir(parents=True, exist_ok=True)
         return RotatingFileHandler(file, maxBytes=FILE_BYTES, backupCount=FILES_KEPT, encoding="utf-8",
                                    errors="backslashreplace")  # fmt: skip

@@ -127,14 +127,14 @@ class NamedTables(Generic[Entry]):
             text = raw.decode("utf-8-sig")
         except UnicodeDecodeError as error:
             line = raw.count(b"\n", 0, error.start) + 1
-            return Found((), (f"{path} line {line} is no UTF-8 text.",))
+            return Found((), (f"{path} line {line} is not UTF-8 text.",))
         try:
             data = clean_all(tomllib.loads(text))
         except tomllib.TOMLDecodeError as error:
-            return Found((), (f"{path} is no valid TOML: {error}.",))
+            return Found((), (f"{path} is not valid TOML: {error}.",))
         except (RecursionError, ValueError) as error:
             # tomllib lets both through: brackets nested without end, numbers with thousands of digits.
-            return Found((), (f"{path} is no valid TOML: {type(error).__name__}.",))
+            return Found((), (f"{path} is not valid TOML: {type(error).__name__}.",))
         rows = data.get(self.table, [])
         if not isinstance(rows, list):
             return Found((), (f"{path}: `{self.table}` must be tables: [[{self.table}]].",))

@@ -209,9 +209,9 @@ def _warning(peaks: Sequence[Peak], condition: float | None, odd: Peak | None) -
         return "Only the offsets are fitted: three objects show the tilt, four or more the beam's collimation too."
     if odd is not None:
         name = f"Peak {odd.number} ({odd.target})" if odd.number else odd.target
-        return f"{name} does not agree with the others: take it again, or forget it."
+        return f"{name} disagrees with the others. Take it again, or delete it."
     if condition is None or condition > ILL_CONDITIONED:
-        told = "These peaks do not tell all terms apart" if condition is None else (
+        told = "These peaks can't tell all terms apart" if condition is None else (
             f"These peaks hardly tell the terms apart (condition number {condition:.0f})"
         )  # fmt: skip
         return f"{told}: add one far from them, high up or on the other side of the sky, as the Sun or Moon may be."

@@ -196,7 +196,7 @@ class Guide:
     def apply(self, name: str) -> AlignmentSet:
         """Keep the fit as a set called `name` and put it into force. ConfigError, NoPeak: nothing was changed."""
         if self._fit is None:
-            raise NoPeak("There is no peak yet, so there is nothing to apply.", reason="target")
+            raise NoPeak("No peaks yet, so there is nothing to apply.", reason="target")
         found = set_from(self.settings, self._fit, name, self._clock.utc())
         keep_set(self._paths.alignments_file, found)
         return self.use(name)
@@ -205,7 +205,7 @@ class Guide:
         """Put the set called `name`, which was kept before, into force. ConfigError where there is none."""
         kept = load_sets(self._paths.alignments_file).named(name)
         if kept is None:
-            raise ConfigError(f"There is no set called {name!r}.")
+            raise ConfigError(f"No saved set is called {name!r}.")
         edit(self._paths.config_file, alignment_settings(kept))
         self.settings = load(self._paths.config_file, self._environ, self._flags)
         self._ask(ApplySettings(self.settings, self._holder), f"putting {kept.name} into force")
@@ -255,10 +255,10 @@ class Guide:
         if self._target is None:
             return "No object is chosen."
         if self._moving:
-            return "The dish moves: wait until it rests."
+            return "The dish is moving. Wait until it rests."
         position = self._position
         if position is None or position.modelled:
-            return "The dish's position is not known: it has not told just now."
+            return "The dish's position is unknown: no reading just now."
         return ""
 
 

@@ -70,7 +70,7 @@ def add_peak(path: Path, peak: Peak) -> Peak:
             file.flush()
             os.fsync(file.fileno())
     except OSError as error:
-        raise StoreError(f"{path} can't be written ({error.strerror or error}): the peak was not kept.") from error
+        raise StoreError(f"{path} can't be written ({error.strerror or error}): the peak was not saved.") from error
     return kept
 
 

@@ -58,7 +58,7 @@ def _need_position(dish: Dish) -> None:
         dish.look()
     if dish.state.position is None or dish.state.position_lost is not None:
         raise PositionUnknown(
-            f"The dish does not know where it points, so it follows nothing. {how_to_home(dish.state)}",
+            f"The dish does not know where it points, so nothing is followed. {how_to_home(dish.state)}",
             reason="unhomed",
         )
 

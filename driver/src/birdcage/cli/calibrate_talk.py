@@ -17,14 +17,14 @@ if TYPE_CHECKING:
     from birdcage.sky.targets.model import Target
 
 KEYS = (
-    "n [NUMBER]  go to the best object, or to that of the list",
-    "g TARGET    go to another one; g alone: after it, as it has moved on",
+    "n [NUMBER]  go to the best object, or to one of the list",
+    "g TARGET    go to another one; g alone: follow its motion",
     "u d l r     nudge up, down, left, right; with a number: by so many degrees from now on",
     "Enter       peaked here: keep it",
     "f           show the fit and its residuals",
     "x NUMBER    forget a peak",
-    "a NAME      keep the fit as NAME and point by it from now on",
-    "?           these lines      q  leave (all peaks are kept)      Ctrl+C  stop the dish",
+    "a NAME      save the fit as NAME and use it for all pointing",
+    "?           these lines      q  leave (all peaks are saved)      Ctrl+C  stop the dish",
 )
 STEPS = {"u": (0.0, 1.0), "d": (0.0, -1.0), "l": (-1.0, 0.0), "r": (1.0, 0.0)}
 FIRST_STEP_DEG = 0.5
@@ -124,7 +124,7 @@ class CalibrateTalk:
                 self._propose()
             case "a":
                 kept = self._guide.apply(rest)
-                say(f"Kept and in force: {kept.name}.")
+                say(f"Saved and in use: {kept.name}.")
             case _:
                 say("Unknown answer. Type ? for the list.")
 
@@ -143,7 +143,7 @@ class CalibrateTalk:
 
         found = self._guide.refresh()
         if not found:
-            say("Nothing else is up that this feed may hear and the dish reaches. g TARGET goes to what you name.")
+            say("This feed can hear nothing else that is in reach now. g TARGET goes to what you name.")
         elif enough(found):
             say(ENOUGH)
         for number, each in enumerate(found[:SHOWN], 1):
@@ -178,7 +178,7 @@ class CalibrateTalk:
 
         view = self._guide.view()
         if view.fit is None or view.sky_error_deg is None:
-            say("There is no peak yet.")
+            say("No peaks yet.")
         else:
             tell_fit(view.fit, view.sky_error_deg)
 

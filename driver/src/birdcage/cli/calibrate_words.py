@@ -24,7 +24,7 @@ MEANING = {
     "an_deg": ("AN", "axis leans north"),
     "aw_deg": ("AW", "axis leans west"),
 }
-ENOUGH = "More peaks tell little now: put the fit into force, and come back when the Sun stands elsewhere."
+ENOUGH = "More peaks add little now. Use the fit, and add more when the Sun is elsewhere."
 PLOT_ROWS, PLOT_COLUMNS = 11, 43
 """Odd: the middle is where a perfect peak lies."""
 NICE_DEG = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 45.0, 90.0, 180.0)

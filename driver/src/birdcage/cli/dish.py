@@ -229,8 +229,8 @@ def open_dish(
             _leave(dish, begun, error, wanted)
             if isinstance(error, NoReply) and not wanted.firmware_given:
                 error.add_note(
-                    f"Unknown firmware, so {wanted.firmware} was tried. `birdcage detect` shows what each speed "
-                    "brings; set it with --firmware."
+                    f"Firmware unknown, so {wanted.firmware} was tried. `birdcage detect` shows the answer at "
+                    "each speed. Name the firmware with --firmware."
                 )
             raise
         except BaseException as crash:
@@ -271,7 +271,7 @@ def _session(wanted: Wanted, clock: Clock, *, survey: bool) -> Session:
     known = list_firmwares()
     if wanted.firmware not in known:
         raise ConfigError(
-            f"This version does not speak {wanted.firmware}: it speaks {', '.join(known)}. Without --firmware, "
+            f"This version does not speak {wanted.firmware}. It speaks {', '.join(known)}. Without --firmware, "
             "BIRDCAGE_FIRMWARE and dish.firmware the port is asked."
         )
     return open_session(

@@ -29,9 +29,7 @@ def one_satellite(watched: Watched, words: Iterable[str], paths: Paths, file: Pa
     target = find_target(words, paths, file, _silently, note=say).target
     if not isinstance(target, Satellite):
         text = " ".join(words)
-        raise click.UsageError(
-            f"{target.name} is no satellite with passes: `birdcage where {text}` tells where it stands."
-        )
+        raise click.UsageError(f"{target.name} makes no passes: `birdcage where {text}` tells where it stands.")
     return watched.chosen(lambda one: one == target.elements)
 
 

@@ -160,7 +160,7 @@ def find_paths() -> Paths:
     if chosen is None:
         return paths
     if not Path(chosen).is_file():
-        raise ConfigError(f"{chosen} (--config) is no file.")
+        raise ConfigError(f"{chosen} (--config) is not a file.")
     return paths.with_config(Path(chosen))
 
 

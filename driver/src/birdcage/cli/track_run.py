@@ -80,7 +80,7 @@ def _need_position(dish: Dish) -> None:
     state = dish.state
     if state.position is None or state.position_lost is not None:
         raise PositionUnknown(
-            f"The dish does not know where it points, so it follows nothing. {how_to_home(state)}", reason="unhomed"
+            f"The dish does not know where it points, so nothing is followed. {how_to_home(state)}", reason="unhomed"
         )
 
 
@@ -121,7 +121,7 @@ class _Watch:
         deadline = self._dish.now + BEGIN_S
         while self._pursuit is None:
             if self._dish.now >= deadline:
-                raise BirdcageError(f"Nothing was begun within {BEGIN_S:.0f} s.", reason="timeout")
+                raise BirdcageError(f"Nothing started within {BEGIN_S:.0f} s.", reason="timeout")
             self._dish.look(self._hear)
             self._look_at_desk()
 

@@ -248,7 +248,7 @@ class Talker:
             if now == root or (now == before and self.in_step):
                 return now
         raise NoReply(
-            f"The line to the dish does not fall quiet, so `{self.dialect.leave}` was not sent: it could reach the "
+            f"The line to the dish does not go quiet, so `{self.dialect.leave}` was not sent: it could reach the "
             "root menu. Check the cable; a power cycle brings the dish back to its root menu.",
             reason="garbage",
         )

@@ -75,8 +75,8 @@ def _aged(before: ClockVerdict, now: datetime, found: ClockVerdict) -> ClockVerd
     age = now - before.checked_at
     if age < timedelta(0):
         doubt = (
-            f"The clock has gone back: it says {now:%Y-%m-%d %H:%M}, and was at "
-            f"{before.checked_at.astimezone(UTC):%Y-%m-%d %H:%M} when it was last checked. Set it."
+            f"The clock went back: it says {now:%Y-%m-%d %H:%M}; the last check was at "
+            f"{before.checked_at.astimezone(UTC):%Y-%m-%d %H:%M}. Set it."
         )
         return replace(found, doubt=doubt)
     precision_s = (before.precision_s or 0.0) + DRIFT_S_A_DAY * (age / timedelta(days=1))

@@ -119,8 +119,8 @@ def read_gpsd(
 
 def _why(reader: GpsdReader, timeout_s: float) -> str:
     if reader.version is None:
-        heard = f"{reader.damaged} lines that are no JSON" if reader.damaged else "silence"
-        return f"What answers as {reader.source} is no gpsd: {heard} for {timeout_s:g} s."
+        heard = f"{reader.damaged} lines that are not JSON" if reader.damaged else "silence"
+        return f"What answers as {reader.source} is not gpsd: {heard} for {timeout_s:g} s."
     if reader.devices == 0:
         return f"{reader.source} (release {reader.version}) has no receiver: plug one in, or start gpsd with its port."
     sees = "" if reader.satellites is None else f", {reader.satellites} satellites used"

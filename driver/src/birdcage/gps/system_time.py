@@ -38,7 +38,7 @@ def by_system(now: datetime, run: RunTool = run_tool) -> ClockVerdict:
     """Judge by the programs that set the clock from the network; *unknown* where none of them tells."""
     return _chrony(now, run) or _systemd(now, run) or ClockVerdict(
         "unknown", "none", now,
-        doubt="Whether the clock is right is not known: this system does not tell. Compare it with GPS or a watch.",
+        doubt="This system does not tell whether its clock is right. Compare it with GPS or a watch.",
     )  # fmt: skip
 
 
@@ -55,9 +55,9 @@ def _chrony(now: datetime, run: RunTool) -> ClockVerdict | None:
         return None
     error_s = abs(correction_s) + delay_s / 2 + dispersion_s
     if fields[13].strip() == "Not synchronised" or fields[0] in (LOCAL_REFERENCE, "00000000"):
-        return ClockVerdict("network", source, now, doubt="chrony has no source to set the clock by.")
+        return ClockVerdict("network", source, now, doubt="chrony has no time source.")
     if not math.isfinite(error_s) or error_s > DOUBTFUL_S:
-        doubt = f"chrony last heard from its source long ago: the clock may be {error_s:.1f} s off."
+        doubt = f"chrony has not reached its time source for long: the clock may be {error_s:.1f} s off."
         return ClockVerdict("network", source, now, None, error_s, doubt)
     return ClockVerdict("network", source, now, None, error_s)
 

@@ -88,10 +88,10 @@ def cost_sentence(verdict: ClockVerdict, rate_deg_s: float, what: str = "the spa
     """Say what a second costs, and what this clock may cost, on a target of that greatest speed."""
     second = f"One second costs {_degrees(cost_deg(1.0, rate_deg_s))} on {what} ({rate_deg_s:g}°/s)"
     if verdict.worst_s is None:
-        return f"{second}; how many this clock is off is not known."
+        return f"{second}; the error of this clock is unknown."
     worst_deg = cost_deg(verdict.worst_s, rate_deg_s)
     if worst_deg > LOST_DEG:
-        return f"{second}; with this clock it is not where the dish looks at all."
+        return f"{second}; with this clock the dish points elsewhere."
     return f"{second}; this clock at most {_degrees(worst_deg)}."
 
 

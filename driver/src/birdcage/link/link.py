@@ -96,7 +96,7 @@ class Link:
     def _lost(self, error: OSError) -> LinkError:
         self.remark(f"lost {self.name}: {error}")
         return LinkError(
-            f"{self.name} is gone: unplugged, or closed at the other end. A motion under way may go on: look at the "
+            f"{self.name} is gone: unplugged or closed at the other end. A motion may still go on. Look at the "
             "dish, then plug the adapter in again.",
             reason="lost",
         )

@@ -48,7 +48,7 @@ def open_link(url: str, *, baud: int, clock: Clock, transcript: Transcript | Non
 def _open_port(url: str, baud: int, clock: Clock) -> tuple[Port, str | None]:
     """Return the open port, and what is worth a remark about it."""
     if not url:
-        raise LinkError("No port is given: name one with --port; `birdcage ports` lists them.", reason="missing")
+        raise LinkError("No port given. Name one with --port; `birdcage ports` lists them.", reason="missing")
     scheme = _scheme(url)
     if scheme == "socket":
         return _open_socket(url), None
@@ -95,9 +95,7 @@ def _open_registered(url: str, scheme: str, baud: int, clock: Clock) -> Port:
     if scheme not in registered:
         kinds = ["a device (/dev/ttyUSB0, COM4)", "socket://host:port", "rfc2217://host:port", "loop://"]
         kinds += [f"{name}:NAME" for name in sorted(registered)]
-        raise LinkError(
-            f"{url}: there is no kind of port called {scheme!r}; there are {', '.join(kinds)}.", reason="unsupported"
-        )
+        raise LinkError(f"{url}: unknown kind of port {scheme!r}. Use one of {', '.join(kinds)}.", reason="unsupported")
     address = url.split(":", 1)[1]
     try:
         port: Port = registered[scheme].load()(address, clock=clock, baud=baud)
@@ -126,13 +124,13 @@ def _open_socket(url: str) -> Port:
         return socket_port.connect(host, port, url)
     except TimeoutError as error:
         raise LinkError(
-            f"{url} does not answer within {socket_port.CONNECT_TIMEOUT_S:.0f} s; "
-            "check the address, and that the serial server is on.",
+            f"{url} did not answer within {socket_port.CONNECT_TIMEOUT_S:.0f} s. "
+            "Check the address, and that the serial server is on.",
             reason="missing",
         ) from error
     except OSError as error:
         raise LinkError(
-            f"{url}: no connection ({error.strerror or error}); check the address, and that the serial server listens.",
+            f"{url}: no connection ({error.strerror or error}). Check the address, and that the serial server listens.",
             reason="missing",
         ) from error
 
@@ -175,7 +173,7 @@ def _check_device(url: str, baud: int) -> None:
         return  # Opening it says what is wrong; Windows names (COM4) are no paths at all.
     if not stat.S_ISCHR(mode):
         raise LinkError(
-            f"{url} is no serial port but {_kind(mode)}; `birdcage ports` lists the ports.", reason="unsupported"
+            f"{url} is not a serial port but {_kind(mode)}; `birdcage ports` lists the ports.", reason="unsupported"
         )
     if baud == 1200 and path.name.startswith(CDC_NAMES):
         raise LinkError(

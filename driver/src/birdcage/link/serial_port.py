@@ -77,7 +77,7 @@ class SerialPort:
             self._serial.write(data)
         except serial.SerialTimeoutException as error:
             raise LinkError(
-                f"{self.name} takes no more bytes, so the dish may not have got the last command: "
+                f"{self.name} takes no more bytes. The dish may have missed the last command: "
                 "unplug the adapter, plug it in again and reconnect.",
                 reason="failed",
             ) from error

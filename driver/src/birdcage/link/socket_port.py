@@ -58,7 +58,7 @@ class SocketPort:
             except BlockingIOError:
                 if not select.select([], [self._socket], [], WRITE_TIMEOUT_S)[1]:
                     raise LinkError(
-                        f"{self.name} takes no more bytes, so the dish may not have got the last command: "
+                        f"{self.name} takes no more bytes. The dish may have missed the last command: "
                         "check the network and the serial server, then reconnect.",
                         reason="failed",
                     ) from None

@@ -67,7 +67,7 @@ class SystemFacts:
             )  # fmt: skip
         if self.enrolled:
             return Hindrance(
-                "login", f"You joined the group {self.group}, but only after you logged in.",
+                "login", f"You joined the group {self.group} after you logged in.",
                 f"newgrp {self.group}", "Or log out and in again; then start birdcage anew.",
             )  # fmt: skip
         return Hindrance(
@@ -87,7 +87,7 @@ class SystemFacts:
         if not self.modem_manager:
             return None
         return Hindrance(
-            "modemmanager", "ModemManager is running: it may open a new port, and ask it for a modem with AT commands.",
+            "modemmanager", "ModemManager is running. It may open a new port and send it AT commands.",
             "sudo systemctl stop ModemManager", "It comes back at the next start; `disable` instead of `stop` lasts.",
         )  # fmt: skip
 
@@ -107,8 +107,8 @@ class SystemFacts:
             return None
         name = Path(self.device).resolve().name
         return Hindrance(
-            "latency", f"The FTDI adapter holds each answer back for {self.latency_ms} ms. All works, only slower; "
-            "birdcage asks for 1 ms while it has the port.",
+            "latency", f"The FTDI adapter holds each answer back for {self.latency_ms} ms. All works, only slower. "
+            "birdcage sets 1 ms while it has the port.",
             f"echo 1 | sudo tee /sys/class/tty/{name}/device/latency_timer",
         )  # fmt: skip
 

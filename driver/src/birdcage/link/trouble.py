@@ -25,7 +25,7 @@ def explain(url: str, baud: int, error: Exception, *, is_device: bool) -> LinkEr
         return LinkError(f"{url} does not open at {baud} baud: {error}.", reason="unsupported")
     if not is_device:
         return LinkError(
-            f"{url}: no connection ({_short(error)}); check the address, and that the serial server listens.",
+            f"{url}: no connection ({_short(error)}). Check the address, and that the serial server listens.",
             reason="missing" if "refused" in str(error) else "failed",
         )
     number = _number(error)
@@ -34,9 +34,9 @@ def explain(url: str, baud: int, error: Exception, *, is_device: bool) -> LinkEr
     if number in _BUSY:
         return LinkError(f"{url} is in use by {_holder(url)}: end that program first.", reason="busy")
     if number in _FORBIDDEN:
-        return LinkError(f"{url} is not permitted to you: {_remedy(url)}", reason="permission")
+        return LinkError(f"No permission to open {url}: {_remedy(url)}", reason="permission")
     if number == errno.ENOTTY:
-        return LinkError(f"{url} is no serial port; `birdcage ports` lists the ports.", reason="unsupported")
+        return LinkError(f"{url} is not a serial port. `birdcage ports` lists them.", reason="unsupported")
     return LinkError(
         f"{url} cannot be opened ({_short(error)}); unplug the adapter, plug it in again and retry.", reason="failed"
     )

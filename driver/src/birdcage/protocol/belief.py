@@ -101,7 +101,7 @@ class Belief:
                 doubted = False
             earlier = before
         self._last = None
-        raise NoReply("The dish tells angles that do not fit together: bytes change on their way.", reason="garbage")
+        raise NoReply("The dish reports angles that do not fit together: bytes change on the wire.", reason="garbage")
 
     def _expected(self, last: _Seen | None, now: float) -> Expected | None:
         expected = None if last is None else self.foresee(last.position, last.at, now)

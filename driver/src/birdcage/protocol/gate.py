@@ -207,9 +207,9 @@ class MotionGate:
 
     def _unknown(self) -> PositionUnknown:
         why = {
-            "unread": "the position of the dish has not been read yet. Wait a moment: it is read by itself.",
+            "unread": "the position of the dish has not been read yet. Wait a moment.",
             "unhomed": "the dish is not homed, so it does not know where it points. Home it first.",
-            "unreadable": "the dish's answer for its position can't be read. Home it; the console shows the answer.",
+            "unreadable": "the dish's position reply can't be read. Home it; the console shows the reply.",
             "released": "the motors were released, so the position is unknown. Home the dish.",
             "raw": "a raw command may have moved the dish. Read the position again.",
         }
@@ -238,8 +238,8 @@ class MotionGate:
             )  # fmt: skip
         if self.cable_deg is None and not is_safe_at_any_turn(self.model, start.azimuth, az_deg, limits):
             raise MotionRefused(
-                f"The cable may turn from {limits[0]:+.2f}° to {limits[1]:+.2f}° only, and its turn is not known. "
-                "Home the dish with this program, which then counts the turn. Nothing was sent.",
+                f"The cable may turn from {limits[0]:+.2f}° to {limits[1]:+.2f}° only, and its turn is unknown. "
+                "Home the dish from birdcage, which then counts the turn. Nothing was sent.",
                 reason="wrap",
             )
 
@@ -307,7 +307,7 @@ class MotionGate:
             sentence = f"{target} lies in {where}, {by:.2f}° too low. Nothing was sent."
         elif round_about:
             sentence = (
-                f"The turn of the cable is not known: the dish may go to {target} the other way round, through "
+                f"The turn of the cable is unknown: the dish may go to {target} the other way round, through "
                 f"{where}, {by:.2f}° too low. Nothing was sent: home the dish, or go up first, then across, then down."
             )
         else:

@@ -316,5 +316,5 @@ class FirmwareProtocol(ABC):
 
 def _unreadable(answer: UnreadablePosition) -> PositionUnknown:
     if says_unhomed(answer.printed):
-        return PositionUnknown(f"The dish says that it is not homed. {answer}", reason="unhomed")
-    return PositionUnknown(f"Where the dish is can't be read. {answer}", reason="unreadable")
+        return PositionUnknown(f"The dish reports that it is not homed. {answer}", reason="unhomed")
+    return PositionUnknown(f"The position reply can't be read. {answer}", reason="unreadable")

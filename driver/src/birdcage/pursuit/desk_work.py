@@ -40,7 +40,7 @@ REST_S = 5.0
 """How often else."""
 LOOK_AT_FILE_S = 5.0
 NO_CHOICE = "Choose a target first."
-NO_FAVOURITES = "Autotrack follows favourites, and there are none: make some satellites favourites."
+NO_FAVOURITES = "Autotrack follows favourites, and you have none. Mark some satellites as favourites."
 
 
 class DeskWork:
@@ -100,7 +100,7 @@ class DeskWork:
         """Set the time offset."""
         choice = self._sheet.choice
         if choice is None or choice.elements is None:
-            self._say("A time offset is for a satellite: choose one first.")
+            self._say("A time offset needs a satellite. Choose one first.")
             return
         self._say("")
         try:
@@ -311,7 +311,7 @@ class DeskWork:
         plan = choice.plan
         if plan is None or plan.course is None:
             why = choice.problem or ("" if plan is None else " ".join(plan.notes))
-            self._say(why or f"{choice.target.name} does not come into reach: there is nothing to follow.")
+            self._say(why or f"{choice.target.name} does not come into reach. Nothing to follow.")
             return False
         self._stopped.forget()
         self._sheet.followed, self._mode, self._by_autotrack = choice, Mode.FOLLOW, False

@@ -107,7 +107,7 @@ class HookRun:
                     text = raw.decode("utf-8", "replace").rstrip("\r\n").expandtabs()
                     self._say("".join(each if each.isprintable() else "?" for each in text))
                 elif self._lines == LINES + 1:
-                    self._say(f"{self._what}: says more than {LINES} lines, the rest is dropped.")
+                    self._say(f"{self._what}: prints more than {LINES} lines; the rest is dropped.")
 
     def _watch(self, group: ProcessGroup) -> None:
         """Tell how it ends; see to it that all of it does."""
@@ -115,7 +115,7 @@ class HookRun:
         told = late = False
         while group.alive():
             if not told and group.child.poll() is not None:
-                self._tell_end(group, "but what it started still runs")
+                self._tell_end(group, "but a program that it started still runs")
                 told = True
             late = _now() >= until
             if late or self._ending.wait(LOOK_S):

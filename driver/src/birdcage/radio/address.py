@@ -32,4 +32,4 @@ def parse_address(text: str) -> tuple[str, int]:
 
 
 def _wrong(text: str) -> ConfigError:
-    return ConfigError(f"radio.rigctld is {text!r}, which is no address: write localhost:4532.")
+    return ConfigError(f"radio.rigctld is {text!r}, not an address. Write localhost:4532.")

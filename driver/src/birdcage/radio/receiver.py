@@ -72,7 +72,7 @@ class Receiver:
         owed = self._recorder.owed
         if owed is not None and at_s > owed.end_s + OWED_S and self._rig is None:
             self._recorder.give_up()
-            sentence = f"{self._where} was not there to be told LOS: it may still record."
+            sentence = f"{self._where} was not reachable at LOS: it may still record."
             self._show(state=RadioState.OFF, sentence=sentence, recording=None)
             return math.inf
         if owed is not None and self._rig is None and not self._call(owed):

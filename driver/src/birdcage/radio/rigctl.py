@@ -104,7 +104,7 @@ class Rig:
             if not data:
                 return
             seen += len(data)
-        raise RadioLost("It sends without being asked: that is no rigctld.", reason="garbage")
+        raise RadioLost("It sends unasked: that is not rigctld.", reason="garbage")
 
     def _line(self, command: str, until: float) -> str:
         """Return the next line that is not empty."""
@@ -127,4 +127,4 @@ class Rig:
 
 def _garbage(command: str, line: str) -> RadioLost:
     shown = "".join(each if each.isprintable() else "?" for each in line[:40])
-    return RadioLost(f"It answers {command!r} with {shown!r}: that is no rigctld.", reason="garbage")
+    return RadioLost(f"It answers {command!r} with {shown!r}: that is not rigctld.", reason="garbage")

@@ -108,7 +108,7 @@ class Tuner:
                 self._clock.wait(None, due, self._wake)
                 self._wake.clear()
         except Exception as fault:  # noqa: BLE001 - a traceback from here would land in the middle of a screen
-            self._problem = f"Nothing is tuned any more, by a fault of birdcage: {fault!r}"
+            self._problem = f"Tuning stopped, a bug in birdcage: {fault!r}"
         self._end()
         if self._problem:
             self._publish(self.now)

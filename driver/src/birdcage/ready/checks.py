@@ -117,14 +117,14 @@ def port(settings: Settings) -> Check:
             "port",
             "port",
             "must",
-            f"{name} is there, but you lack permission",
+            f"{name} is there, but you may not open it",
             "birdcage wiring, and the group dialout",
         )
     return Check("port", "port", "good", f"{name} is ready to use")
 
 
 def _no_port(name: str) -> Check:
-    return Check("port", "port", "look", f"{name} is not plugged in: take the adapter along", "birdcage ports")
+    return Check("port", "port", "look", f"{name} is not plugged in. Pack the adapter", "birdcage ports")
 
 
 def tv_search(settings: Settings) -> Check:
@@ -148,7 +148,7 @@ def limits(settings: Settings) -> Check:
     if motion.no_go_sectors:
         told.append(f"{len(motion.no_go_sectors)} no-go sectors")
     if motion.cable_min_deg is None or motion.cable_max_deg is None:
-        told.insert(0, "of the cable only the firmware's: your own coax may be shorter")
+        told.insert(0, "only the firmware's cable limits: your own coax may be shorter")
         return Check("limits", "limits", "look", ", ".join(told), "birdcage setup")
     return Check("limits", "limits", "good", ", ".join(told))
 
@@ -161,7 +161,7 @@ def feed(settings: Settings) -> Check:
 
     name, mounted = settings.feed.active, settings.active_feed
     if "feed.active" not in settings.sources:
-        return Check("feed", "feed", "look", f"{name}, the default: is it the one that is mounted?", "birdcage setup")
+        return Check("feed", "feed", "look", f"{name}, the default: is this feed mounted?", "birdcage setup")
     if not has_band(mounted):
         return Check("feed", "feed", "look", f"{name} has no band: freq_min_hz and freq_max_hz", "birdcage config path")
     assert mounted.freq_min_hz is not None

@@ -51,12 +51,12 @@ def _recording(answers: Answers) -> Check:
     """Return what is known of recording: only a new file proves it."""
     code = answers.recording_code
     if code is None:
-        words = "not tried, as AOS would begin a recording"
+        words = "not tried: AOS would start a recording"
         if answers.is_sdrpp:
             words += "; SDR++ answers 0 to it with Recording switched off, too"
         return Check("radio", "recording", "look", words, f"{BOX}, then {TRY}" if answers.is_sdrpp else TRY)
     if code:
-        words = f"AOS is answered with RPRT {code}: this receiver begins no recording"
+        words = f"AOS is answered with RPRT {code}: this receiver does not record"
         return Check("radio", "recording", "look", words, "radio.record = false, and a hook that records")
     if answers.is_sdrpp:
         words = "AOS and LOS are answered with 0, as SDR++ does with Recording switched off, too"

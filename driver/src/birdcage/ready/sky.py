@@ -69,7 +69,7 @@ def elements(paths: Paths, now: datetime) -> Iterator[Check]:
 
 
 def _none() -> Check:
-    return Check("elements", "elements", "must", "only the few old ones that ship", "birdcage elements update")
+    return Check("elements", "elements", "must", "only the few old sets of birdcage", "birdcage elements update")
 
 
 def _favourite(entry: Entry, now: datetime) -> Check:

@@ -26,7 +26,7 @@ def find_causes(case: Case) -> tuple[Cause, ...]:
 def _of_the_port(case: Case) -> list[Cause]:
     """The port itself cannot be opened."""
     if "://" in case.port:
-        mend = "Check the address, and that the serial server is on and listens."
+        mend = "Check the address. Is the serial server on, and does it listen?"
         return [Cause("The server does not answer", case.link.detail, mend, likely=True)]
     here = [each.device for each in case.ports]
     if case.port in here or (case.system is not None and case.system.may_open is not None):
@@ -38,7 +38,7 @@ def _of_the_port(case: Case) -> list[Cause]:
         ]  # fmt: skip
     others = f"There is {', '.join(here)}: choose that one." if here else "No serial port is plugged in."
     return [
-        Cause("The adapter is out", case.link.detail, f"Plug it in, or try its cable. {others}", likely=True),
+        Cause("The adapter is out", case.link.detail, f"Plug it in, or try another cable. {others}", likely=True),
     ]
 
 

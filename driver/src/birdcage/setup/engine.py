@@ -148,9 +148,9 @@ class Setup:
         chosen = self._choice(self._known(step), choice)
         unknown = set(values) - {field.name for field in chosen.fields}
         if unknown:
-            raise NoSuchChoice(f"There is nothing to type for {', '.join(sorted(unknown))} here.")
+            raise NoSuchChoice(f"Nothing to type for {', '.join(sorted(unknown))} here.")
         if chosen.moves and not self._clear:
-            raise AreaNotClear(f"{chosen.label}: this moves the dish. Say first that its area is clear.")
+            raise AreaNotClear(f"{chosen.label}: this moves the dish. Confirm first that its area is clear.")
         self._touched = True
         self.go(step)
         self._steps[step].choose(choice, values)

@@ -47,7 +47,7 @@ def usable_sun(bench: Bench) -> tuple[float, float]:
     if bench.utc < EARLIEST:
         raise NotYet(f"This machine's clock says {bench.utc:%Y-%m-%d}: set it, then compare it in step 9.")
     if offset_s is None:
-        raise NotYet("The clock is not known to be right: compare it, or trust it, in step 9.")
+        raise NotYet("The clock is unchecked. Compare it, or trust it, in step 9.")
     if abs(offset_s) > LONGEST_CLOCK_S:
         raise NotYet(f"This machine's clock was {offset_s:+g} s off: set it, then compare again in step 9.")
     floor = bench.state.el_min_deg
@@ -65,9 +65,9 @@ def resting_position(bench: Bench) -> Pointing:
     position = bench.position
     if position is None:
         lost = bench.state.position_lost
-        raise NotYet(f"Where the dish stands is not known{f' ({lost})' if lost else ''}: home it, step 4.")
+        raise NotYet(f"The dish's direction is unknown{f' ({lost})' if lost else ''}: home it, step 4.")
     if bench.state.motion is not None or bench.state.activity is not Activity.IDLE:
-        raise NotYet("The dish moves: wait until it stands.")
+        raise NotYet("The dish is moving. Wait until it rests.")
     return position
 
 

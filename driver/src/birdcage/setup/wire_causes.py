@@ -36,7 +36,7 @@ def text(case: Case) -> list[Cause]:
     present, found = case.findings[0], _first(case, Saw.TEXT)
     quoted = f"At {found.baud} baud came text: `{found.sample}`."
     causes = [] if found.baud == present.baud else [_use(found, quoted)]
-    starting = "No prompt yet: a dish that starts prints what it does, homes, and only then answers."
+    starting = "No prompt yet. A dish that starts prints its boot text, homes, and only then answers."
     return [
         *causes,
         Cause("The dish is starting", f"{quoted} {starting}", f"Wait up to {case.patience}.", likely=not causes),
@@ -63,16 +63,16 @@ def garbage(case: Case) -> list[Cause]:
         Cause(
             "The receiving pair is swapped",
             f"{seen} {'This firmware speaks at this rate; ' if at_own_rate else 'At the right rate '}"
-            "RX+ and RX- in each other's place look like this: every bit is inverted.",
+            "Swapped RX+ and RX- look like this: every bit is inverted.",
             f"Swap the two wires of the receiving pair, those from the dish. {DRAWING}",
             likely=at_own_rate and not case.answered_before,
         ),
         Cause(
-            "The level is not 5 V", f"{seen} A converter that is set to another TTL level reads edges wrongly.",
+            "The level is not 5 V", f"{seen} A converter set to another TTL level reads edges wrongly.",
             "If the converter has a switch or jumper for its level, set it to 5 V.", likely=False,
         ),
         Cause(
-            "The receiving pair is open", f"{seen} A receiver whose pair leads nowhere may take noise for bytes.",
+            "The receiving pair is open", f"{seen} A receiver with an open pair may read noise as bytes.",
             f"Check the plug and both wires of the receiving pair. {DRAWING}", likely=False,
         ),
     ]  # fmt: skip
@@ -96,7 +96,7 @@ def echo(case: Case) -> list[Cause]:
         Cause(
             "The dish's shell is deadlocked",
             f"{seen} {taken}",
-            f"Nothing sent can end that. {_power_cycle(case)}",
+            f"No command can end that. {_power_cycle(case)}",
             likely=one_of_many or case.answered_before,
         ),
     ]
@@ -115,17 +115,17 @@ def silence(case: Case) -> list[Cause]:
     causes = [
         _wrong_rate(case, seen),
         Cause(
-            "The dish has no power", seen, "Is its power on, and does its lamp or its motor show it?",
+            "The dish has no power", seen, "Is its power on? Look at its lamp or its motor.",
             likely=True,
         ),
         Cause(
-            "The cable is out", f"{seen} The adapter is there; what follows it cannot be seen from here.",
+            "The cable is out", f"{seen} The adapter is there. birdcage can't see the wires behind it.",
             "Check both ends: the plug at the dish, and the terminals of the adapter.", likely=True,
         ),
         starting,
         Cause(
             "The sending pair is swapped",
-            f"{seen} With TX+ and TX- in each other's place the dish understands nothing, and says nothing."
+            f"{seen} With TX+ and TX- swapped the dish understands nothing and stays silent."
             + (" It has answered before, so its wires were right." if before else ""),
             f"Swap the two wires of the sending pair, those to the dish. {DRAWING}", likely=not before,
         ),
@@ -133,7 +133,7 @@ def silence(case: Case) -> list[Cause]:
             "The dish's shell is deadlocked",
             f"{seen} " + ("It has answered before. " if before else "")
             + "Some commands end its shell for good: a scan while it is not homed, perhaps a `q` at its root menu.",
-            f"Nothing sent can end that. {_power_cycle(case)}", likely=before,
+            f"No command can end that. {_power_cycle(case)}", likely=before,
         ),
     ]  # fmt: skip
     if not case.restarted:

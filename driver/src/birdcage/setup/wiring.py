@@ -180,7 +180,7 @@ BIAS = (
 SYMPTOMS = (
     Symptom(
         Saw.SILENCE, "no power at the dish, plug out, shell deadlocked, or the dish is still starting",
-        "look at the power and at the plug; switch off and on; wait three minutes, for a Trav'ler fifteen",
+        "check power and plug; switch off and on; wait three minutes (a Trav'ler: fifteen)",
         "several owners",
     ),
     Symptom(Saw.SILENCE, "TX+ and TX- are swapped", "swap the two wires of the TX pair", "an earlier project, on a G2"),

@@ -121,7 +121,7 @@ class PtyChannel:
         if self._link is None:
             return
         if self._link.exists() and not self._link.is_symlink():
-            raise FileExistsError(f"{self._link} exists and is no symbolic link: choose another name for --link")
+            raise FileExistsError(f"{self._link} exists and is not a symbolic link: choose another name for --link")
         fresh = self._link.with_name(f".{self._link.name}.{os.getpid()}")
         fresh.symlink_to(self.path)
         fresh.replace(self._link)

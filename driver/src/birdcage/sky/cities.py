@@ -55,8 +55,8 @@ def find_city(text: str) -> City:
     found = search_cities(text, 6)
     if not found:
         raise ValueError(
-            f"There is no city {text.strip()!r} in the list of capitals and cities above 100,000 people. Type a "
-            "larger city near by, a locator, or two angles."
+            f"No city called {text.strip()!r} in the list of capitals and cities above 100,000 people. Type a "
+            "larger city nearby, a locator, or latitude and longitude."
         )
     wanted = _fold(text.partition(",")[0])
     whole = [city for city in found if wanted in (_fold(city.name), _fold(city.other_name))]

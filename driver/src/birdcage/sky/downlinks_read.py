@@ -34,7 +34,7 @@ def read_file(path: Path) -> Read:
     except OSError as error:
         return (), (f"{path} can't be read ({error.strerror or error}).",)
     except UnicodeDecodeError as error:
-        return (), (f"{path} is no UTF-8 text (byte {error.start}).",)
+        return (), (f"{path} is not UTF-8 text (byte {error.start}).",)
     return read_table(text, str(path), own=True)
 
 
@@ -43,10 +43,10 @@ def read_table(text: str, where: str, *, own: bool = False) -> Read:
     try:
         data = clean_all(tomllib.loads(text))
     except tomllib.TOMLDecodeError as error:
-        return (), (f"{where} is no valid TOML: {error}.",)
+        return (), (f"{where} is not valid TOML: {error}.",)
     except (RecursionError, ValueError) as error:
         # tomllib lets both through: brackets nested without end, numbers with thousands of digits.
-        return (), (f"{where} is no valid TOML: {type(error).__name__}.",)
+        return (), (f"{where} is not valid TOML: {type(error).__name__}.",)
     problems = [
         f"{where}: {key} is no table of it{did_you_mean(key, ('downlink',))}." for key in data if key != "downlink"
     ]
@@ -73,7 +73,7 @@ def _downlink(row: object, own: bool) -> Downlink:
         raise ValueError("a downlink is a table: [[downlink]]")
     for key in row:
         if key not in KEYS:
-            raise ValueError(f"{key} is no key of a downlink{did_you_mean(key, KEYS)}")
+            raise ValueError(f"{key} is not a key of a downlink{did_you_mean(key, KEYS)}")
     low_mhz, high_mhz = _frequencies(row)
     polarization = row.get("polarization")
     if polarization is not None and polarization not in POLARIZATIONS:

@@ -211,9 +211,9 @@ class SkyWatch:
             self._watched = read_catalogue(self._path)
         except StoreError as error:
             if self._watched is not None:
-                self._watched = replace(self._watched, note=f"{error} Shown is what was read before.")
+                self._watched = replace(self._watched, note=f"{error} Showing the elements read before.")
             else:
-                self._watched = replace(frozen_set(), note=f"{error} Shown are the sets that ship with birdcage.")
+                self._watched = replace(frozen_set(), note=f"{error} Showing the elements that ship with birdcage.")
         self._seen = fingerprint(self._path)
         self._fleet = Fleet(self._watched.elements)
 

@@ -78,5 +78,5 @@ def frozen_set() -> Watched:
     return Watched(
         elements,
         f"The catalogue is empty. These are the {len(elements)} sets that ship with birdcage, the newest of "
-        f"{newest:%Y-%m-%d}. They are too old to point by.",
+        f"{newest:%Y-%m-%d}. They are too old for pointing.",
     )

@@ -29,7 +29,7 @@ class Control:
         if previous == holder:
             return
         if previous is not None and not take_over:
-            raise LeaseDenied(f"{previous} has control. Take control, or wait until it is given back.")
+            raise LeaseDenied(f"{previous} has control. Take control, or wait until it is free.")
         self._pass_to(holder)
 
     def give_back(self, holder: str) -> None:
@@ -59,7 +59,7 @@ class Control:
         if state.motion_refused_because is not None:
             raise MotionRefused(state.motion_refused_because, reason="settings")
         if state.fault is not None:
-            raise Held(f"A fault waits to be acknowledged: {state.fault.what}.", reason="fault")
+            raise Held(f"Acknowledge the fault first: {state.fault.what}.", reason="fault")
 
     def announce(self, holder: str, az_deg: float, el_deg: float) -> None:
         """While it is held, say who would move first after the release, and where to; it changes as time goes on."""

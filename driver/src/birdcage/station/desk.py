@@ -129,9 +129,7 @@ class Desk:
     def _free_wire(self) -> None:
         link = self._board.state.link
         if link.state is not Link.UP:
-            raise LinkError(
-                f"There is no link to the dish, so nothing is sent ({link.detail}).", reason=link.state.value
-            )
+            raise LinkError(f"No link to the dish, so nothing is sent ({link.detail}).", reason=link.state.value)
         self._watches.end_excursion()
 
     def _move(self, request: ask.Goto | ask.Follow | ask.Jog, future: Future[object]) -> None:

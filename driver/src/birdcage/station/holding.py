@@ -55,7 +55,7 @@ def hold(paths: Paths, port: str, by: str, utc: datetime, ports: PortLister = li
     identity = dish_identity(port, ports)
     if identity is None:
         raise BirdcageError(
-            f"{port} is not there, or a simulator inside one program: which dish to hold is not known. "
+            f"{port} is not there, or is a simulator inside one program: there is no dish to hold. "
             "`birdcage ports` lists the ports."
         )
     file, note = HeldFile(dish_folder(paths.state, identity)), HeldNote(by, utc, "stop", port)

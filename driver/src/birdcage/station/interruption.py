@@ -12,9 +12,9 @@ AS_BEFORE_DEG = 0.5
 """How far it may stand from where its last motion led."""
 
 SENTENCES = {
-    "link": "The link to the dish was lost, so it stays still.",
-    "fault": "The dish no longer knows where it points, so it stays still.",
-    "clock": "The clock was stepped, or the computer slept: the dish stays still.",
+    "link": "Link lost: the dish stays still.",
+    "fault": "The dish no longer knows where it points. It stays still.",
+    "clock": "The clock stepped, or the computer slept. The dish stays still.",
 }
 
 

@@ -39,7 +39,7 @@ class LentSpeeds:
             write_aside_and_rename(self._path, json.dumps({**self._dish, "speeds_deg_s": speeds}).encode())
         except OSError as error:
             raise MotionRefused(
-                f"{self._path} cannot be written ({error.strerror or error}). It would hold the motors' own speeds, "
+                f"{self._path} cannot be written ({error.strerror or error}). It must hold the motors' own speeds, "
                 "so they were not changed. Another controller changes none.",
                 reason="controller",
             ) from error

@@ -42,7 +42,7 @@ class Motors:
 
         def permit() -> None:
             if self._stopper.count != stops_seen:
-                raise Stopped("STOP came after this was asked for: the motors keep their current. Ask again.")
+                raise Stopped("STOP came after this request: the motors keep their current. Ask again.")
 
         self._antenna.protocol.release_motors(permit=permit)
         self._mover.fail(End.STOPPED, "motors released", Stopped("The motors were released."))
@@ -67,8 +67,8 @@ class Motors:
         if not state.stow_allowed:
             feed = f"the feed {state.feed_name!r}" if state.feed_name else "this feed"
             raise MotionRefused(
-                f"With {feed} the dish must not fold flat: it could be crushed. Nothing was sent. If it is safe, set "
-                "stow_allowed in the feed's section of birdcage.toml.",
+                f"With {feed} the dish must not fold flat: it could be crushed. Nothing was sent. If the feed fits, "
+                "set stow_allowed in its section of birdcage.toml.",
                 reason="feed",
             )
         self._control.admit(holder)
@@ -99,7 +99,7 @@ class Motors:
         """Set the greatest speed of an axis until the dish restarts; return what it shows. Moves nothing."""
         state, protocol = self._board.state, self._antenna.protocol
         if state.holder not in (None, holder):
-            raise LeaseDenied(f"{state.holder} has control. Take control, or wait until it is given back.")
+            raise LeaseDenied(f"{state.holder} has control. Take control, or wait until it is free.")
         if not protocol.model.has_speeds:
             raise CommandRefused(f"The {protocol.model.name} has no command for its speed.", reason="unsupported")
         if motor not in (protocol.model.azimuth.index, protocol.model.elevation.index):

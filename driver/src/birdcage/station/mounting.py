@@ -22,7 +22,7 @@ def mount_of(state: StationState, settings: Settings) -> Mount:
     BirdcageError (`unknown`) for a state without a dish, which no station has.
     """
     if state.dish is None:
-        raise BirdcageError("No dish is known yet: choose its firmware first.", reason="unknown")
+        raise BirdcageError("The dish is not known yet. Choose its firmware first.", reason="unknown")
     offset_deg = state.alignment.el_offset_deg
     return Mount(
         _in_force(state.dish, state),

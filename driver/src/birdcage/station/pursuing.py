@@ -94,9 +94,7 @@ class Pursuing:
         self._control.refuse(request.holder)
         if live is not None:
             if self._leads and live.holder != request.holder:
-                raise LeaseDenied(
-                    f"{live.holder} follows {live.plan.aim.name}. Take control first, or wait until that ends."
-                )
+                raise LeaseDenied(f"{live.holder} follows {live.plan.aim.name}. Take control first, or wait.")
             leads = self._leads
             self._over(words.REPLACED)
             if leads:

@@ -8,7 +8,7 @@ from birdcage.station.state import Fault, HeldState
 
 REPLACED = "Another pursuit replaced it."
 DONE = "The pass is over."
-UNREAD = "The dish's position is not read. It is assumed to be where it was sent."
+UNREAD = "The dish's position is not read. birdcage assumes it is where it was sent."
 
 
 def ended_by(by: str) -> str:
@@ -17,8 +17,8 @@ def ended_by(by: str) -> str:
 
 
 def by_hand(holder: str) -> str:
-    """Whose pursuit it is has moved the dish otherwise."""
-    return "You moved the dish by hand." if holder == "you" else f"{holder} moved the dish otherwise."
+    """Whose pursuit it is has moved the dish."""
+    return "You moved the dish by hand." if holder == "you" else f"{holder} moved the dish."
 
 
 def yielded(holder: str | None) -> str:
@@ -37,10 +37,10 @@ def interrupted(reason: str, options: PursuitOptions) -> str:
     """What broke in, and what would make it go on."""
     if reason == "link" and options.resume:
         return (
-            f"{SENTENCES[reason]} It goes on by itself once the link is back within {options.resume_within_s:g} s "
-            "with the dish as it was. Otherwise release it."
+            f"{SENTENCES[reason]} It resumes by itself if the link is back within {options.resume_within_s:g} s "
+            "and the dish has not changed. Otherwise release it."
         )
-    return f"{SENTENCES.get(reason, SENTENCES['clock'])} Release it, and it goes on while the pass lasts."
+    return f"{SENTENCES.get(reason, SENTENCES['clock'])} Release it to resume while the pass lasts."
 
 
 def as_steered(why: str, phase: Phase, controller: str) -> str:
@@ -52,4 +52,4 @@ def too_late(live: Pursuit) -> str:
     """It could not go on in time."""
     if live.phase is Phase.YIELDED:
         return f"{live.why} The pass is over."
-    return "The pass was over before it could go on."
+    return "The pass ended before it could resume."

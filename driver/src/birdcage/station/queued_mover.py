@@ -180,7 +180,7 @@ class QueuedMover(Mover):
         return now > began + ASTRAY_S + motion.longest_s / self._board.clock.rate
 
     def _astray(self) -> None:
-        sentence = "The dish moves on though its motion must be over."
+        sentence = "The dish still moves after the end of its motion."
         self.fail(End.FAULT, sentence, Stopped(sentence, reason="moved"))
         self._antenna.motion = None
         self.on_astray()

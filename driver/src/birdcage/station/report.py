@@ -64,7 +64,7 @@ def stop_report(report: StopReport) -> dict[str, Value]:
 
 def release_report(before: HeldState | None, after: StationState, problem: str) -> dict[str, Value]:
     """Return what a release did: who held it until then, who moves first, and what still keeps it from moving."""
-    waits = problem or (f"A fault still waits to be acknowledged: {after.fault.what}." if after.fault else "")
+    waits = problem or (f"A fault is not acknowledged yet: {after.fault.what}." if after.fault else "")
     return {
         "held": after.held is not None,
         "was": before.sentence if before else None,

@@ -57,7 +57,7 @@ class SearchSwitch:
 
     def _back_up(self, lines: tuple[str, ...]) -> Path:
         if self._folder is None:
-            raise ConfigError("There is no folder for a backup of the dish's settings: nothing was written.")
+            raise ConfigError("No folder for a backup of the dish's settings. Nothing was written.")
         stamp = self._board.clock.utc().strftime("%Y%m%dT%H%M%SZ")
         path = self._folder / f"nvs-{self._antenna.protocol.name}-{stamp}.txt"
         demo = "# DEMO\n" if self._board.state.demo else ""

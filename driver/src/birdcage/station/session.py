@@ -118,9 +118,9 @@ def farewell(position: Pointing | None, lost: str | None, reach: Reach | None) -
     if reach is Reach.SENT:
         return f"STOP was sent. {where}"
     if reach is Reach.ENDS:
-        return f"The dish ends its move by itself, which nothing can stop; nothing follows it. {where}"
+        return f"Nothing can stop this move; it ends by itself, and no other follows. {where}"
     if reach in (None, Reach.AT_REST):
         return where
     if reach is Reach.CHECKING:
-        return f"No motion was under way. Whether the dish stands still is unknown. {where}"
+        return f"No motion was under way. It is unknown whether the dish moves. {where}"
     return f"The dish may still be moving. No STOP has reached it: look at it, or cut its power. {where}"

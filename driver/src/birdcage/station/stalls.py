@@ -29,7 +29,7 @@ def blocked(axis: str, sentence: str) -> MotorFault:
     return MotorFault(
         axis, homing=False, what=sentence,
         meaning="Something blocks it, or its motor lost steps.",
-        remedy="Look at the dish before anything else. Free it, acknowledge, and home it if its angles are wrong.",
+        remedy="Look at the dish first. Free it, acknowledge, and home it if its angles are wrong.",
     )  # fmt: skip
 
 
@@ -43,10 +43,10 @@ def motor_fault(text: str, dish: DishModel) -> MotorFault | None:
     if stalled is not None:
         return blocked(axis, f"The {axis} is stalled: the dish says {text.strip()!r}")
     again = "" if dish.homing_s is None else ", or acknowledge and home it"
-    freed = f"Look for what blocks it, and free it. Then switch it off and on{again}."
+    freed = f"Find what blocks it, and free it. Then switch it off and on{again}."
     return MotorFault(
         axis, homing=True, what=f"The {axis} did not home: the dish says {text.strip()!r}",
-        meaning="It has lost its reference, so its angles mean nothing.",
+        meaning="It lost its reference, so its angles are meaningless.",
         remedy=dish.handling.home_remedies.get(axis, freed),
     )  # fmt: skip
 

@@ -42,7 +42,7 @@ class Grip:
 
 BEHIND = Grip(
     "look",
-    "The dish has not told whether it took the last line: a bare Enter was sent. Looking where it goes, to aim.",
+    "The dish has not confirmed the last line: a bare Enter was sent. Reading where it goes, to aim.",
     ("",),
 )
 """Behind a line that the dish may read later than it goes out, a target that is aimed now may lead it back."""
@@ -169,12 +169,12 @@ class Queued(StopWay):
         if motion is not None and motion.silent:
             return Grip("abort", "A byte that ends the slew was sent.", enter)
         if motion is not None and antenna.is_kept:
-            return Grip("nothing moved", "The move had not gone out, and is kept. Looking where the dish is.")
+            return Grip("nothing moved", "The move was not sent yet, and is dropped. Looking where the dish is.")
         if motion is not None:
             left_s = max(0.0, motion.eta(self._board.clock.rate) - self._board.clock.monotonic())
             return Grip(
                 "end of move",
-                f"Nothing calls back the move of one axis: it ends in {left_s:.1f} s, and nothing follows it.",
+                f"A move of one axis can't be recalled: it ends in {left_s:.1f} s, and nothing follows it.",
             )
         if state.activity is Activity.MOVING_UNASKED:
             return Grip("search", "A bare Enter was sent, and the TV search is being ended.", enter)
@@ -228,21 +228,21 @@ class Blocked(Queued):
         """Send nothing: what is sent now would move the dish once it stands."""
         antenna, motion = self._antenna, self._antenna.motion
         if motion is not None and antenna.is_kept:
-            return Grip("nothing moved", "The move had not gone out, and is kept. Looking where the dish is.")
+            return Grip("nothing moved", "The move was not sent yet, and is dropped. Looking where the dish is.")
         if motion is None:
             return LOOK if self._board.state.activity in (Activity.UNKNOWN, Activity.MOVING_UNASKED) else NOTHING
         left_s = max(0.0, motion.eta(self._board.clock.rate) - self._board.clock.monotonic())
         return Grip(
             "end of move",
-            f"This dish takes no command before its motor stands: the move ends in {left_s:.1f} s, and nothing follows "
-            "it. To stop it sooner cut its power.",
+            f"This dish takes no command before its motor rests: the move ends in {left_s:.1f} s, and nothing follows "
+            "it. To stop it sooner, cut its power.",
         )
 
     def on_sight(self, earlier: Pointing, later: Pointing) -> Grip:  # noqa: ARG002
         """Send nothing, as above."""
         return Grip(
             "end of move",
-            "The dish was seen moving, and takes no command before its motor stands. To stop it sooner cut its power.",
+            "The dish was seen moving, and takes no command before its motor rests. To stop it sooner, cut its power.",
         )
 
     def answered(self, means: str) -> None:

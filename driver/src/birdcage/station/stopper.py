@@ -90,7 +90,7 @@ class Stopper:
         """Return what to do at once, by what is known of the dish."""
         state = self._board.state
         if not self._antenna.protocol.is_connected:
-            return Grip("no link", "There is no link to the dish: nothing could be sent. Cut its power.")
+            return Grip("no link", "No link to the dish: nothing could be sent. Cut its power.")
         if self.homing:
             what = "Stowing" if state.activity is Activity.STOWING else "Homing"
             return Grip("none", f"{what} cannot be stopped from here: cut the power of the dish.")
@@ -112,7 +112,7 @@ class Stopper:
         """Let go of the latch, unless STOP was called after the release was asked for: then Held."""
         with self._lock:
             if self.count != stops_seen:
-                raise Held("STOP was called after this release was asked for: it holds.")
+                raise Held("STOP came after this release: the dish stays HELD.")
             self._last_call = -math.inf  # the next STOP is a new one, however soon it comes
             self._control.release()
         pending, motion = self._pending, self._antenna.motion

@@ -143,13 +143,11 @@ class Talk:
         """Take the lease and the wire; return the menu that the dish is in."""
         link, state = self._board.state.link, self._board.state
         if link.state is not Link.UP:
-            raise LinkError(
-                f"There is no link to the dish, so nothing is sent ({link.detail}).", reason=link.state.value
-            )
+            raise LinkError(f"No link to the dish, so nothing is sent ({link.detail}).", reason=link.state.value)
         busy = state.activity in (Activity.SLEWING, Activity.FOLLOWING, Activity.STOWING)
         if busy or self._mover.is_moving or self._stopper.is_pending:
             raise CommandRefused(
-                "birdcage moves the dish and must hear it. Wait until it rests, or STOP. Nothing was sent.",
+                "birdcage is moving the dish and must hear it. Wait until it rests, or STOP. Nothing was sent.",
                 reason="moving",
             )
         self._control.take(holder)
@@ -172,7 +170,7 @@ class Talk:
         verdict = self.judge(request.line)
         self._refuse_held(request.line, verdict)
         if verdict.grade > request.confirmed:
-            meanwhile = "It is more dangerous now than when you confirmed it." if request.confirmed else ""
+            meanwhile = "The line is more dangerous now than when you confirmed it." if request.confirmed else ""
             about = " ".join(text for text in (meanwhile, verdict.consequence, verdict.limit) if text)
             raise ConfirmationNeeded(f"`{request.line}` was not sent. {about}")
         return verdict

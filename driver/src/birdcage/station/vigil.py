@@ -200,7 +200,7 @@ class Vigil:
     def slow(self, sentence: str) -> None:
         """A speed that was changed for a while could not be put back."""
         self.raise_fault(
-            "speed", "The dish did not take its speed back", f"The dish moves slower than planned. {sentence}",
+            "speed", "The dish did not restore its speed", f"The dish moves slower than planned. {sentence}",
             "Set its speed, or switch it off and on to restore its own.",
         )  # fmt: skip
 
@@ -211,7 +211,7 @@ class Vigil:
         self.interrupted("fault")
         self.raise_fault(
             "unhomed", "The dish no longer knows where it points",
-            "It was homed a moment ago. Its power has dipped, or it has restarted silently.",
+            "It was homed a moment ago. Its power dipped, or it restarted silently.",
             "Check its power and cable. Acknowledge, then home it. If it homes at power-up, switch it off and on.",
         )  # fmt: skip
 
@@ -244,7 +244,7 @@ class Vigil:
             if fault is None or not self._failed_to_home:
                 self.raise_fault(
                     "reboot", f"The dish has restarted: {line.strip()!r}",
-                    "It homes by itself or must be homed, and may begin its TV search.",
+                    "It homes by itself or must be homed, and may start its TV search.",
                     "Check its power and cable. Wait until it is quiet, then acknowledge and home it.",
                 )  # fmt: skip
         self._failed_to_home = False
@@ -306,7 +306,7 @@ class Vigil:
         holder = state.holder
         self.on_interrupted(reason)
         self._mover.fail(
-            End.STOPPED, f"interrupted: {reason}", Stopped(f"The motion was given up: {reason}.", reason=reason)
+            End.STOPPED, f"interrupted: {reason}", Stopped(f"The motion was cancelled: {reason}.", reason=reason)
         )
         self._watches.end_excursion()
         if moving:
@@ -326,7 +326,7 @@ class Vigil:
         self.on_interrupted("clock")
         self._look.forget("clock")
         self.look_again()
-        self._mover.fail(End.STOPPED, "the clock stepped", Stopped("The clock stepped: the motion was given up."))
+        self._mover.fail(End.STOPPED, "the clock stepped", Stopped("The clock stepped: the motion was cancelled."))
         if self._antenna.motion is not None:
             self._stopper.call("birdcage", reason)
             self._stopper.take_calls()

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 def refuse(plan: Plan, now_s: float) -> None:
     """Raise MotionRefused for a plan by which nothing can be followed: `unreachable`, `over`."""
     if plan.course is None or not plan.legs:
-        why = plan.notes[0] if plan.notes else f"{plan.aim.name} is nowhere within this dish's reach."
+        why = plan.notes[0] if plan.notes else f"{plan.aim.name} is out of this dish's reach."
         raise MotionRefused(f"{why} Nothing was sent.", reason="unreachable")
     if plan.legs[-1].end_s <= now_s:
         raise MotionRefused(f"This pass of {plan.aim.name} is over. Nothing was sent.", reason="over")

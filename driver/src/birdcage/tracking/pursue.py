@@ -76,7 +76,7 @@ class Pursuer:
 
     def _rewind(self, leg: Leg) -> Activity:
         self._tell(
-            Stage.REWINDING, "The cable is turned back, as planned: the target is lost meanwhile.", "follow", leg.end_s
+            Stage.REWINDING, "Turning the cable back, as planned. The target is lost meanwhile.", "follow", leg.end_s
         )
         yield from self._slew((leg.to_az_deg, self._voyage.course().at(leg.end_s)[1]), leg)
         self._done_s = leg.end_s
@@ -85,7 +85,7 @@ class Pursuer:
         """Be where the leg begins, and wait for it."""
         start = self._voyage.course().at(leg.start_s)
         if not self._is_at(start, IN_PLACE_DEG):
-            self._tell(Stage.PREPOSITIONING, "Going to where the target comes into reach.", "reach", leg.start_s)
+            self._tell(Stage.PREPOSITIONING, "Moving to where the target comes into reach.", "reach", leg.start_s)
             yield from self._slew(start, leg)
             return
         self._tell(
@@ -101,7 +101,7 @@ class Pursuer:
     def _follow(self, leg: Leg) -> Activity:
         voyage = self._voyage
         if not self._is_at(voyage.course().at(max(self._now_s, leg.start_s)), JOIN_DEG):
-            self._tell(Stage.PREPOSITIONING, "Going to where the target is now.", "follow", None)
+            self._tell(Stage.PREPOSITIONING, "Moving to the target.", "follow", None)
             yield from self._join(leg)
         if self._place is None:
             return
@@ -162,7 +162,7 @@ class Pursuer:
         here = yield from self._here()
         if here is None:
             return
-        self._tell(Stage.PARKING, "Going to the park position.", "", None)
+        self._tell(Stage.PARKING, "Moving to the park position.", "", None)
         az_deg = ways.nearest_turn(here[0], place[0], self._voyage.cable)
         known = self._voyage.cable is not None
         yield Slew(self._way(here, (az_deg, place[1]), turn_known=known).stops)

@@ -24,7 +24,7 @@ def moment_of(text: str, shown: datetime) -> datetime:
     if shift is not None and any(shift.groups()[1:]):
         days, hours, minutes = (int(part or 0) for part in shift.groups()[1:])
         if max(days * 24 + hours, minutes // 60) > 24 * 366:
-            raise ValueError("That is more than a year away.")
+            raise ValueError("This is more than a year away.")
         by = timedelta(days=days, hours=hours, minutes=minutes)
         return shown + (by if shift[1] == "+" else -by)
     try:

@@ -42,19 +42,19 @@ def read_document(path: Path | None) -> Document:
         text = raw.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = raw.count(b"\n", 0, error.start) + 1
-        return _unreadable(path, line, "The file is damaged here: this is no UTF-8 text.")
+        return _unreadable(path, line, "The file is damaged here: not UTF-8 text.")
     try:
         return Document(path, clean_all(tomllib.loads(text)), (), find_lines(text))
     except tomllib.TOMLDecodeError as error:
         found = re.search(r"\(at line (\d+)", str(error))
         line = int(found.group(1)) if found else len(text.rstrip().splitlines())
         what = re.sub(r"\s*\(at .*\)$", "", str(error))
-        return _unreadable(path, line, f"The file is no valid TOML here ({what}).{_key_in(text, line)}")
+        return _unreadable(path, line, f"The file is not valid TOML here ({what}).{_key_in(text, line)}")
 
 
 def _unreadable(path: Path, line: int | None, what: str) -> Document:
     # Which limits it held is unknown, so it counts as holding some.
-    sentence = f"{what} All settings have their defaults."
+    sentence = f"{what} Every setting has its default."
     return Document(path, problems=(Problem(path, line, None, sentence, limits_motion=True),))
 
 

@@ -40,7 +40,7 @@ class ElementsSettings(Section):
         """Yield addresses that are none, and a mirror without a place for the group."""
         for key, url in (("mirror_url", self.mirror_url), ("craft_url", self.craft_url)):
             if url is not None and not _is_address(url):
-                yield key, f"is {url!r}, which is no http or https address"
+                yield key, f"is {url!r}, which is not an http or https address"
         if self.mirror_url is not None and "{group}" not in self.mirror_url:
             yield "mirror_url", f"is {self.mirror_url!r}, where {{group}} is missing: http://nas.local/{{group}}.json"
 

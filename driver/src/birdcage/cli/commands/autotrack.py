@@ -109,5 +109,5 @@ def _favourites(watched: Watched, *, from_file: bool) -> Watched:
     if from_file:
         return replace(watched, favourites=frozenset(range(len(watched.elements))))
     if not watched.favourites:
-        raise ConfigError("There are no favourites: `birdcage elements favourite NAME --priority 1` marks one.")
+        raise ConfigError("No favourites yet. `birdcage elements favourite NAME --priority 1` adds one.")
     return watched

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 @click.group("calibrate", epilog=DATA_EPILOG)
 @global_options("config", "json", "verbose")
 def command() -> None:
-    """Find how the dish stands: peak on the Sun, the Moon and satellites, fit, and put the result into force.
+    """Find how the dish stands: peak on the Sun, the Moon and satellites, fit, and use the result.
 
     `guide` leads through all of it. By hand: `next` names an object, `birdcage move` and a meter find it, and `add`
     takes the peak. Then `fit` shows the result, `fit --save NAME` keeps it, and `apply NAME` points by it. Moved the
@@ -34,7 +34,7 @@ def command() -> None:
 
 @command.command("fit", short_help="Fit the pointing model, and show what is left.", epilog=DATA_EPILOG)
 @click.option("--terms", type=click.IntRange(2, 5), help="2: offsets; 4: with tilt; 5: with collimation too.")
-@click.option("--save", "name", metavar="NAME", help="Keep what is found under this name.")
+@click.option("--save", "name", metavar="NAME", help="Save the fit under this name.")
 @global_options("config", "json", "verbose")
 def fit_(terms: int | None, name: str | None) -> None:
     """Fit the pointing model to the peaks, and show what is left: residuals, leave-one-out error, condition."""
@@ -52,7 +52,7 @@ def fit_(terms: int | None, name: str | None) -> None:
     dish = wanted()
     peaks = _read_peaks(dish).entries
     if not peaks:
-        raise BirdcageError("No peak yet. `birdcage calibrate next` names an object, `add` takes one.")
+        raise BirdcageError("No peaks yet. `birdcage calibrate next` names an object, `add` takes one.")
     if terms == 3:
         raise click.UsageError("--terms is 2, 4 or 5: the two tilt terms go together.")
     chosen = None if terms is None else {2: OFFSETS_ONLY, 4: WITH_TILT, 5: TERMS}[terms]
@@ -66,13 +66,13 @@ def fit_(terms: int | None, name: str | None) -> None:
         say(found.warning)
     if name is not None:
         keep_set(dish.paths.alignments_file, set_from(dish.settings, found, name, datetime.now(UTC)))
-        say(f"Kept as {name}: `birdcage calibrate apply` puts it into force.")
+        say(f"Saved as {name}: `birdcage calibrate apply` uses it.")
 
 
 @command.command("list", epilog=DATA_EPILOG)
 @global_options("config", "json", "verbose")
 def list_() -> None:
-    """Print the peaks and the sets; the set in force has a star.
+    """Print the peaks and the sets; the set in use has a star.
 
     A peak's true direction includes the refraction that was set when it was taken.
     """
@@ -94,20 +94,20 @@ def list_() -> None:
     if peaks.entries:
         tell_peaks(peaks.entries)
     else:
-        say("No peak yet. `birdcage calibrate next` names an object.")
+        say("No peaks yet. `birdcage calibrate next` names an object.")
     if kept:
         tell("")
         tell_sets(kept)
     active = dish.settings.alignment.active
     if active is not None and not any(used for _each, used in kept):
-        say(f"In force is {active}, but it was changed since, or its set is gone.")
+        say(f"In use: {active}, changed since, or its saved set is gone.")
 
 
-@command.command("apply", short_help="Point by a kept set from now on.", epilog=DATA_EPILOG)
+@command.command("apply", short_help="Use a saved set for all pointing.", epilog=DATA_EPILOG)
 @click.argument("name")
 @global_options("config", "json", "verbose")
 def apply(name: str) -> None:
-    """Point by a kept set from now on: write it into [alignment] of birdcage.toml.
+    """Use a saved set for all pointing: write it into [alignment] of birdcage.toml.
 
     A birdcage that runs takes it at its next start, or when the app's own calibration applies it.
     """
@@ -125,11 +125,11 @@ def apply(name: str) -> None:
 
 @command.command("remove", epilog=DATA_EPILOG)
 @click.argument("numbers", nargs=-1, type=click.IntRange(min=1), metavar="[PEAK]...")
-@click.option("--all", "every", is_flag=True, help="Forget all peaks: the base was moved.")
-@click.option("--set", "name", metavar="NAME", help="Forget a set. If it is in force, its terms stay in force.")
+@click.option("--all", "every", is_flag=True, help="Delete all peaks: the base was moved.")
+@click.option("--set", "name", metavar="NAME", help="Delete a set. If it is in use, its terms stay in use.")
 @global_options("config", "json", "verbose")
 def remove(numbers: tuple[int, ...], every: bool, name: str | None) -> None:
-    """Forget peaks by their numbers, or a set by its name."""
+    """Delete peaks by number, or a set by name."""
     from birdcage.base.alignments import remove_set
     from birdcage.calibration.peaks_file import load_peaks, peaks_file, remove_peaks
     from birdcage.cli.say import say

@@ -17,7 +17,7 @@ HOLDER = "birdcage calibrate"
 def guide() -> None:
     """Be led: it names the next object and goes there; you nudge until the meter is highest, and say so.
 
-    Every peak is kept as it is taken. Ctrl+C stops the dish.
+    Every peak is saved at once. Ctrl+C stops the dish.
     """
     from birdcage.calibration.guide import Guide
     from birdcage.calibration.work import observer_of

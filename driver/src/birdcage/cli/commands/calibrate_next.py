@@ -48,7 +48,7 @@ def next_(at: datetime | None, every: bool) -> None:
         tell_json([proposal_values(each, refraction) for each in shown])
         return
     if not found:
-        say("Nothing is up that this feed may hear and the dish reaches, but for what was peaked on already.")
+        say("This feed can hear nothing in reach now that has no peak yet.")
         return
     tell_proposals(shown)
     say(f"Elevations include refraction ({refraction})." if refraction != "none" else "No refraction is included.")

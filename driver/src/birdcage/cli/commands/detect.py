@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 @global_options("port", "baud", "json", "config", "verbose")
 @click.pass_context
 def command(context: click.Context) -> None:
-    """Say which firmware answers on the port, and by what that is seen.
+    """Find out which firmware answers on the port, and how that shows.
 
     Sends one bare Enter at each usual speed, and `?` where a prompt answers. Nothing moves; a combined move of a
     Trav'ler that is under way ends by the first byte. No program that drives the dish is disturbed: its port is busy.

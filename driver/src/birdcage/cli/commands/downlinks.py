@@ -24,7 +24,7 @@ SPARED = ("SYMBOLS", "REMARK", "SATDUMP", "POL")
 SHORTEST_MODE = 8
 
 
-@click.command("downlinks", short_help="List who sends what, and what your feed can hear.", epilog=DATA_EPILOG)
+@click.command("downlinks", short_help="List downlinks, and which of them your feed can hear.", epilog=DATA_EPILOG)
 @click.argument("satellite", nargs=-1)
 @click.option("--all", "every", is_flag=True, help="Also what the feed cannot hear, and what is off the air.")
 @global_options("config", "json", "verbose")

@@ -47,7 +47,7 @@ def add(context: click.Context, paths: tuple[str, ...], group: str | None) -> No
         if harvest.elements or harvest.groups:
             tell(f"{added.new} new, {added.newer} with newer elements, {added.kept} unchanged.{grouped}")
         else:
-            say("It holds no elements. The catalogue is unchanged.")
+            say("No elements found. The catalogue is unchanged.")
     if harvest.complaints or not (harvest.elements or harvest.groups):
         context.exit(NOT_DONE)
 
@@ -69,7 +69,7 @@ def read_all(paths: tuple[str, ...]) -> Harvest:
             say("Paste the elements, then Ctrl+D on a line of its own.")
         pasted: bytes = sys.stdin.buffer.read(LARGEST_FILE + 1)
         if len(pasted) > LARGEST_FILE:
-            raise click.UsageError(f"That is more than {LARGEST_FILE / 1e6:.0f} MB: no list of elements.")
+            raise click.UsageError(f"This is more than {LARGEST_FILE / 1e6:.0f} MB, too much for a list of elements.")
         harvests.append(read_text(pasted.decode("utf-8-sig", "replace"), PASTED))
     return Harvest(
         tuple(each for harvest in harvests for each in harvest.elements),

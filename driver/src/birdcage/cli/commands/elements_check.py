@@ -61,7 +61,7 @@ def check(context: click.Context, paths: tuple[str, ...], older_than: float | No
     else:
         _tell(shown, now)
     if not entries and not complaints:
-        say("It holds no elements." if paths else EMPTY)
+        say("No elements found." if paths else EMPTY)
     else:
         say(_sum_up(entries, complaints, now))
     if complaints or (paths and not entries):

@@ -46,7 +46,7 @@ def find_entry(catalogue: Catalogue, text: str) -> Entry:
     found = resolver.resolve(text)
     target = found.target
     if not isinstance(target, Satellite):
-        raise BirdcageError(f"{target.name} is no satellite of the catalogue.", reason="no_satellite")
+        raise BirdcageError(f"{target.name} is not in the catalogue.", reason="no_satellite")
     if found.note:
         say(found.note)
     entry = catalogue.entry(target.elements.norad_id or target.elements.name)

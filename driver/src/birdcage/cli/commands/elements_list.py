@@ -39,7 +39,7 @@ def list_(
     if group is not None:
         wanted = next((each.name for each in groups if each.name.casefold() == group.casefold()), None)
         if wanted is None:
-            say(f"There is no group {group} in the catalogue. `birdcage elements list --groups` shows what there is.")
+            say(f"No group is called {group} in the catalogue. `birdcage elements list --groups` shows what there is.")
             context.exit(USAGE)
         entries = tuple(each for each in entries if wanted in each.groups)
     if favourites:
@@ -74,7 +74,7 @@ def search(context: click.Context, text: str, limit: int) -> None:
     if found or flags().json:
         _tell_satellites(found, datetime.now(UTC))
     if not found:
-        say(EMPTY if empty else problem or f"Nothing in the catalogue is like {text!r}.")
+        say(EMPTY if empty else problem or f"Nothing in the catalogue resembles {text!r}.")
         context.exit(NOT_DONE)
 
 

@@ -44,7 +44,7 @@ def favourite(
     elif entries:
         tell_entries(entries, now)
     else:
-        say("There are no favourites: `birdcage elements favourite NAME` makes one.")
+        say("No favourites yet. `birdcage elements favourite NAME` adds one.")
 
 
 @click.command(

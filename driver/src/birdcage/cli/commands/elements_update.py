@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 def update(context: click.Context, groups: tuple[str, ...], force: bool) -> None:
     """Fetch groups from CelesTrak and SatNOGS DB, or from your own mirror.
 
-    Without a name: those of `elements.groups` in birdcage.toml, or a few. A group that cannot be had keeps what it has.
+    Without a name: those of `elements.groups` in birdcage.toml, or a few. A group that can't be had keeps its elements.
     """
     from birdcage.cli.commands.elements_common import elements_settings, open_catalogue
     from birdcage.cli.say import Progress, say, tell_json
@@ -44,7 +44,7 @@ def update(context: click.Context, groups: tuple[str, ...], force: bool) -> None
                 _tell(outcome)
         except KeyboardInterrupt:
             progress.clear()
-            say("Cancelled. What had arrived is kept; the rest is unchanged.")
+            say("Cancelled. What arrived is saved. The rest is unchanged.")
             context.exit(SIGNAL + 2)
     if flags().json:
         tell_json([_values(each) for each in outcomes])

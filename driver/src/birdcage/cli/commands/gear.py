@@ -11,13 +11,13 @@ from birdcage.cli.options import flags, global_options, wanted
 @click.command("gear", epilog=exits.EPILOG)
 @click.option("--play-az", type=float, metavar="DEG", help="Set the play of the azimuth.")
 @click.option("--play-el", type=float, metavar="DEG", help="Set the play of the elevation.")
-@click.option("--forget", is_flag=True, help="Forget all that is known: another dish is at this adapter.")
+@click.option("--forget", is_flag=True, help="Forget both: another dish is at this adapter.")
 @global_options()
 def command(play_az: float | None, play_el: float | None, forget: bool) -> None:
-    """Show what is known of this dish's play and overshoot, set the play, or forget all.
+    """Show this dish's play and overshoot, set the play, or forget both.
 
-    How far past its target an axis comes to rest birdcage learns by itself, from readings at rest. Play it can't see in
-    a reading, and does nothing about either before both are known. Sources have 0.02 to 0.06 degrees for a Carryout G2.
+    birdcage learns by itself how far past its target an axis comes to rest. It can't measure play, and corrects
+    nothing until both are known. Sources have 0.02 to 0.06 degrees for a Carryout G2.
 
     To measure the play: find a strong geostationary satellite, and the angle at which its signal is half-way down one
     side. Go there from 2 degrees below and from 2 degrees above, in small steps. Compare `birdcage pos` where the
@@ -37,7 +37,7 @@ def command(play_az: float | None, play_el: float | None, forget: bool) -> None:
     file = GearFile.of(dish.paths.state, dish.port, dish.firmware if dish.firmware_given else None)
     if file is None:
         raise LinkError(
-            f"What is known of a dish is kept by its adapter, and {dish.port or 'no port'} names none that is here. "
+            f"No adapter at {dish.port or 'no port'}. birdcage files what it learns of a dish under its adapter. "
             "`birdcage ports` lists them.",
             reason="missing",
         )
@@ -45,10 +45,10 @@ def command(play_az: float | None, play_el: float | None, forget: bool) -> None:
         file.forget()
     elif not (play_az is None and play_el is None):
         if file.firmware is None:
-            raise ConfigError("Say which firmware the dish speaks: --firmware g2, for one. `birdcage detect` tells.")
+            raise ConfigError("Name the firmware, for example --firmware g2. `birdcage detect` tells.")
         file.set_play(play_az, play_el, datetime.now(UTC))
     gear = file.read()
     if flags().json:
         tell_json({"port": dish.port, "gear": gear.values() if gear.facts else None})
     else:
-        tell(gear.words() or "Nothing is known of this dish's play and overshoot.")
+        tell(gear.words() or "This dish's play and overshoot are unknown.")

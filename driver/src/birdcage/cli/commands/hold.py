@@ -15,8 +15,8 @@ def command(context: click.Context) -> None:
     """Stop the dish, and keep every birdcage program from moving it until a person releases it.
 
     If another birdcage program has the port, that one stops the dish. If none has, nothing is sent: `birdcage stop`
-    stops a dish that moves by itself. The next programs find it HELD, also after this machine was switched off.
-    Programs that are not of birdcage know nothing of it: for work on the dish, cut its power.
+    stops a dish that moves by itself. It stays HELD for every birdcage program, also after a restart of this machine.
+    Other programs ignore it: to work on the dish, cut its power.
     """
     from birdcage.base.clock import RealClock
     from birdcage.base.errors import NoReply
@@ -30,7 +30,7 @@ def command(context: click.Context) -> None:
         told = ring_owners(dish, "hold", by)
     except NoReply as error:
         hold(dish.paths, dish.port, by, now)
-        error.add_note("Programs that start from now on find it HELD.")
+        error.add_note("Every birdcage program that starts now finds it HELD.")
         raise
     if not told:
         note = hold(dish.paths, dish.port, by, now)

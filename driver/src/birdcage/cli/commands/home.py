@@ -21,9 +21,9 @@ HOLDER = "birdcage home"
 @click.option("--yes", is_flag=True, help="Do not ask.")
 @global_options()
 def command(axis: str | None, yes: bool) -> None:
-    """Find the reference of one axis, or of both, by running into the stops.
+    """Home one axis or both: run into the end stops to find the reference.
 
-    No command stops homing. Only cutting the dish's power does.
+    No command stops homing. Only cutting its power does.
     """
     from birdcage.base.errors import PositionUnknown
     from birdcage.cli.dish import open_dish
@@ -51,9 +51,7 @@ def command(axis: str | None, yes: bool) -> None:
     if position is None or state.position_lost is not None:
         if state.position_text:
             raise PositionUnknown(f"Homed. {state.position_text}", reason=state.position_lost)
-        raise PositionUnknown(
-            "The dish still does not know where it points. Home the other axis too.", reason="unhomed"
-        )
+        raise PositionUnknown("The position is still unknown. Home the other axis too.", reason="unhomed")
     if flags().json:
         tell_json({**position_values(position), "demo": state.demo})
     else:

@@ -24,7 +24,7 @@ MOST_SENDERS = 4
 MOST_NAMES = 6
 
 
-@click.command("if", short_help="Work out where a converter puts a frequency.", epilog=DATA_EPILOG)
+@click.command("if", short_help="Compute the frequency behind a converter.", epilog=DATA_EPILOG)
 @click.argument("target", nargs=-1)
 @click.option("--rf", "rf_hz", type=FREQUENCY, help="What the satellite sends: 10489.5M, 1.7013G.")
 @click.option("--if", "if_hz", type=FREQUENCY, help="The other way: what the receiver is tuned to.")

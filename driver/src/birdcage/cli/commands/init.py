@@ -21,14 +21,14 @@ PATIENCE_S = 180.0
 """How long a dish is waited for of which not even the model is known."""
 
 DISABLE = (
-    "This saves NVS 20 (Disable Tracker Proc) as TRUE in the dish, after a copy of its whole table was kept here. "
-    "It takes effect when the dish is next switched off and on. From then on the dish neither searches for TV "
-    "satellites nor homes by itself: run `birdcage home` after each power-up. `birdcage init --restore-search` "
+    "This saves NVS 20 (Disable Tracker Proc) as TRUE in the dish, after a backup of its whole table. "
+    "It takes effect when the dish is next switched off and on. Then the dish no longer searches for TV "
+    "satellites, nor homes by itself: run `birdcage home` after each power-up. `birdcage init --restore-search` "
     "undoes that."
 )
 RESTORE = (
-    "This saves NVS 20 (Disable Tracker Proc) as FALSE in the dish, after a copy of its whole table was kept here. "
-    "From the next power-up on the dish homes by itself and searches for TV satellites: it moves without being asked."
+    "This saves NVS 20 (Disable Tracker Proc) as FALSE in the dish, after a backup of its whole table. "
+    "From the next power-up the dish homes and searches for TV satellites: it moves by itself."
 )
 
 PROMPT = re.compile(r"\S{1,16}>")
@@ -36,10 +36,10 @@ REST_S = 6.0
 """How long a dish is watched that was on its way when its search was ended."""
 
 SEARCHES = {
-    "off until power-up": "Its TV search is ended, until the dish is next switched on: run this again then.",
+    "off until power-up": "Its TV search is ended until the next power-up. Run this again then.",
     "running": "Its TV search runs and moves the dish.",
     "off": "Its TV search is off.",
-    "unknown": "The state of its TV search is not known.",
+    "unknown": "The state of its TV search is unknown.",
 }
 """What is said of a search that can only be ended while it runs."""
 
@@ -75,7 +75,7 @@ def command(switch: str | None, yes: bool, timeout_s: float | None) -> None:
     dish_wanted = with_firmware(wanted(), patience_s=PATIENCE_S if timeout_s is None else timeout_s)
     at_once = _ends_at_once(dish_wanted.model)
     if switch == "restore" and at_once:
-        raise click.UsageError("Nothing switches this dish's TV search off for good: it begins at each power-up.")
+        raise click.UsageError("This dish's TV search can't be switched off for good: it starts at each power-up.")
     if switch is not None and not at_once:
         _confirm(DISABLE if switch == "disable" else RESTORE, yes)
     if timeout_s is None:
@@ -152,13 +152,13 @@ def _describe(dish: Dish) -> None:
         return
     tracker = state.readings.get("nvs.20")
     if tracker is None:
-        say("The state of its TV search is not known.")
+        say("The state of its TV search is unknown.")
     elif tracker.value == "TRUE":
         say("Its TV search is off (NVS 20 is TRUE), so it does not home by itself: run `birdcage home` at power-up.")
     else:
         say(
-            "NVS 20 is FALSE: at power-up this dish homes by itself and then searches for TV satellites, moving "
-            "without being asked. `birdcage init --disable-search` switches that off."
+            "NVS 20 is FALSE: at power-up this dish homes, then searches for TV satellites: it moves by "
+            "itself. `birdcage init --disable-search` switches that off."
         )
 
 
@@ -201,7 +201,7 @@ def _switch(dish: Dish, *, disabled: bool, booted: bool) -> None:
     if booted:
         _release(dish)
     backup = dish.ask(SetSearch(HOLDER, disabled), 60.0)
-    say(f"The dish's settings as they were are kept in {backup}.")
+    say(f"Backup of the dish's settings: {backup}.")
     say(f"NVS 20 is saved as {'TRUE' if disabled else 'FALSE'}. Now switch the dish off and on.")
 
 

@@ -71,7 +71,7 @@ def command(
     elif records:
         tell_passes(records, total)
     else:
-        say("No pass was followed yet." if name is None and since is None else "No pass in the log matches.")
+        say("No passes logged yet." if name is None and since is None else "No logged pass matches.")
 
 
 def _number(words: tuple[str, ...]) -> int:
@@ -87,5 +87,5 @@ def _one(journal: Path, number: int) -> PassRecord:
 
     found = list_passes(journal, number=number) if number < 2**63 else []
     if not found:
-        raise ConfigError(f"The log has no pass {number}. `birdcage log` lists them.")
+        raise ConfigError(f"No such pass in the log: {number}. `birdcage log` lists them.")
     return found[0]

@@ -27,9 +27,9 @@ HOLDER = "birdcage move"
 @click.option("--el", "el_deg", type=float, help="Elevation of the beam in degrees; no refraction is added.")
 @click.option("--leapfrog/--no-leapfrog", help="Aim beyond the target, as older scripts do.  [default: exact]")
 @click.option("--clamp", is_flag=True, help="Go to the nearest allowed elevation instead of refusing.")
-@click.option("--no-wait", is_flag=True, help="End once the dish has taken the target; the motion is not watched.")
+@click.option("--no-wait", is_flag=True, help="Return once the dish has taken the target; don't watch the motion.")
 @click.option("--timeout", "timeout_s", type=click.FloatRange(1.0, 3600.0), default=120.0, show_default=True,
-              help="Seconds until it has failed, and is stopped.")  # fmt: skip
+              help="Seconds until the move counts as failed and is stopped.")  # fmt: skip
 @elements_option
 @global_options()
 def command(

@@ -38,7 +38,7 @@ SHOWN = 40
 )
 @click.option(
     "--min-elevation", type=click.FloatRange(-5.0, 89.0), default=0.0, show_default=True, metavar="DEG",
-    help="A pass is the time above this elevation, geometric.",
+    help="A pass is the time above this geometric elevation.",
 )  # fmt: skip
 @click.option("--name", metavar="TEXT", help="Only satellites with this in one of their names, or with this number.")
 @click.option(

@@ -15,7 +15,7 @@ from birdcage.cli.options import Wanted, flags, global_options, wanted
 @global_options()
 @click.pass_context
 def command(context: click.Context, quick: bool) -> None:
-    """Print all that is known of the dish.
+    """Print the state of the dish.
 
     If another birdcage program has the port, that one is asked. What is not known is a dash, or null in JSON.
     """

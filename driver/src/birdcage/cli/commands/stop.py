@@ -142,7 +142,7 @@ def _stop_it(wanted: Wanted) -> dict[str, Any]:
         report = dish.stop(BY)
         port = dish.state.port
     if report is None:
-        sentence = "STOP was sent. Whether the dish stands still is unknown: if it moves, cut its power."
+        sentence = "STOP was sent. It is unknown whether the dish moves. If it does, cut its power."
         return {"by": BY, "means": "sent", "confirmed": None, "sentence": sentence, "port": port}
     return stop_report(report) | {"port": port}
 

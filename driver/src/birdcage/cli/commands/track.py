@@ -66,7 +66,7 @@ def command(
     controller: ControllerName | None, time_offset_s: float | None, freq_hz: float | None, speed: float | None,
     elements: Path | None, lat: float | None, lon: float | None, alt: float | None,
 ) -> None:  # fmt: skip
-    """Follow TARGET with the dish, or say what that would be.
+    """Follow TARGET with the dish, or show the plan.
 
     TARGET is named as for `birdcage where`: iss, AO-91, 25544, sun, polaris, 28.2E, dish 119, ra=5h34m,dec=+22d.
     Without --engage nothing is opened and nothing moves: the next pass that comes into reach is planned for the dish
@@ -131,4 +131,4 @@ def _show(
     for line in plan_lines(choice.plan):
         tell(line)
     if not plan_only:
-        say("Nothing was moved: --engage follows it.")
+        say("Nothing moved. --engage follows it.")

@@ -18,7 +18,7 @@ _EVERYWHERE = (
 )
 _ROOT = (
     *harmless("root", "|".join(sorted(SUBMENUS))),
-    *ruins("root", "At the root menu, `q` may end the shell: the dish then answers nothing until a power cycle.", "q"),
+    *ruins("root", "At the root menu, `q` may end the shell: the dish then stays silent until a power cycle.", "q"),
     Hazard(
         frozenset({"root"}),
         re.compile(".*q.*"),
@@ -120,7 +120,7 @@ _NVS = (
     ),
     *setting(
         "nvs",
-        "Writes all changed settings into flash: they hold from the next start on, also the wrong ones.",
+        "Writes all changed settings into flash, wrong ones too: they apply from the next start.",
         "s( .*)?",
         forgets=_NVS_FORGETS,
         takes_s=10.0,
@@ -140,12 +140,12 @@ _OTHERS = (
     *setting("peak", "Drives the line of the set-top box: switches and LNB may change over.", "stb( .*)?"),
     *moves("peak", "Searches for the peak of the signal by itself: it moves the dish.", "pw( .*)?", takes_s=60.0),
     *moves("peak", "Sweeps an axis around the peak by itself: it moves the dish.", "pxy1( .*)?", takes_s=60.0),
-    *moves("peak", "Measures at the peak; whether it moves the dish is not known.", "psnr( .*)?", takes_s=60.0),
+    *moves("peak", "Measures at the peak; it may move the dish.", "psnr( .*)?", takes_s=60.0),
 )
 HAZARDS = HazardTable(
     rows=_EVERYWHERE + _ROOT + _A3981 + _ADC + _DVB + _EEPROM + _NVS + _OTHERS + MOTOR_ROWS,
     unlisted={
         "": "Undocumented command. It may change a setting, or worse.",
-        "nvs": "No command of this menu. The dish seems to take such a line as a question for its next setting.",
+        "nvs": "Not a command of this menu. The dish seems to read such a line as a query for its next setting.",
     },
 )

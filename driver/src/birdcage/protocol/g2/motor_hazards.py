@@ -7,17 +7,17 @@ from birdcage.protocol.hazard import Grade
 
 _ONE_AXIS = r"a (?P<axis>[01]) (?P<angle>\S+)"
 _BOTH_AXES = r"g (?P<az>\S+) (?P<el>\S+)"
-_HOMING = "Runs the axis into its stop to find its reference. Nothing stops that but cutting the power."
+_HOMING = "Runs the axis into its stop to find its reference. Only cutting the power stops that."
 _UNGUARDED = "birdcage checks no limits for this line."
 _CURRENT = (
     *moves(
         "mot step",
-        "Puts the current on the motors: they may jerk, and after a release the dish is not where it says.", "e( .*)?",
+        "Switches the motor current on: they may jerk, and after a release the reported position is wrong.", "e( .*)?",
     ),
     *rows(
         "mot step",
         Grade.MOVES,
-        "Takes the current off the motors: the dish may fall under its own weight, and its position is then unknown.",
+        "Switches the motor current off: the dish may fall under its own weight, and its position is then unknown.",
         "r( .*)?", forgets=REFERENCE, releases=True,
     ),
 )  # fmt: skip
@@ -40,22 +40,22 @@ _MOT = (
     *moves("mot", "Moves both motors at the same time, as a test of its own.", "motorboth( .*)?", takes_s=30.0),
     *moves("mot", "Drives a motor until it stalls, as a test: it runs into whatever is in its way.",
             "sd( .*)?", takes_s=30.0),
-    *moves("mot", "Spins a motor for a time, whatever the limits and the cable.",
+    *moves("mot", "Spins a motor for a time, ignoring the limits and the cable.",
             "vms( .*)?", takes_s=30.0),
-    *ruins("mot", "Tells the dish that it stands elsewhere: every angle and limit is then wrong, until it is homed.",
+    *ruins("mot", "Overwrites the dish's position: every angle and limit is wrong until it is homed.",
             "sp( .*)?", forgets=REFERENCE),
-    *ruins("mot", "Tells the dish that its cable is turned otherwise: it may then wind the cable until it tears.",
+    *ruins("mot", "Overwrites the turn of the cable: the dish may then wind the cable until it tears.",
             "sw( .*)?", forgets=REFERENCE),
     *ruins("mot", "Switches the protection of the cable off: the dish may then wind it until it tears.",
             "w( .*)? off( .*)?"),
     *setting("mot", "Switches the protection of the cable.", "w( .*)?"),
-    *setting("mot step", "Changes how hard the motors are driven: too much loses steps, and angles are then wrong.",
+    *setting("mot step", "Changes how hard the motors are driven. Too much loses steps, and then angles are wrong.",
               "(ma|mv|pid) .+", forgets=frozenset({"settings"})),
 )  # fmt: skip
 _STEP = (
     *harmless("step", "ma|mv|pid"),
     *ruins("step", f"Moves a motor. {DEADLOCK}", "p( .*)?", forgets=WHERE, unhomed=True),
-    *moves("step", "Sends a motor to a count of steps, whatever the limits and the cable.", "p( .*)?"),
+    *moves("step", "Sends a motor to a count of steps, ignoring the limits and the cable.", "p( .*)?"),
     *ruins("step", "Spins a motor without end: it winds the cable until it tears, or runs into a stop.",
             "v( .*)?", forgets=WHERE),
 )  # fmt: skip

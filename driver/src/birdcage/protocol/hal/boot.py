@@ -53,7 +53,7 @@ class BootWatch:
                 console.synchronize()
                 if self._ended or not self._streams(clock.monotonic()) or is_homed():
                     return
-                late = NoReply("The dish answers, but its boot does not come to an end.", reason="blocked")
+                late = NoReply("The dish answers, but its boot does not end.", reason="blocked")
             except NoReply as silence:
                 late = silence
             elapsed = clock.monotonic() - began

@@ -29,7 +29,7 @@ HAZARDS = HazardTable(
         _row("sub", "q"),
         _row("root", "motor|ngsearch|nvs"),
         _row("root", "q", Grade.RUINS,
-             "At the root menu, `q` may end the shell: the dish then answers nothing until a power cycle."),
+             "At the root menu, `q` may end the shell: the dish then stays silent until a power cycle."),
         _row("root", ".*q.*", Grade.RUINS,
              "A byte lost on the way could leave a bare `q` of this line, which may end the shell until a power cycle.",
              loose=True),
@@ -41,13 +41,13 @@ HAZARDS = HazardTable(
              forgets=_ALL, takes_s=180.0, restarts=True),
         _row("motor", "a"),
         _row("motor", r"a (?P<axis>[01]) (?P<angle>\d\S*)", Grade.MOVES, _QUEUED, forgets=_WHERE, takes_s=20.0),
-        _row("motor", r"a 2 \S+", Grade.MOVES, "Turns the feed. Its range is documented nowhere.", takes_s=20.0),
+        _row("motor", r"a 2 \S+", Grade.MOVES, "Turns the feed. Its range is undocumented.", takes_s=20.0),
         _row("motor", "a .+", Grade.MOVES, f"{_QUEUED} A sign is part of the angle: -0.5 is half a degree below zero.",
              forgets=_WHERE, takes_s=20.0),
         _row("motor", r"g (?P<az>\S+) (?P<el>\S+) \S+", Grade.MOVES,
              f"Moves all axes at once until any key ends it. {_UNGUARDED}", forgets=_WHERE, takes_s=30.0),
         _row("motor", "g( .*)?", Grade.MOVES,
-             "Moves the dish at once until any key ends it; what it takes for a missing angle is not known. "
+             "Moves the dish at once until any key ends it; what it does about a missing angle is unknown. "
              f"{_UNGUARDED}", forgets=_WHERE, takes_s=30.0),
         _row("ngsearch", "s( .*)?", Grade.SETTING, "Ends the TV search; it begins again at the next power-up.",
              forgets=frozenset({"position", "search"})),
@@ -60,7 +60,7 @@ HAZARDS = HazardTable(
              "Changes a setting of the dish; `s` makes it permanent. Disabling the GPS of a dish that has one is said "
              "to cut its two units off from each other for good.", forgets=_NVS),
         _row("nvs", "s( .*)?", Grade.SETTING,
-             "Writes all changed settings into flash: they hold from the next start on, also the wrong ones.",
+             "Writes all changed settings into flash, wrong ones too: they apply from the next start.",
              forgets=_NVS, takes_s=10.0),
     ),
     unlisted={"": "Undocumented command. It may change a setting, or worse."},

@@ -150,7 +150,7 @@ class HAL205Protocol(FirmwareProtocol):
             sk_deg = self._skew_goal  # one that has stopped short of it is not driven on by a slew
         if sk_deg is None:
             raise CommandRefused(
-                "The dish did not tell its skew, which a combined move needs. Nothing was sent.", reason="unsupported"
+                "The dish did not report its skew, which a combined move needs. Nothing was sent.", reason="unsupported"
             )
         takes_s = sum(MOVE_TIMES.seconds(way) for way in (455.0, el_deg - position.elevation)) + 2.0
         line = f"g {_text(az_deg)} {_text(el_deg)} {_text(sk_deg)}"

@@ -134,7 +134,7 @@ class Step:
 
     def _step(self, error: BirdcageError | None, result: object) -> None:
         plan = self._plan
-        assert plan is not None, "only what is under way goes on"
+        assert plan is not None, "only the current action goes on"
         try:
             self._future = plan.send(result) if error is None else plan.throw(error)
             self._until = self.bench.now + LONGEST_S
@@ -182,5 +182,5 @@ class Step:
         if state.held is not None and (state.held.reason == "stop" or state.held.earlier):
             raise Held(f"{state.held.sentence} Release it first.")
         if state.fault is not None and state.fault.reason not in ("moved", "reboot", "unhomed"):
-            raise Held(f"A fault waits to be acknowledged: {state.fault.what}.", reason="fault")
+            raise Held(f"Acknowledge the fault first: {state.fault.what}.", reason="fault")
         yield from self.release()

@@ -11,10 +11,10 @@ from birdcage.station.requests import Goto
 
 STEP_DEG = 5.0
 _WRONG = {
-    "az": "The azimuth went the other way: this dish counts it against the clock, or its azimuth motor is wired the "
-    "other way round. Check that you looked from above. Do not point with it until that is fixed.",
-    "el": "The elevation went the other way: its motor is wired the other way round, or you looked at the wrong edge "
-    "of the dish. Do not point with it until that is fixed.",
+    "az": "The azimuth went the other way: this dish counts it counterclockwise, or its azimuth motor is wired in "
+    "reverse. Check that you looked from above. Do not point with it until that is fixed.",
+    "el": "The elevation went the other way: its motor is wired in reverse, or you looked at the wrong edge of the "
+    "dish. Do not point with it until that is fixed.",
 }
 
 
@@ -42,7 +42,7 @@ class DirectionStep(Step):
             return (f"It moved {STEP_DEG:g}° in elevation. Does it look {way} than before?",)
         return (
             f"Turns {STEP_DEG:g}° in azimuth, then {STEP_DEG:g}° in elevation, and asks each time which way it went.",
-            "Then it goes back. Stand where you see it, out of its swing.",
+            "Then it goes back. Stand where you can see it, out of its swing.",
             *self.trouble(),
             *(("Home it first: step 4.",) if self.bench.is_up and self.bench.position is None else ()),
         )

@@ -38,7 +38,7 @@ class DishStep(Step):
         name = model.name if model else "dish"
         if not self.bench.is_up:
             return self.trouble()
-        return (f"Asking the {name} for its version and settings: some seconds after it answers. Nothing moves.",)
+        return (f"Asking the {name} for its version and settings. Nothing moves.",)
 
     def choices(self) -> tuple[Choice, ...]:
         """For a dish that does not tell: take it for what it was spoken to as; or it is another one."""
@@ -49,7 +49,7 @@ class DishStep(Step):
             return ()
         return (
             *other_firmwares(self.bench),
-            Choice("keep", "k", f"Do not wait: it is a {model.name} ({model.firmware})"),
+            Choice("keep", "k", f"Don't wait: it is a {model.name} ({model.firmware})"),
         )
 
     def take(self, choice: str, values: Mapping[str, str]) -> None:  # noqa: ARG002 - a step's signature

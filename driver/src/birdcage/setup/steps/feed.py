@@ -59,7 +59,7 @@ class FeedStep(Step):
         elif choice == "other":
             name = values.get("name", "").strip()
             if not name or "." in name or name in (STOCK, "active"):
-                raise NoSuchChoice("Give the feed a name of its own, without a full stop.")
+                raise NoSuchChoice("Give the feed its own name, without a full stop.")
             low_hz, high_hz = band_hz(values, "band", "band")
             beam_deg, beam_az_deg, beam_el_deg = _widths(values)
             keys: dict[str, Value] = {

@@ -52,13 +52,13 @@ class FirstStep(Step):
         """Say what is there, and what is not yet."""
         place = self.bench.settings.place
         if place.latitude_deg is None:
-            where = "Set the place first, in step 9: without it directions can't be computed."
+            where = "Set the place in step 9 first: directions need it."
         elif self._pointed:
             where = f"The dish {self._pointed}."
         elif self._slot() is None:
             where = "No well-known geostationary slot is within this dish's limits here."
         else:
-            where = f"{self._expected()}: the highest of the well-known slots, so the likeliest to be heard."
+            where = f"{self._expected()}: the highest of the well-known slots, so the easiest to hear."
         missing = () if self._aligned else ("To point there, home it (step 4) and set north (step 10).",)
         return (
             where,

@@ -41,7 +41,7 @@ class HomeStep(Step):
             return f"{how}, now at AZ {state.position.az_deg:.2f} EL {state.position.el_deg:.2f}"
         if state.activity is Activity.HOMING:
             return f"homing the {state.activity_text}"
-        return "not homed: it does not know where it is" if state.homed is False else "not known yet"
+        return "not homed: its position is unknown" if state.homed is False else "not known yet"
 
     def words(self) -> tuple[str, ...]:
         """Name the consequence."""
@@ -57,7 +57,7 @@ class HomeStep(Step):
     def _wait(self, dish: DishModel) -> tuple[str, ...]:
         """Say that there is nothing to press: the power switch homes it."""
         if self.proven:
-            return ("This dish homes by itself at power-up, and has done so. There is no command for it.",)
+            return ("This dish homed by itself at power-up. There is no command for it.",)
         minutes = dish.boot_s / 60
         return (
             "This dish homes by itself at power-up; there is no command for it.",

@@ -19,7 +19,7 @@ class LevelStep(Step):
         """Say where to measure."""
         return (
             "Lay a phone with a level on the base plate. Better than typing: put wedges under it until both are 0.",
-            "A calibration begins from these figures; until one was made, pointing does not correct for them.",
+            "A calibration starts from these figures. Without one, pointing does not correct for them.",
         )
 
     def choices(self) -> tuple[Choice, ...]:

@@ -56,9 +56,9 @@ class LimitsStep(Step):
         kept = [number for number in READ.get(state.dish.firmware if state.dish else "", ())
                 if f"nvs.{number}" in state.readings]  # fmt: skip
         if not kept:
-            return "of the model: this dish was not read"
+            return "of the model: not read from this dish"
         if state.dish is not None and state.dish.firmware == "g2":
-            return "read from the dish" if len(kept) == len(READ["g2"]) else "of the model: this dish was not read"
+            return "read from the dish" if len(kept) == len(READ["g2"]) else "of the model: not read from this dish"
         told = ", ".join(f"NVS {number} is {state.readings[f'nvs.{number}'].value}" for number in kept)
         return f"floor read from the dish: {told}"
 

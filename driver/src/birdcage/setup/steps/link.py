@@ -120,7 +120,7 @@ class LinkStep(Step):
         if state.link.state is Link.UP:
             return (f"A dish answers on {_short(state.port)}.",)
         if self._another:
-            return ("The wires are right: a dish answers, and it is another one than was thought. Say which.",)
+            return ("The wires are right. A dish answers, but not the one you chose. Say which.",)
         refreshes = f"The list refreshes every {LIST_S:.0f} seconds."
         words = [f"Choose the port of the RS-422 adapter. Nothing is sent to the others. {refreshes}"]
         if not self._ports and not state.port:
@@ -130,7 +130,7 @@ class LinkStep(Step):
         elif state.link.state is Link.SILENT:
             words = ["The port opens, but no dish answers. Listen at other speeds, or choose another port."]
             if self._heard:
-                words = [f"A dish was heard at {self._answering()} baud, and it is another one than was thought."]
+                words = [f"A dish was heard at {self._answering()} baud, but not the one you chose."]
             elif self._answering() is not None:
                 words = [f"A dish was heard at {self._answering()} baud: connect at that speed."]
         if not self._ports:

@@ -111,8 +111,8 @@ class NorthStep(Step):
         el_off = el_deg - seen.dish_el_deg
         if abs(el_off) > north.FAR_DEG:
             raise north.NotYet(
-                f"The dish stands at elevation {seen.dish_el_deg:.1f}° and the Sun at {el_deg:.1f}°: it does not look "
-                "at the Sun. Is the feed's shadow in mid-dish?"
+                f"The dish stands at elevation {seen.dish_el_deg:.1f}° and the Sun at {el_deg:.1f}°: it does not "
+                "point at the Sun. Is the feed's shadow in mid-dish?"
             )
         how = f"by the Sun at {az_deg:.2f}/{el_deg:.2f}; el off by {el_off:+.2f} deg, {'' if keep_el else 'not '}kept"
         self._set(north.az_offset_deg(az_deg, seen.dish_az_deg), round(el_off, 2) if keep_el else None, how)
@@ -123,7 +123,7 @@ class NorthStep(Step):
         known = north.declination(self.bench)
         turn = known if turn is None else turn
         if turn is None:
-            raise NoSuchChoice("The declination is not known here: type it (east is +), from a map or its margin.")
+            raise NoSuchChoice("Declination unknown here. Type it (east is +), from a map.")
         seen = north.resting_position(self.bench)
         typed = known is None or abs(turn - known) > 0.05
         changes: dict[str, Value] = {"place.declination_deg": turn} if typed else {}

@@ -13,9 +13,9 @@ from birdcage.station.state import Activity, Search
 
 _AT_ONCE = {
     Search.OFF_UNTIL_POWER_UP: "ended: it begins again at each power-up",
-    Search.RUNNING: "runs, and moves the dish without being asked",
+    Search.RUNNING: "runs, and moves the dish by itself",
     Search.OFF: "off",
-    Search.UNKNOWN: "whether it runs is not known",
+    Search.UNKNOWN: "unknown whether it runs",
 }
 """What is known of a search that no setting switches off."""
 
@@ -71,18 +71,18 @@ class SearchStep(Step):
         """Name the consequences."""
         if self._at_once:
             return (
-                "After power-up the dish homes and then searches for TV satellites: it moves without being asked.",
+                "After power-up the dish homes, then searches for TV satellites: it moves by itself.",
                 "This ends the search now, whether it runs or not. The dish stays where it is then.",
                 "No setting keeps it off: it comes back at each power-up. `birdcage init` ends it then; in the app, K.",
                 *self.trouble(),
             )
         if self.written:
-            return (*self._awaited(), f"A copy of the dish's settings is kept here: {self.written}.")
+            return (*self._awaited(), f"Backup of the dish's settings: {self.written}.")
         return (
-            "The dish's own TV search moves it without being asked.",
-            "This saves NVS 20 as TRUE in the dish, after a copy of its whole table was kept here. Nothing moves.",
+            "The dish's own TV search moves it by itself.",
+            "This saves NVS 20 as TRUE in the dish, after a backup of its whole table. Nothing moves.",
             "It takes effect when the dish is switched off and on: you are asked to do that next.",
-            "From then on home it after each power-up: it no longer does that by itself.",
+            "Then it no longer homes by itself: home it after each power-up.",
             "`birdcage init --restore-search` undoes this.",
             *self.trouble(),
         )
@@ -94,9 +94,9 @@ class SearchStep(Step):
                 return ("The dish has started anew, as it should. Go on.",)
             return ("The dish was switched on and is starting. Wait until it answers: that may take minutes.",)
         if self.gone and self.bench.is_up:
-            return ("Asking the dish whether it is in force: some seconds.", *self.trouble())
+            return ("Asking the dish whether it is in force.", *self.trouble())
         if not self.bench.is_up:
-            return ("It does not answer now: it is off, or starting. Switched on, it may take minutes to answer.",)
+            return ("No answer: it is off, or starting. After power-up it may take minutes to answer.",)
         return ("Now switch the dish off and on (12 V), and wait until it has started.", *self.trouble())
 
     @property

@@ -69,7 +69,7 @@ def read_group(lines: Lines, basket: Basket) -> None:
         elif _NUMBER(text):
             numbers.append(int(text))
         else:
-            basket.complain(at, f"{text[:40]!r} is no catalogue number")
+            basket.complain(at, f"{text[:40]!r} is not a catalogue number")
     if title:
         basket.groups.append(Group(clean(title), tuple(numbers), basket.source))
     else:

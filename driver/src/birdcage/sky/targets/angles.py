@@ -26,7 +26,7 @@ def angle_deg(text: str, *, hours: bool = False) -> float:
     unit = found["unit"].lower()
     rest = [float(found[name] or 0.0) for name in ("minutes", "seconds")]
     if not unit and found["minutes"]:
-        raise ValueError(f"{text.strip()!r}: say whether that is 5h34m or 5d34m.")
+        raise ValueError(f"{text.strip()!r}: type 5h34m or 5d34m.")
     if max(rest) >= 60.0:
         raise ValueError(f"{text.strip()!r} has 60 minutes or seconds, or more.")
     value = float(found["first"]) + rest[0] / 60.0 + rest[1] / 3600.0

@@ -49,7 +49,7 @@ def read_direction(text: str) -> Wish:
     text = text.replace("−", "-").replace("°", " ").replace("º", " ")
     refuse_two_ways(text)
     if _TWO_WAYS.fullmatch(text):
-        raise ValueError(f"{text.strip()} is a place on the arc, and no direction.")
+        raise ValueError(f"{text.strip()} is a place on the arc, not a direction.")
     if not text.strip():
         raise ValueError(f"Type where to: {EXAMPLES}.")
     keyed = _KEYED.sub(lambda found: f" {(found.group(1) or found.group(2))[0].lower()}=", text)
@@ -64,7 +64,7 @@ def read_direction(text: str) -> Wish:
             if axis in parts or (axis == "e" and value.upper() in WINDS):
                 raise ValueError(f"Type only azimuth and elevation: {EXAMPLES}.")
         if axis in parts:
-            raise ValueError(f"{'Azimuth' if axis == 'a' else 'Elevation'} stands there twice: type it once.")
+            raise ValueError(f"{'Azimuth' if axis == 'a' else 'Elevation'} appears twice. Type it once.")
         parts[axis] = _part(axis, value)
     if len(words) == 1 and parts.get("a") and "=" not in words[0] and words[0][0].isdigit():
         raise ValueError(f"Type two numbers, {words[0]} 45; or az={words[0]}, or el={words[0]}.")
@@ -77,7 +77,7 @@ def _pair(word: str) -> list[str]:
     if commas == 1 and "=" not in word:
         return _TIGHT_COMMA.split(word)
     if commas:
-        raise ValueError(f"{word} could be read in two ways: write 180.5 45 with points, or 180,5 45 with a space.")
+        raise ValueError(f"{word} has two meanings. Type 180.5 45 with points, or 180,5 45 with a space.")
     return [word]
 
 
@@ -86,14 +86,14 @@ def _part(axis: str, word: str) -> Part:
         return Part(WINDS.index(word.upper()) * 22.5)
     number = _TIGHT_COMMA.sub(".", word)
     if number.count(".") > 1 and "," in word:
-        raise ValueError(f"{word} could be read in two ways: write 180.5 45 with points, or 180,5 45 with a space.")
+        raise ValueError(f"{word} has two meanings. Type 180.5 45 with points, or 180,5 45 with a space.")
     if not _NUMBER.fullmatch(number):
-        raise ValueError(f"{word[:24]} is no direction: type {EXAMPLES}.")
+        raise ValueError(f"{word[:24]} is not a direction. Type {EXAMPLES}.")
     value, relative = float(number), number[0] in "+-"
     if axis == "a" and relative and abs(value) > HALF_TURN_DEG:
-        raise ValueError(f"{word} is more than half a turn: type the azimuth itself, from 0 to 360.")
+        raise ValueError(f"{word} is more than half a turn. Type the azimuth itself: 0 to 360.")
     if axis == "a" and value > 360.0:
-        raise ValueError(f"Azimuth {word} is more than a full turn: type one from 0 to 360.")
+        raise ValueError(f"Azimuth {word} is more than a full turn. Type 0 to 360.")
     if axis == "e" and abs(value) > HALF_TURN_DEG:
-        raise ValueError(f"Elevation {word} is no elevation: 0 is the horizon, 90 is straight up.")
+        raise ValueError(f"Elevation {word} is out of range: 0 is the horizon, 90 the zenith.")
     return Part(value, relative)

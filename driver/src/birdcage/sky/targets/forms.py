@@ -40,7 +40,7 @@ def slot_at(longitude_deg: float) -> SlotTarget:
 def _slot(found: re.Match[str]) -> SlotTarget:
     longitude_deg = float(found["lon"].replace(",", "."))
     if longitude_deg > 180.0:
-        raise ValueError(f"{found[0]} is no longitude: 0 to 180, E or W.")
+        raise ValueError(f"{found[0]} is not a longitude. Type 0 to 180 with E or W.")
     return slot_at(-longitude_deg if found["half"][0].upper() == "W" else longitude_deg)
 
 

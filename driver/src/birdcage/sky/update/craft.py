@@ -107,7 +107,7 @@ class Craft:
                 raise TypeError(f"{key} is no list")
             return tuple(read(row) for row in rows)
         except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
-            raise FetchError(f"{self._host} answers what is not understood ({error}).", reason="garbage") from error
+            raise FetchError(f"{self._host} answers something unreadable ({error}).", reason="garbage") from error
 
 
 def _target(row: Row) -> CraftTarget:

@@ -38,14 +38,14 @@ class Reply:
 
 
 def check_url(url: str) -> str:
-    """Return the server's name and port. FetchError ``url`` for what is no http or https address."""
+    """Return the server's name and port. FetchError ``url`` for what is not an http or https address."""
     try:
         parts = urlsplit(url)
         port = parts.port
     except ValueError:
         parts, port = urlsplit(""), None
     if parts.scheme not in ("http", "https") or not parts.hostname:
-        raise FetchError(f"{url} is no http or https address.", reason="url")
+        raise FetchError(f"{url} is not an http or https address.", reason="url")
     return parts.hostname if port is None else f"{parts.hostname}:{port}"
 
 
@@ -118,8 +118,7 @@ class _Request:
                 response.close()
             url = self._next(url, location)
         raise FetchError(
-            f"{check_url(self._url)} sends from one address to the next, more than {MOST_REDIRECTS} times: "
-            "nothing was fetched.",
+            f"{check_url(self._url)} redirects more than {MOST_REDIRECTS} times: nothing was fetched.",
             reason="redirects",
         )
 
@@ -171,7 +170,7 @@ def _told(url: str, error: urllib3.exceptions.HTTPError) -> FetchError:
         case exceptions.ProtocolError():
             return FetchError(f"{host} broke off in the middle of its answer. Nothing was taken.", reason="truncated")
         case _:
-            return FetchError(f"{host} did not answer as a web server does ({error}): nothing was taken.")
+            return FetchError(f"{host} did not answer like a web server ({error}): nothing was taken.")
 
 
 def _too_slow(url: str) -> FetchError:

@@ -95,5 +95,5 @@ def _source(name: str, mirror_url: str | None) -> Source:
         from birdcage.base.config.value import did_you_mean
 
         meant = did_you_mean(name, GROUPS) or "."
-        raise ConfigError(f"There is no group {name}{meant} `birdcage elements list --groups` shows them all.")
+        raise ConfigError(f"No group is called {name}{meant} `birdcage elements list --groups` shows them all.")
     return Source(exact, SATNOGS if exact == "satnogs" else CELESTRAK.replace("{group}", quote(exact)))

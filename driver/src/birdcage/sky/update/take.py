@@ -23,7 +23,7 @@ def take(reply: Reply, source: str, host: str) -> Harvest:
     if page or reply.headers.get("content-type", "").lower().startswith("text/html"):
         raise FetchError(
             f"{host} answers with a web page where elements belong: nothing was taken. "
-            "Does this network want a log-in first, or is the address wrong?",
+            "Does this network need a log-in first? Or is the address wrong?",
             reason="garbage",
         )
     text = body.decode("utf-8", "replace")

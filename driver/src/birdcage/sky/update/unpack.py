@@ -19,7 +19,7 @@ def unpack(body: bytes, encoding: str, largest: int, url: str) -> bytes:
     """
     named = encoding.strip().lower()
     if named not in ("", "identity", "gzip", "x-gzip"):
-        raise FetchError(f"{url} answers in an encoding that was not asked for ({named}).", reason="garbage")
+        raise FetchError(f"{url} answers in an unexpected encoding ({named}).", reason="garbage")
     if not body.startswith(_MAGIC):
         return body  # a server that says gzip and sends it plain is common enough
     whole = bytearray()

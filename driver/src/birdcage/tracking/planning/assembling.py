@@ -68,7 +68,7 @@ def complete(basis: Basis, share: float | None, seen: Forecast | None = None, *,
         *_notes(basis.reach, mount),
     ]
     if place is None:
-        notes.insert(0, "No way to where it begins keeps clear of the no-go sectors.")
+        notes.insert(0, "No path to its start keeps clear of the no-go sectors.")
     return Plan(
         basis.aim, basis.made_at, basis.passing, basis.reach, sight.sky, course, legs, place, holes,
         own, incidents(basis.passing, sight.sky, legs, holes, basis.reach, mount.limits),
@@ -96,7 +96,7 @@ def unfollowed(
 def _nothing_note(sight: Sight, passing: Pass | None, day: Day | None) -> str:
     """Return that nothing can be followed: of a pass, or, of what does not pass, for as long as was looked ahead."""
     if passing is not None:
-        return "Nothing of it can be followed from now on."
+        return "No more of it can be followed."
     if day is not None and day.standing:
         return f"{day.standing[0].upper()}{day.standing[1:]}."
     start_s = None if day is None else day.reach_start_s(sight.sky.start_s)
@@ -133,17 +133,17 @@ def _rewind_notes(legs: Sequence[Leg]) -> Iterator[str]:
     for leg in legs:
         if leg.part is Part.REWIND and leg.turn is not None:
             yield (
-                f"The cable does not reach all the way: it is turned back from {leg.from_az_deg:+.0f}° to "
+                f"The cable is too short for the whole pass: it turns back from {leg.from_az_deg:+.0f}° to "
                 f"{leg.to_az_deg:+.0f}°, which takes up to {leg.end_s - leg.start_s:.1f} s."
             )
         elif leg.part is Part.REWIND:
-            yield f"The cable may come to its stop, as its turn is not known: {leg.end_s - leg.start_s:.0f} s are kept."
+            yield f"The cable may reach its stop, as its turn is unknown: {leg.end_s - leg.start_s:.0f} s are kept."
 
 
 def _hole_note(hole: Keyhole) -> str:
     lost = "" if hole.max_loss_db is None else f", {hole.max_loss_db:.1f} dB,"
     return (
-        f"It goes through the keyhole: up to {hole.max_error_deg:.1f}° off{lost} there, where "
+        f"It crosses the keyhole: up to {hole.max_error_deg:.1f}° off{lost} there, where "
         f"{hole.limit_deg:.1f}° is the least possible."
     )
 
@@ -158,7 +158,7 @@ def _beyond_notes(sight: Sight, stretches: Sequence[Stretch]) -> Iterator[str]:
     if beyond.any():
         seconds = float(np.gradient(t)[beyond].sum())
         yield (
-            f"Above its ceiling the dish stays there while that is near enough: up to {over[beyond].max():.1f}° off "
+            f"Above its ceiling the dish waits there while that is near enough: up to {over[beyond].max():.1f}° off "
             f"for {seconds:.0f} s."
         )
 
@@ -177,8 +177,8 @@ def _border_notes(sight: Sight) -> Iterator[str]:
 def _notes(reach: Reach, mount: Mount) -> Iterator[str]:
     yield from loss_notes(reach, mount.limits)
     if mount.standing is None:
-        yield "The dish's position is not known. The way to the first point may take longer."
+        yield "The dish's position is not known. The move to the first point may take longer."
     if mount.limits.cable is not None and not mount.limits.turn_known:
-        yield "The turn of the cable is not known: only what is safe for every turn is followed."
+        yield "The turn of the cable is unknown: only what is safe for every turn is followed."
     if mount.beam is None:
-        yield "No decibels: the beam's width is not known. Set the feed's band, or the width that you measured."
+        yield "No loss in dB: the beam width is unknown. Set the feed's band, or its measured width."
