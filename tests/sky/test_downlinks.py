@@ -173,7 +173,7 @@ def test_the_age_is_counted_from_the_end_of_what_the_date_names(own, date, days)
 
 def test_ones_own_entry_without_a_date_is_believed(own):
     (mine, *_) = own('[[downlink]]\nsatellite = "X"\nfreq_mhz = 1\nalive = true\n')
-    assert (age_days(mine, NOW), is_doubtful(mine, NOW), air_words(mine, NOW)) == (None, False, "on")
+    assert (age_days(mine, NOW), is_doubtful(mine, NOW), air_words(mine, NOW)) == (None, False, "on the air")
 
 
 def test_the_slots_of_the_dishes_stand_where_the_table_of_slots_has_them():

@@ -11,6 +11,7 @@ from birdcage.base.beam import Beam
 from birdcage.base.config import FeedProfile
 from birdcage.base.geometry import separation
 from birdcage_tui.passes.figures import signal_lines, sun_lines
+from birdcage_tui.passes.model import Frequency
 from birdcage_tui.sky_hearing import hearing_of, tuning_of
 from stage import read, run
 from stand_in import text_of
@@ -49,8 +50,32 @@ def test_range_doppler_sun_and_clock_stand_behind_a_key(size, keys):
 
 def test_a_large_screen_has_the_figures_beside_the_path():
     text = on_page(read, (160, 48))
-    for words in ("range 2891 820 2891 km", "at 137.9 MHz, its LRPT", "Sun 31° off at 11:58"):
+    for event, range_km in (("AOS", 2891), ("TCA", 820), ("LOS", 2891)):
+        assert re.search(rf"{event}  \S+ +\S+° +{range_km} km", text), text
+    assert re.search(r"Doppler AOS \+2\.91 kHz, LOS", text), text
+    for words in ("at 137.9 MHz", "Sun 31° off at 11:58"):
         assert words in text
+
+
+def test_the_largest_screen_has_range_and_doppler_behind_each_event_and_says_no_word_twice():
+    rows = tuple(
+        replace(
+            row, tuned=lambda: Frequency(12.22e9, "its carrier", ("carrier", "on the air")), hears="12220 MHz carrier"
+        )
+        for row in sky_stand_in.rows()
+    )
+    text = run(read, "idle", (240, 70), key="f7", sky=sky_stand_in.make(rows=rows))
+    assert re.search(r"AOS  11:56:00  341\.0°  2891 km +\+25\d\.\d kHz", text), text
+    assert re.search(r"LOS  12:10:00  158\.0°  2891 km +-25\d\.\d kHz", text)
+    assert "Doppler at 12220 MHz " in text
+    assert text.count("carrier") == 1
+    assert "on the air" in text
+
+
+def test_the_list_of_the_largest_screen_has_times_and_places_of_rise_and_set():
+    text = run(read, "idle", (240, 70), key="f7", sky=sky_stand_in.make())
+    assert re.search(r"METEOR-M2 4 .*◍ ceiling +11:56 341° 12:10 158°", text), text
+    assert re.search(r"NOAA 20 \(JPSS-1\) .*● +12:03  22° 12:16 201°", text)
 
 
 def test_without_a_downlink_doppler_is_told_per_100_mhz():

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import pytest
 import sky_stand_in
+from birdcage_tui.passes.listing import PassList
 from birdcage_tui.passes.model import Way
 from birdcage_tui.passes.plot import PassSky
 from stage import run
@@ -60,3 +61,31 @@ def test_a_name_near_the_rim_is_whole_and_touches_neither_times_nor_figures(size
         for time in re.findall(r".?\d\d:\d\d.?", "\n".join(line for line in lines if "in" not in line)):
             assert not time[0].isalpha(), text
         assert "never in reach" in text
+
+
+@pytest.mark.parametrize("size", [(80, 24), (100, 30), (120, 36), (160, 48)], ids=str)
+def test_what_is_told_of_the_elements_is_whole_or_its_age_alone(size):
+    lines = run(read_figures, "fault", size, key="f7", sky=sky_stand_in.make())
+    told = " ".join(line.strip() for line in lines)
+    told = told[told.index("elements") :]
+    assert told.startswith("elements 1 d old"), lines
+    assert "about" not in told or "about ±0.26° (90 %: 2.2°) at closest" in told, lines
+
+
+async def read_figures(app, _pilot):
+    """What stands under or beside the map of the sky, without the map."""
+    where = app.query_one(PassSky).content_region
+    lines = [line[where.x : where.right] for line in text_of(app).splitlines()[where.y : where.bottom]]
+    first = next(line for line in lines if "59051" in line)
+    if lines.index(first):
+        return lines[lines.index(first) :]
+    return [line[first.index("★") :] for line in lines]
+
+
+@pytest.mark.parametrize("size", [(80, 24), (120, 36), (240, 70)], ids=str)
+def test_the_signs_of_reach_are_explained_on_the_list(size):
+    async def title(app, _pilot):
+        where = app.query_one(PassList).region
+        return text_of(app).splitlines()[where.y][where.x : where.right]
+
+    assert "● all, ◍ part, ○ none in reach" in run(title, "idle", size, key="f7", sky=sky_stand_in.make())

@@ -205,7 +205,7 @@ def _age(found: PassRow) -> Age:
     """Return how old the elements are at the pass, and what that means there; of made-up ones nothing can be said."""
     elements = found.elements
     if elements.source == "demo":
-        return Age("made up for the demo", "demo", "·", "dim")
+        return Age("made up for the demo", "made up", "·", "dim")
     error = expected_error(elements, found.passing.tca, found.at_tca.range_km)
     short = span(abs(error.age_s)) if error.reentry is None else REENTERED
     return Age(error.words, short, error.glyph, GRADE_INKS[error.grade], error.grade == "useless")

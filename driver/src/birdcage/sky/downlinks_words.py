@@ -25,12 +25,12 @@ def baud_words(baud: float | None) -> str:
 def air_words(downlink: Downlink, now: datetime) -> str:
     """Return `on 2026-10-16`, `off since 2025-08-13`, `doubtful: 2019-09-25, 7 y` or `doubtful: unconfirmed`.
 
-    Empty for the user's own entry that does not say.
+    `on the air` where no date is known. Empty for the user's own entry that does not say.
     """
     if downlink.alive is False:
         return f"off since {downlink.silent_since}" if downlink.silent_since else f"off {downlink.date}".rstrip()
     if not is_doubtful(downlink, now):
-        return f"on {downlink.date}".rstrip() if downlink.alive else ""
+        return (f"on {downlink.date}" if downlink.date else "on the air") if downlink.alive else ""
     days = age_days(downlink, now)
     if downlink.alive is None or days is None:
         return "doubtful: unconfirmed"

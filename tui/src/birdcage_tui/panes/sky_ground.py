@@ -150,7 +150,7 @@ def rim(cells: Cells, polar: Polar, view: View) -> None:
 def name_target(cells: Cells, polar: Polar, name: str, x: int, y: int) -> None:
     """Write the target's name beside its mark, inside the map: where it lies on nothing, else on the fewest signs."""
     name = fit(name, LONGEST_TARGET)
-    if label(cells, (name,), x, y, x - polar.width // 2, "target-strong", polar.width):
+    if label(cells, (name,), x, y, x - polar.width // 2, "target-strong", polar):
         return
     length = cell_len(name)
     last = max(polar.width - length, 0)
@@ -169,13 +169,15 @@ def name_target(cells: Cells, polar: Polar, name: str, x: int, y: int) -> None:
     cells.put(*min(spots, key=cost, default=(below, y)), name, "target-strong")
 
 
-def label(cells: Cells, names: tuple[str, ...], x: int, y: int, off: int, ink: str, width: int | None = None) -> bool:
+def label(
+    cells: Cells, names: tuple[str, ...], x: int, y: int, off: int, ink: str, within: Polar | None = None
+) -> bool:
     """Write the first name that lies on nothing beside a mark: outward if possible, else not at all.
 
-    `off`: how many columns right of the middle the mark stands; `width`: how many columns the map has, when something
-    else stands right of it. Return whether one was written.
+    `off`: how many columns right of the middle the mark stands; `within`: the map, when something else stands right of
+    it or below. Return whether one was written.
     """
-    end = cells.width if width is None else width
+    end, bottom = (cells.width, cells.height) if within is None else (within.width, within.height)
     for name in names:
         length = cell_len(name)
         beside = x + 2 if off >= 0 else x - 1 - length
@@ -185,7 +187,7 @@ def label(cells: Cells, names: tuple[str, ...], x: int, y: int, off: int, ink: s
         else:
             places = [(below, y + 1), (beside, y + 1), (beside, y), (below, y - 1)]
         for start, row in places:
-            if start + length <= end and cells.free(start - 2, row, length + 4, *QUIET):
+            if start + length <= end and row < bottom and cells.free(start - 2, row, length + 4, *QUIET):
                 cells.put(start, row, name, ink)
                 return True
     return False

@@ -76,6 +76,14 @@ def frequency_words(frequency: Frequency) -> str:
     return f"{frequency.hz / 1e6:.10g} MHz, {frequency.what}"
 
 
+def doppler_at(row: Row) -> str:
+    """Return the same, without what the line of what is sent says already."""
+    frequency = frequency_of(row)
+    number = f"{frequency.hz / 1e6:.10g} MHz"
+    told = f"{number} {frequency.what.removeprefix('its ')}"
+    return number if row.hears and row.hears.startswith(told) else frequency_words(frequency)
+
+
 def away(row: Row, at_s: float) -> tuple[str, str]:
     """Return range and Doppler at a time, with units; dashes where they are not known."""
     found = None if row.path is None else row.path.distance(at_s)
@@ -114,8 +122,12 @@ def sun_lines(row: Row, beam: Beam | None) -> list[tuple[str, str]]:
 
 def signal_lines(row: Row) -> list[tuple[str, str]]:
     """Return (ink, words) of what is sent, SatDump's name for it, and how sure that is."""
-    signal = frequency_of(row).signal
-    return [("warn" if words.startswith("doubtful") else "text", words) for words in signal]
+    frequency = frequency_of(row)
+    return [
+        ("warn" if words.startswith("doubtful") else "text", words)
+        for words in frequency.signal
+        if words != frequency.what.removeprefix("its ")  # that stands beside the frequency
+    ]
 
 
 def packed(lines: list[tuple[str, str]], width: int) -> list[tuple[str, str]]:
@@ -133,19 +145,3 @@ def packed(lines: list[tuple[str, str]], width: int) -> list[tuple[str, str]]:
 def _joined(lines: list[tuple[str, str]]) -> list[tuple[str, str]]:
     """Return lines as one, in the ink of the last."""
     return [(lines[-1][0], ", ".join(words for _, words in lines))] if lines else []
-
-
-def brief(row: Row, beam: Beam | None, *, signal: bool = True) -> list[tuple[str, str]]:
-    """Return the same in narrow lines, for beside the picture; without `signal` not what is sent."""
-    moments = [row.aos_s, row.tca_s, row.los_s]
-    pairs = [away(row, at_s) for at_s in moments]
-    ranges = [range_text.removesuffix(" km") for range_text, _ in pairs]
-    shifts = [doppler.removesuffix(" kHz") for _, doppler in pairs]
-    return [
-        ("dim", f"range {' '.join(ranges)} km"),
-        ("dim", f"Doppler {' '.join(shifts)} kHz"),
-        ("dim", f"  at {frequency_words(frequency_of(row))}"),
-        *(signal_lines(row) if signal else ()),
-        *clock_lines(row),
-        *_joined(sun_lines(row, beam)),
-    ]

@@ -8,6 +8,8 @@ VIEWS = ("path", "elevation", "figures", "timeline")
 """What a small page shows beside or under its list; a large one shows figures in place of elevation, or not."""
 FIGURES = 10
 """Rows that the figures need, with their frame, on a small page; one more on a large one, where they are narrower."""
+PATH = 130
+"""Columns that a large map of the sky needs with all its figures beside it."""
 ROOMY = (100, 28)
 
 
@@ -37,7 +39,7 @@ def layout(width: int, height: int, shown: str) -> Layout:
     timeline = min(max(height // 4, 8), 14)
     upper = height - timeline
     strip = min(max(upper // 3, 8), 12)
-    listing = min(max(width * 52 // 100, 58), 92)
+    listing = min(max(width * 52 // 100, 58), max(92, width - PATH))
     if shown == "figures":
         return Layout(True, listing, upper, upper - FIGURES - 1, 0, timeline, FIGURES + 1)
     return Layout(True, listing, upper, upper - strip, strip, timeline)

@@ -14,7 +14,7 @@ from birdcage_tui.passes.desk import Desk
 from birdcage_tui.passes.empty import GET_ELEMENTS, empty_words
 from birdcage_tui.passes.model import Row
 from birdcage_tui.passes.spark import Sparks
-from birdcage_tui.passes.words import count_text, reach_sign, reach_text, reasons_text, standing_text
+from birdcage_tui.passes.words import clock_text, count_text, reach_sign, reach_text, reasons_text, standing_text
 from birdcage_tui.view import View
 
 LEAST_NAME, MOST_NAME = 10, 24
@@ -23,7 +23,9 @@ FIXED = 31
 CURVES = ((78, 12), (56, 8), (52, 5))
 """From which width on the curve has how many columns."""
 WHY = 12
-LEGEND = "● yes ◍ losses ○ no"
+TIMES = 23
+"""Columns of when and where it rises and sets."""
+TITLE = "Passes  ● all, ◍ part, ○ none in reach"
 
 
 class PassList(Pane, can_focus=True):
@@ -32,12 +34,12 @@ class PassList(Pane, can_focus=True):
     HELP = (
         "Each pass with its next event: AOS and LOS at the horizon, reach and out at the limits of this dish. Then "
         "time in reach, maximum elevation, and the elevation curve, bright where the dish can follow. "
-        "● in reach without gaps, ◍ with losses, ○ out of reach; and why."
+        "● all of it is in reach, ◍ a part, ○ none; and why."
     )
 
     def __init__(self, desk: Desk, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
-        self.border_title = "Passes"
+        self.border_title = TITLE
         self._desk = desk
         self._sparks = Sparks()
         self._top = 0
@@ -61,14 +63,14 @@ class PassList(Pane, can_focus=True):
                     y += 1
                 y += 1
             return
-        name, curve, why = self._columns(cells.width)
-        self._head(cells, name, curve, why)
+        widths = self._columns(cells.width)
+        self._head(cells, widths)
         chosen = self._desk.index(view)
         room = max(cells.height - 1 - self._note(cells, self._desk.sky(view).note), 1)
         self._top = max(min(self._top, chosen, len(rows) - room), chosen - room + 1, 0)
         t_s = self._desk.time(view)
         for y, row in enumerate(rows[self._top : self._top + room], 1):
-            self._row(cells, y, row, t_s, self._top + y - 1 == chosen, (name, curve, why))
+            self._row(cells, y, row, t_s, self._top + y - 1 == chosen, widths)
             self._shown.append(row)
 
     @staticmethod
@@ -95,27 +97,39 @@ class PassList(Pane, can_focus=True):
             self.border_subtitle = words
 
     @staticmethod
-    def _columns(width: int) -> tuple[int, int, int]:
-        """Return the widths of name, curve and reason."""
+    def _columns(width: int) -> tuple[int, int, int, bool]:
+        """Return the widths of name, curve and reason, and whether AOS and LOS have columns too."""
         curve = next((columns for least, columns in CURVES if width >= least), 0)
         spare = width - FIXED - curve
+        timed = spare >= MOST_NAME + 1 + WHY + TIMES
+        if timed:
+            spare -= TIMES
         name = min(max(spare - WHY, LEAST_NAME), MOST_NAME) if spare >= LEAST_NAME + WHY + 2 else spare
-        return name, curve, max(spare - name - 1, 0)
+        return name, curve, max(spare - name - 1, 0), timed
 
     @staticmethod
-    def _head(cells: Cells, name: int, curve: int, why: int) -> None:
+    def _head(cells: Cells, widths: tuple[int, int, int, bool]) -> None:
+        name, curve, _, timed = widths
         cells.put(3, 0, "next event", "dim")
         cells.put(17, 0, "satellite", "dim")
         x = 17 + name
         cells.put(x + 1, 0, "reach", "dim")
         cells.right(x + 11, 0, "max", "dim")
-        if curve:
-            cells.put(x + 12, 0, "path"[:curve], "dim")
-        if why + 2 >= len(LEGEND):
-            cells.put(x + 13 + curve, 0, LEGEND, "dim")
+        cells.put(x + 12, 0, "path".center(curve)[:curve], "dim")
+        if timed:
+            cells.put(cells.width - TIMES, 0, "AOS        LOS", "dim")
 
-    def _row(self, cells: Cells, y: int, row: Row, t_s: float, here: bool, widths: tuple[int, int, int]) -> None:
-        width, curve, why = widths
+    @staticmethod
+    def _times(row: Row) -> str:
+        """Return when and where it rises and sets: `15:30 223° 15:40  55°`."""
+        if row.stays:
+            return ""
+        rises = "up" if row.already_up else f"{clock_text(row.aos_s, seconds=False)} {row.aos_az_deg:3.0f}°"
+        sets = "later" if row.still_up else f"{clock_text(row.los_s, seconds=False)} {row.los_az_deg:3.0f}°"
+        return f"{rises:<11}{sets}"
+
+    def _row(self, cells: Cells, y: int, row: Row, t_s: float, here: bool, widths: tuple[int, int, int, bool]) -> None:
+        width, curve, why, timed = widths
         lit = here and self.has_focus
         text, dim = ("accent-row", "accent-row") if lit else ("text", "dim")
         if lit:
@@ -141,6 +155,8 @@ class PassList(Pane, can_focus=True):
         sign, ink, words = reach_sign(row.reach)
         x = cells.put(x + 13 + curve, y, sign, text if lit else ink)
         cells.put(x + 1, y, reasons_text(words, why), dim)
+        if timed:
+            cells.put(cells.width - TIMES, y, self._times(row), dim)
 
     def on_focus(self) -> None:
         """Show the cursor, once Textual has taken the focus in."""

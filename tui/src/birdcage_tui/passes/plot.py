@@ -5,29 +5,17 @@ from __future__ import annotations
 from textual.geometry import Size
 
 from birdcage_tui.canvas import Braille, Cells
-from birdcage_tui.cell_text import cell_len, cut, wrap
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.polar import Polar
 from birdcage_tui.panes.sky_ground import QUIET, Ground, has_stops, name_target, rim, sky_titles, title_for
 from birdcage_tui.passes.desk import Desk
-from birdcage_tui.passes.figures import brief
 from birdcage_tui.passes.model import Row
-from birdcage_tui.passes.words import (
-    EDGES,
-    EVENT_WORDS,
-    clock_text,
-    count_text,
-    length_text,
-    reach_sign,
-    reach_text,
-    standing_text,
-)
+from birdcage_tui.passes.told import LINES, Told
+from birdcage_tui.passes.words import clock_text
 from birdcage_tui.view import View
 
 WORDS = 25
 """Columns that the figures need beside the disc."""
-LINES = 4
-"""Rows that they need under it."""
 TITLES = sky_titles("Path")
 STEPS = 160
 """Pieces that a path is drawn in."""
@@ -74,29 +62,11 @@ class PassSky(Pane):
         if row is None:
             cells.put(x, y, "No pass selected.", "dim")
             return
-        width, moment = cells.width - x, "now" if self._desk.machine.is_now else "then"
-        lines = _tall(row, t_s, width, moment) if beside else _low(row, t_s, width)
-        if beside:
-            lines += _losses(row, edges=False)
-            lines += [*self._more(row, view, width, cells.height - y - len(lines)), *_losses(row, edges=True)]
-        for ink, words in lines[: cells.height - y]:
-            cells.put(x, y, cut(words, width), ink)
+        moment = "now" if self._desk.machine.is_now else "then"
+        told = Told(row, t_s, moment, view.state.beam, everything=self.alone)
+        for ink, words in told.lines(cells.width - x, cells.height - y, beside=beside):
+            cells.put(x, y, words, ink)
             y += 1
-
-    def _more(self, row: Row, view: View, width: int, room: int) -> list[tuple[str, str]]:
-        """Return (ink, words) of range, Doppler, signal, clock and Sun; without the signal where that has no room.
-
-        Nothing where that has none either.
-        """
-        for signal in (True, False) if self.alone else ():
-            lines = [
-                (ink, each)
-                for ink, words in brief(row, view.state.beam, signal=signal)
-                for each in wrap(words, width, indent="  ")
-            ]
-            if len(lines) <= room:
-                return lines
-        return []
 
     @staticmethod
     def _path(canvas: Braille, polar: Polar, row: Row, t_s: float) -> None:
@@ -150,72 +120,3 @@ class PassSky(Pane):
             x, y = polar.cell(*place)
             cells.put(x, y, "✕", "target-strong")
             name_target(cells, polar, row.name, x, y)
-
-
-def _who(row: Row, t_s: float, width: int) -> list[tuple[str, str]]:
-    """Return (ink, words) of which satellite it is, and what comes next."""
-    name = f"{'★ ' if row.favourite else ''}{row.name}"
-    number = f"  {row.norad_id}" if row.norad_id else ""
-    event = row.next_event(t_s)
-    words = standing_text(row) if event is None else f"{EVENT_WORDS[event[1]]} in {count_text(event[0] - t_s)}"
-    return [("strong", f"{name}{number}" if cell_len(name + number) <= width else name), ("target", words)]
-
-
-def _held(row: Row) -> str:
-    """Return how much of it is in reach, or why nothing."""
-    if row.reach is None:
-        return "computing the reach …"
-    if not row.reach.intervals:
-        return f"{'always out of' if row.stays else 'never in'} reach: {reach_sign(row.reach)[2]}"
-    if row.stays and not row.reach.lost:
-        return "always in reach"
-    return f"{'in parts' if row.stays else reach_text(row)} in reach, best {row.reach.best_el_deg or 0.0:.0f}°"
-
-
-def _low(row: Row, t_s: float, width: int) -> list[tuple[str, str]]:
-    """Return (ink, words) for the rows under the picture."""
-    who, (ink, words) = _who(row, t_s, width)
-    age = "" if row.age is None else f" {row.age.glyph} {row.age.short}"
-    rise = "" if row.already_up else f"{clock_text(row.aos_s, seconds=False)} "
-    fall = "later" if row.still_up else clock_text(row.los_s, seconds=False)
-    span = f"max {row.max_el_deg:.0f}°" if row.stays else f"up {rise}to {fall}, max {row.max_el_deg:.0f}°"
-    return [who, (ink, words + age if len(words + age) <= width else words), ("text", _held(row)), ("dim", span)]
-
-
-def _tall(row: Row, t_s: float, width: int, moment: str) -> list[tuple[str, str]]:
-    """Return (ink, words) for beside the picture: when and where it rises and sets, what is in reach."""
-    place = None if row.path is None else row.path.at(t_s)
-    began = "already up" if row.already_up else f"{clock_text(row.aos_s)}  {row.aos_az_deg:5.1f}°"
-    ends = "later" if row.still_up else f"{clock_text(row.los_s)}  {row.los_az_deg:5.1f}°"
-    lines = [
-        *_who(row, t_s, width),
-        ("text", f"{moment} AZ {place[0]:.1f}°  EL {place[1]:.1f}°" if place is not None else ""),
-    ]
-    if row.stays:
-        lines += [("dim", f"max {row.max_el_deg:.1f}° at {clock_text(row.tca_s, seconds=False)}")]
-    else:
-        lines += [
-            ("dim", f"AOS  {began}"),
-            ("dim", f"TCA  {clock_text(row.tca_s)}  {row.tca_az_deg:5.1f}°"),
-            ("dim", f"LOS  {ends}"),
-            ("dim", f"max {row.max_el_deg:.1f}°, {length_text(row.los_s - row.aos_s)} up"),
-        ]
-    lines.append(("text", _held(row)))
-    if row.reach is not None and not (row.stays and not row.reach.lost):
-        lines += [("text", f"  {clock_text(start)} to {clock_text(end)}") for start, end in row.reach.intervals[:3]]
-    if row.age is not None:
-        told = wrap(f"{row.age.glyph} elements {row.age.words}", width, indent="  ")
-        lines += [(row.age.ink, each) for each in told]
-    if row.hears:
-        lines += [("text", each) for each in wrap(f"sends {row.hears}", width, indent="  ")]
-    return lines
-
-
-def _losses(row: Row, *, edges: bool) -> list[tuple[str, str]]:
-    """Return (ink, words) of each part in which the dish cannot follow; those at the ends, or the others."""
-    if row.reach is None:
-        return []
-    return [
-        ("dim", f"{lost.reason} {clock_text(lost.start_s)}, {length_text(lost.end_s - lost.start_s)}")
-        for lost in row.reach.lost if lost.end_s - lost.start_s >= 1.0 and (lost.reason in EDGES) == edges
-    ]  # fmt: skip
