@@ -102,6 +102,7 @@ PLACES = (
     _page("setup, roomy form", "f8", holds=FORM, engine="place", size=(120, 36)),
     _page("setup, wiring", "f8", "w"),
     _page("pocket", size=POCKET),
+    _page("pocket, passes", "f", holds="PocketPasses/NextList", size=POCKET),
     _page("pocket, go to", "g", holds="GotoLine/EscField", size=POCKET),
     _dialog("home", "BirdcageApp.ask_home", "H"),
     _dialog("add elements", "ask_elements", "I", dialog="FieldsScreen", holds="FieldsScreen/PasteInput"),

@@ -23,7 +23,7 @@ SCOPES = {
     ("f2", "f5"): ("console",),
 }
 """The keys that lead to each set of scopes, and these, from the focus outward."""
-POCKET_SCOPES = ("pocket",)
+POCKET_SCOPES = {(): ("pocket",), ("f",): ("pocket-passes", "pocket")}
 OFFER_SCOPES = tuple((f"offer-{deed}", "craft") for deed in ("follow", "aim", "autotrack"))
 """What letters offer to do, which takes a target that was found: its help is read in `test_follow_from_passes`."""
 
@@ -56,7 +56,8 @@ async def chosen_in(app, pilot, rows):
 
 @pytest.mark.parametrize(
     ("keys", "scopes", "size"),
-    [(keys, scopes, (80, 24)) for keys, scopes in SCOPES.items()] + [((), POCKET_SCOPES, POCKET)],
+    [(keys, scopes, (80, 24)) for keys, scopes in SCOPES.items()]
+    + [(keys, scopes, POCKET) for keys, scopes in POCKET_SCOPES.items()],
     ids=str,
 )
 def test_help_shows_what_holds_and_does_each_and_the_footer_begins_with_stop(keys, scopes, size, tmp_path):
@@ -83,5 +84,7 @@ def test_help_shows_what_holds_and_does_each_and_the_footer_begins_with_stop(key
 
 
 def test_every_command_is_in_some_help_and_so_has_a_mouse_target():
-    listed = {command for scopes in (*SCOPES.values(), POCKET_SCOPES, *OFFER_SCOPES) for command in in_force(scopes)}
+    listed = {
+        command for scopes in (*SCOPES.values(), *POCKET_SCOPES.values(), *OFFER_SCOPES) for command in in_force(scopes)
+    }
     assert listed == set(COMMANDS)

@@ -23,6 +23,8 @@ STEPS = (ask.Jog, ask.TurnSkew)
 MOTIONS = (ask.Goto, ask.Follow, ask.Pursue, ask.Home, ask.Stow, *STEPS)
 PLACES = {
     "dashboard": (),
+    "pocket": (),
+    "pocket, passes": ("f",),
     "control": ("f2",),
     "digits": ("f2", "n"),
     "presets": ("f2", "p"),
@@ -39,6 +41,7 @@ PLACES = {
 }
 
 NAMED = {
+    "pocket": {"f", "j"}, "pocket, passes": {"j", "l", "h"},
     "dashboard": {"H", "f", "left", "K"}, "control": {"W", "E", "j"}, "digits": {"k", "l"}, "presets": {"d"},
     "craft": {"f", "a", "A"}, "craft, offered": {"f", "a", "A"}, "network": {"b"}, "console": {"i"},
     "passes": {"f"}, "world": {"f"}, "setup, home": {"h"}, "calibrate": {"n", "m"},
@@ -117,7 +120,7 @@ class Watched:
 def test_no_plain_key_moves_the_dish_farther_than_a_jog_step(place):
     async def body():
         wrong = []
-        async with stage_of_the_pictures().demo((80, 24)) as on:
+        async with stage_of_the_pictures().demo((40, 12) if "pocket" in place else (80, 24)) as on:
             watched = Watched(on)
             await watched.step(6.0)
             app = on.app

@@ -11,6 +11,7 @@ from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.panes.sky import SkyPane
 from birdcage_tui.pocket.keys import PocketKeys, StopBar
 from birdcage_tui.pocket.layout import Layout, arrange
+from birdcage_tui.pocket.passes import PocketPasses
 from birdcage_tui.pocket.reading import PocketReading, wrong_rows
 from birdcage_tui.skew import has_skew
 from birdcage_tui.view import View
@@ -21,7 +22,7 @@ class PocketPage(Page):
 
     WATCHES = frozenset({"position", "rssi"})
     RATE_HZ = 2.0
-    HELP = "The pocket view, for less than 80x24: the arrows step the dish, - and + change the step."
+    HELP = "The pocket view. Arrows step the dish, - and + change the step. f lists passes."
 
     def __init__(self) -> None:
         super().__init__(id="page-pocket")
@@ -35,11 +36,13 @@ class PocketPage(Page):
                 yield SignalPane()
                 yield NextPane()
             yield SkyPane()
+        yield PocketPasses()
         yield PocketKeys()
         yield StopBar()
 
     def show(self, view: View) -> None:
         """Give the room to what has something to show, then draw."""
+        self.query_one("#pocket-body").display = not self.query_one(PocketPasses).keep()
         width, height = self.size
         if width and height:
             layout = arrange(
@@ -50,6 +53,13 @@ class PocketPage(Page):
                 self._layout = layout
                 self._apply(layout)
         super().show(view)
+
+    def do(self, command: str) -> bool:
+        """Open the list of passes."""
+        if command == "pocket-passes":
+            self.query_one(PocketPasses).open()
+            return True
+        return False
 
     def _apply(self, layout: Layout) -> None:
         reading = self.query_one(PocketReading)

@@ -51,4 +51,4 @@ class NextPane(Pane):
             y += air
         for below, row in enumerate(passes[:kept], max(y, 0)):
             draw_next(cells, below, row, view.utc.timestamp())
-            self.heat(0, below, cells.width, "page-passes")
+            self.heat(0, below, cells.width, "pocket-passes" if "pocket" in view.scopes else "page-passes")

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from birdcage_tui.passes.model import Row
 
 MOST = 40
+WITH_WORDS = 46
+"""Columns from which a row says what the time is that it ends with."""
 WITH_AZIMUTHS = 76
 """Columns from which a row tells where the satellite rises and sets."""
 
@@ -40,18 +42,19 @@ def next_rows(view: View) -> list[Row]:
     return [row for _, row in heapq.nsmallest(MOST, found, key=lambda pair: pair[0])]
 
 
-def draw_next(cells: Cells, y: int, row: Row, now_s: float) -> None:
-    """Write what comes next and when, the name, the highest elevation and the minutes in reach."""
+def draw_next(cells: Cells, y: int, row: Row, now_s: float, ink: str = "") -> None:
+    """Write what comes next and when, the name, the highest elevation and the minutes in reach; `ink`: all in one."""
     event = row.next_event(now_s)
     if event is None:
         return
     inside = row.reach is not None and row.reach.holds(now_s)
-    cells.put(1, y, f"{event[1]:<5}", "dim")
-    cells.right(13, y, count_text(event[0] - now_s), "strong" if inside else "text")
+    dim, text = ink or "dim", ink or ("strong" if inside else "text")
+    cells.put(1, y, f"{event[1]:<5}", dim)
+    cells.right(13, y, count_text(event[0] - now_s), text)
     length = length_text(row.reach_s)
-    tail = f"{row.max_el_deg:3.0f}°  {length:>4}" + (" in reach" if cells.width >= 46 else "")
+    tail = f"{row.max_el_deg:3.0f}°  {length:>4}" + (" in reach" if cells.width >= WITH_WORDS else "")
     if cells.width >= WITH_AZIMUTHS:
         tail = f"{row.aos_az_deg:3.0f}° to {row.los_az_deg:3.0f}°   max {tail}"
     room = cells.width - 15 - len(tail) - 2
-    cells.put(15, y, fit(row.name, room), "strong" if inside else "text")
-    cells.right(cells.width - 1, y, tail, "dim")
+    cells.put(15, y, fit(row.name, room), text)
+    cells.right(cells.width - 1, y, tail, dim)

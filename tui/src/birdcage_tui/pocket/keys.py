@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from textual.geometry import Region
 
 from birdcage_tui.canvas import Cells
@@ -13,7 +15,15 @@ from birdcage_tui.status import StopButton
 from birdcage_tui.view import View
 
 JOG = (("left", "◀"), ("up", "▲"), ("down", "▼"), ("right", "▶"))
-MORE = (("goto", "g go to"), ("home", "H home"), ("help", "? help"), ("palette", ": all"))
+MORE = (("goto", "g go to"), ("home", "H home"), ("pocket-passes", "f pass"), ("help", "? help"), ("palette", ": all"))
+LISTED = (
+    ("pocket-pass-up", "▲"),
+    ("pocket-pass-down", "▼"),
+    ("pocket-pick", "Enter plan"),
+    ("pocket-back", "Esc back"),
+)
+"""While the passes are listed."""
+OFFERED = (*LISTED[:2], ("offer-follow", "Enter follow"), LISTED[3])
 SKEWED = tuple(("skew", "S skew") if name == "home" else (name, words) for name, words in MORE)
 """The same for a dish with a third axis, which homes by itself."""
 STEP_WIDTH = 13
@@ -39,6 +49,30 @@ class PocketKeys(Pane):
     def draw(self, cells: Cells, view: View) -> None:
         """Draw the jog row, as tall as there is room for, and the row of commands."""
         tall = max(cells.height - 1, 1)
+        if "pocket-passes" in view.scopes:
+            offered = "offer-follow" in view.scopes
+            keys = OFFERED if offered else LISTED
+            if view.may_move:  # Esc stops it
+                keys = (*keys[:3], (keys[3][0], "← back"))
+            self._row(cells, Region(0, 0, cells.width, tall), keys, view)
+        else:
+            self._jog(cells, tall, view)
+        if cells.height < 2:
+            return
+        more = SKEWED if has_skew(view) else MORE
+        release = (("release", _release_words(view)), *more[3:]) if can_release(view) is None else more
+        self._row(cells, Region(0, tall, cells.width, 1), release, view)
+
+    def _row(self, cells: Cells, place: Region, keys: Sequence[tuple[str, str]], view: View) -> None:
+        """Share a row out among buttons, by the lengths of their words."""
+        parts = [len(words) + 2 for _, words in keys]
+        taken = 0
+        for (command, words), part in zip(keys, parts, strict=True):
+            x, taken = place.width * taken // sum(parts), taken + part
+            end = place.width * taken // sum(parts)
+            self._key(cells, Region(x, place.y, end - x, place.height), command, words, view)
+
+    def _jog(self, cells: Cells, tall: int, view: View) -> None:
         room = max(cells.width - 2 - STEP_WIDTH - 1, 3 * len(JOG))
         for index, (command, sign) in enumerate(JOG):
             x, end = 1 + room * index // len(JOG), 1 + room * (index + 1) // len(JOG)
@@ -47,14 +81,6 @@ class PocketKeys(Pane):
         self._key(cells, Region(x, 0, 3, tall), "step-down", "-", view)
         cells.put(x + 3, tall // 2, f"{view.step_deg:g}°".center(7), "strong")
         self._key(cells, Region(x + 10, 0, 3, tall), "step-up", "+", view)
-        if cells.height < 2:
-            return
-        more = SKEWED if has_skew(view) else MORE
-        release = (("release", _release_words(view)), *more[2:]) if can_release(view) is None else more
-        wide, taken = cells.width - 2, 0
-        for command, words in release:
-            x, taken = 1 + wide * taken // len(MORE), taken + (2 if command == "release" else 1)
-            self._key(cells, Region(x, tall, 1 + wide * taken // len(MORE) - x, 1), command, words, view)
 
     def _key(self, cells: Cells, place: Region, command: str, words: str, view: View) -> None:
         """Draw one button and make it press: in brackets; in round ones, and dim, while it is refused."""

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import cast
 
-from birdcage.station.requests import ReleaseLease
 from textual import events
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
@@ -28,13 +27,11 @@ from birdcage_tui.track.radio import RadioPane
 from birdcage_tui.track.schedule import SchedulePane
 from birdcage_tui.track.strips import TrackStrips
 from birdcage_tui.track_feed import TrackSource
-from birdcage_tui.view import YOU, View
+from birdcage_tui.view import View
 
 OFFSETS_S = {"track-earlier": -0.1, "track-later": 0.1, "track-far-earlier": -1.0, "track-far-later": 1.0}
 ORDERS: dict[str, Callable[[TrackSource], None]] = {
     "track-watch": lambda source: source.watch(),
-    "track-aim": lambda source: source.aim_once(),
-    "track-follow": lambda source: source.follow(),
     "track-leave": lambda source: source.leave(),
     "track-forget": lambda source: source.forget_unfinished(),
 }
@@ -88,7 +85,7 @@ class CraftTab(Vertical):
 
     def compose(self) -> ComposeResult:
         """The parts, from the top left."""
-        offer = OfferLine(self.carry_out, id="craft-offer")
+        offer = OfferLine(self._offered_done, id="craft-offer")
         offer.display = False
         yield offer
         yield TrackHead(id="craft-head")
@@ -198,19 +195,8 @@ class CraftTab(Vertical):
         self.host.paint()
         return True
 
-    def carry_out(self, command: str) -> None:
-        """Do what was offered, and may move the dish."""
-        view, source = self.host.view(), self.host.track.source
+    def _offered_done(self) -> None:
         self.screen.set_focus(None)
-        if source is None:
-            return
-        if view.state.holder == YOU:
-            # What you have taken by hand is given back to the tracker first.
-            self.host.ask(ReleaseLease(YOU))
-        if command == "track-autotrack":
-            source.set_autotrack(True)
-        else:
-            ORDERS[command](source)
         self.host.paint()
 
     def do_with(self, command: str, view: View, source: TrackSource) -> bool:

@@ -8,6 +8,7 @@ from datetime import UTC, datetime
 from typing import TYPE_CHECKING, cast
 
 from birdcage.station.pursuit import Phase
+from birdcage.station.requests import ReleaseLease
 from textual import events
 
 from birdcage_tui.canvas import Cells
@@ -20,7 +21,7 @@ from birdcage_tui.pane import Pane
 from birdcage_tui.passes.words import clock_text
 from birdcage_tui.stop_words import esc_text
 from birdcage_tui.track.pursuing import plan_of, pursuit_of, shown_is_followed, target_place
-from birdcage_tui.view import View
+from birdcage_tui.view import YOU, View
 
 if TYPE_CHECKING:
     from birdcage.tracking.plan import Plan
@@ -126,12 +127,29 @@ def _follow_words(name: str, plan: Plan | None, view: View) -> tuple[str, str]:
     return "accent-row", f"Enter follows {name}: the dish goes to {where} {_when(leg.start_s, view)}."
 
 
+def carry_out(deed: str, host: Host) -> None:
+    """Ask the desk for what was offered."""
+    source = host.track.source
+    if source is None:
+        return
+    if host.view().state.holder == YOU:
+        # What you have taken by hand is given back to the tracker first.
+        host.ask(ReleaseLease(YOU))
+    match deed:
+        case "track-autotrack":
+            source.set_autotrack(True)
+        case "track-aim":
+            source.aim_once()
+        case _:
+            source.follow()
+
+
 class OfferLine(Pane, can_focus=True):
     """One row. As long as it has the focus, Enter does what it says; Esc closes it."""
 
-    def __init__(self, carry_out: Callable[[str], object], *, id: str | None = None) -> None:  # noqa: A002
+    def __init__(self, done: Callable[[], object], *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
-        self._carry_out = carry_out
+        self._done = done
         self.deed = "track-follow"
         """The command of Track that Enter carries out."""
         self.offer: Offer | None = None
@@ -144,11 +162,15 @@ class OfferLine(Pane, can_focus=True):
 
     def draw(self, cells: Cells, view: View) -> None:
         """Write what Enter would do."""
-        ink, words = deed_words(self.deed, view) if self.offer is None else offer_words(self.offer, view)
+        ink, words = self.words(view)
         closes = f"  {esc_text(view, closes='closes')} "
         room = cells.width - len(closes)
         cells.put(0, 0, pad(cut(f" ▶ {words}", room), room) + closes, ink)
         self.heat(0, 0, cells.width, self.scope)
+
+    def words(self, view: View) -> tuple[str, str]:
+        """Return ink and words of what Enter would do."""
+        return deed_words(self.deed, view) if self.offer is None else offer_words(self.offer, view)
 
     def do(self, command: str) -> bool:
         """Do it: once its plan is seen, and nothing is held."""
@@ -163,12 +185,17 @@ class OfferLine(Pane, can_focus=True):
         elif (reason := (can_autotrack if self.deed == "track-autotrack" else can_follow)(view)) is not None:
             host.say(reason)
         else:
-            self._carry_out(self.deed)
+            carry_out(self.deed, host)
+            self._done()
         return True
 
     def on_key(self, event: events.Key) -> None:
         """Esc closes it (the app has stopped the dish first, if it could move)."""
         if event.key == "escape":
             event.stop()
-            self.screen.set_focus(None)
+            self.closed()
             cast(Host, self.app).paint()
+
+    def closed(self) -> None:
+        """Give the focus away, after Esc."""
+        self.screen.set_focus(None)
