@@ -198,12 +198,10 @@ def _report(scores: dict[str, list[Score]]) -> dict[str, float]:
         "gpredict1_median_rms_deg": median("g2 Gpredict, 1°"),
         "move_to_now_median_rms_deg": median("g2 move to now, 1 Hz"),
         "robust_median_rms_deg": median("g2 robust known"),
-        "robust_ratio": median("g2 robust known") / _median(score.unforeseen for score in scores["g2 robust known"]),
-        "robust_ratio_to_saw_tooth": median("g2 robust known")
-        / _median(score.saw_tooth for score in scores["g2 robust known"]),
+        "robust_ratio": _median(score.rms / score.unforeseen for score in scores["g2 robust known"]),
+        "robust_ratio_to_saw_tooth": _median(score.rms / score.saw_tooth for score in scores["g2 robust known"]),
         "robust_play_median_rms_deg": median("g2 shaken known"),
-        "robust_play_ratio_to_saw_tooth": median("g2 shaken known")
-        / _median(score.saw_tooth for score in scores["g2 shaken known"]),
+        "robust_play_ratio_to_saw_tooth": _median(score.rms / score.saw_tooth for score in scores["g2 shaken known"]),
         "velocity_lost_median_rms_deg": median("g2 lost velocity"),
         "velocity_lost_ratio_to_stepping": max(
             matched.rms / stepped.rms
