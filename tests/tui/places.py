@@ -52,7 +52,7 @@ STEPS = "SetupBody/can_focus"
 FORM = f"{STEPS} AnswerForm/ChoiceButton AnswerForm/Input"
 BUTTONS = f"{STEPS} AnswerForm/ChoiceButton"
 LOG, TYPED, FOUND = (f"ConsoleOverlay/{kind}" for kind in ("LogView", "ConsoleInput", "FindInput"))
-FIELDS = {"dialog": "FieldsScreen", "holds": "FieldsScreen/Input"}
+FIELDS = {"dialog": "FieldsScreen", "holds": "FieldsScreen/Input FieldsScreen/CancelButton"}
 FORMS = {"feed": FORM, "place": FORM, "north": FORM, "level": f"{STEPS} AnswerForm/Input",
          "busy": STEPS, "dish": STEPS, "search": STEPS}  # fmt: skip
 """What the form of a step holds, where that is not buttons alone."""
@@ -68,7 +68,7 @@ PLACES = (
     _page("passes, elevation", "f7", "v", holds="PassesPage/PassList"),
     _page("passes, world", "f7", "w", holds="PassesPage/PassWorld"),
     _page("passes, filter", "f7", "slash", holds="PassesPage/PassList PassesPage/EscField"),
-    _page("go to, over passes", "f7", "g", holds="PassesPage/PassList GotoLine/EscField"),
+    _page("go to, over passes", "f7", "g", holds="PassesPage/PassList GotoLine/EscField GotoLine/CancelButton"),
     _page("control", "f2", holds=HANDS),
     _page("control, roomy", "f2", holds=f"{HANDS} {LIST}", size=(120, 36)),
     _page("control, presets tab", "f2", "P", holds=LIST),
@@ -82,10 +82,10 @@ PLACES = (
     _page("craft, following", "f2", "c", track="craft-following"),
     _page("control, presets", "f2", "p", holds=f"ControlPage/RosePane {LIST}"),
     _page("control, filter", "f2", "slash", holds=f"ControlPage/RosePane PresetsBox/EscField {LIST}"),
-    _page("go to", "g", holds="GotoLine/EscField"),
-    _page("go to, skew", "S", holds="GotoLine/EscField", state={"dish": TRAVLER}),
+    _page("go to", "g", holds="GotoLine/EscField GotoLine/CancelButton"),
+    _page("go to, skew", "S", holds="GotoLine/EscField GotoLine/CancelButton", state={"dish": TRAVLER}),
     _page("control of a dish with a skew", "f2", holds=HANDS, state={"dish": TRAVLER}),
-    _page("go to, over control", "f2", "g", holds=f"{HANDS} GotoLine/EscField"),
+    _page("go to, over control", "f2", "g", holds=f"{HANDS} GotoLine/EscField GotoLine/CancelButton"),
     _page("console", "f5", holds=f"{LOG} {TYPED}"),
     _page("console, find", "f5", "slash", holds=f"{LOG} {FOUND}"),
     _page("console, recall", "f5", "i", "ctrl+r", holds=f"{LOG} {FOUND}"),
@@ -103,9 +103,10 @@ PLACES = (
     _page("setup, wiring", "f8", "w"),
     _page("pocket", size=POCKET),
     _page("pocket, passes", "f", holds="PocketPasses/NextList", size=POCKET),
-    _page("pocket, go to", "g", holds="GotoLine/EscField", size=POCKET),
+    _page("pocket, go to", "g", holds="GotoLine/EscField GotoLine/CancelButton", size=POCKET),
     _dialog("home", "BirdcageApp.ask_home", "H"),
-    _dialog("add elements", "ask_elements", "I", dialog="FieldsScreen", holds="FieldsScreen/PasteInput"),
+    _dialog("add elements", "ask_elements", "I", dialog="FieldsScreen",
+            holds="FieldsScreen/PasteInput FieldsScreen/CancelButton"),
     _dialog("set the location", "ask_place", "L", **FIELDS),
     _dialog("end the search", "BirdcageApp.ask_end_search", "K", state={"dish": TRAVLER}),
     _dialog("own limits", "BirdcageApp.ask_limits", "enter", state={"motion_refused_because": "line 7: not a number."}),

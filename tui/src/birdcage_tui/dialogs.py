@@ -15,7 +15,7 @@ from textual.widgets import Static
 from birdcage_tui.host import Host
 from birdcage_tui.layer import Found, Layer
 from birdcage_tui.status import TopRow
-from birdcage_tui.stop_words import esc_text
+from birdcage_tui.stop_words import esc_text, stop_keys
 from birdcage_tui.view import View
 
 
@@ -23,20 +23,27 @@ class Dialog(ModalScreen[Found], Layer[Found]):
     """Lies over a page, and leaves row 1 alive."""
 
     KEYS = ""
-    """What its keys do, for the lower edge of its frame; `show` adds what Esc does."""
-    AT_REST = "closes"
-    """What Esc does while nothing moves or may move. Else it stops the dish, and the dialog stays."""
+    """What its keys do, for the lower edge of its frame; `show` adds what closes it and what stops the dish."""
+    OTHER = ""
+    """What closes it while anything moves or may move: Esc stops the dish then, and the dialog stays."""
+
+    _edge = ""
 
     def on_mount(self) -> None:
         """Fill row 1."""
         cast(Host, self.app).paint()
 
     def show(self, view: View) -> None:
-        """Say what Esc does now."""
+        """Name in the frame the key that closes it now, which is a target for the mouse, and what stops the dish."""
         frame = self.query_one_optional(Vertical)
-        words = f"{self.KEYS}, {esc_text(view, closes=self.AT_REST)}, Ctrl+C stops"
-        if self.KEYS and frame is not None and frame.border_subtitle != words:
-            frame.border_subtitle = words
+        closes = esc_text(view, closes="closes", other=self.OTHER)
+        words = f"{self.KEYS}, [bold @click=screen.leave]{closes}[/], {stop_keys(view)}"
+        if self.KEYS and words != self._edge and frame is not None:
+            self._edge = frame.border_subtitle = words
+
+    def action_leave(self) -> None:
+        """Close without a result."""
+        self.dismiss(None)
 
 
 DECLINE = "do nothing"

@@ -1,17 +1,33 @@
-"""A text field that says what Esc does at this moment: it stops the dish first, wherever it may move."""
+"""Text fields that can be left while the dish moves: Esc stops it then, and Backspace leaves a field that is empty."""
 
 from __future__ import annotations
 
+from textual import events
+from textual.message import Message
 from textual.widgets import Input
 
-from birdcage_tui.stop_words import esc_text
+from birdcage_tui.stop_words import esc_text, stop_keys
 from birdcage_tui.view import View
 
 
-class EscField(Input):
+class LeaveField(Input):
+    """A field that is left by Backspace where nothing is typed, whatever moves."""
+
+    class Left(Message):
+        """A person leaves the field."""
+
+    def on_key(self, event: events.Key) -> None:
+        """Leave it, if there is nothing to delete."""
+        if event.key == "backspace" and not self.value:
+            event.stop()
+            event.prevent_default()
+            self.post_message(self.Left())
+
+
+class EscField(LeaveField):
     """`hints` tell what to type and what Enter does, the longest first: the first that fits is shown.
 
-    `closes` is what Esc does while nothing moves.
+    `closes` is what Esc does while nothing moves, and Backspace in the empty field at any time.
     """
 
     def __init__(self, *hints: str, closes: str, id: str | None = None) -> None:  # noqa: A002
@@ -20,8 +36,9 @@ class EscField(Input):
 
     def show(self, view: View) -> None:
         """Renew the placeholder."""
-        esc = esc_text(view, closes=self._closes)
-        said = [f"{hint}, {esc}" for hint in self._hints]
+        leaves = esc_text(view, closes=self._closes, other=f"Backspace {self._closes}")
+        said = [f"{hint}, {leaves}, {stop_keys(view)}" for hint in self._hints]
+        said += [*(f"{hint}, {leaves}" for hint in self._hints), leaves]
         width = self.content_size.width
         words = next((each for each in said if not width or len(each) <= width), said[-1])
         if self.placeholder != words:

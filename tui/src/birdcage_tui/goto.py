@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from typing import cast
 
-from textual import events
+from textual import events, on
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
 from textual.message import Message
 from textual.widget import Widget
 from textual.widgets import Input, Label
 
+from birdcage_tui.cancel import CancelButton
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import wrap
 from birdcage_tui.commands.table import can_move
@@ -113,7 +114,8 @@ class GotoLine(Vertical):
         """A label and a field, which has no focus before `open`; the preview."""
         with Horizontal():
             yield Label("go to")
-            yield EscField("Enter goes there, Ctrl+C stops", "Enter: go", closes="closes")
+            yield EscField("Enter goes there", "Enter: go", closes="closes")
+            yield CancelButton()
         yield GotoPreview()
 
     def open(self, text: str = "") -> None:
@@ -208,6 +210,12 @@ class GotoLine(Vertical):
             return
         self.close()
         self.post_message(sent)
+
+    @on(EscField.Left)
+    @on(CancelButton.Pressed)
+    def _left(self, event: Message) -> None:
+        event.stop()
+        self.close()
 
     def on_key(self, event: events.Key) -> None:
         """Esc closes the line (the app has stopped the dish first, if it could move)."""

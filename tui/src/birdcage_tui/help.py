@@ -18,7 +18,7 @@ from birdcage_tui.view import View
 WIDTH = 70
 ALWAYS = (
     "Ctrl+C also stops in text fields and dialogs. Esc stops while the dish moves or may move by itself. "
-    "At rest Esc closes a layer."
+    "At rest Esc closes a layer. ? or q closes this help at any time."
 )
 
 
@@ -41,10 +41,10 @@ def line_of(command: Command, view: View, width: int) -> Text:
 
 
 class HelpScreen(Dialog[str | None]):
-    """What can be done here. Enter or a click does it; Esc or ? closes."""
+    """What can be done here. Enter or a click does what is selected; ? or q closes, and at rest Esc."""
 
-    KEYS = "Enter does it"
-    BINDINGS = [("escape,question_mark", "dismiss", "close")]  # noqa: RUF012
+    KEYS, OTHER = "↑ ↓, Enter does it", "? closes"
+    BINDINGS = [("escape,question_mark,q", "leave", "close")]  # noqa: RUF012
 
     def __init__(self, view: View, words: str) -> None:
         super().__init__()
@@ -58,9 +58,11 @@ class HelpScreen(Dialog[str | None]):
             yield OptionList(*self._options())
 
     def on_mount(self) -> None:
-        """Give the keys to the list."""
+        """Give the keys to the list. Nothing is selected before an arrow selects it: Enter does nothing unasked."""
         super().on_mount()
-        self.query_one(OptionList).focus()
+        rows = self.query_one(OptionList)
+        rows.highlighted = None
+        rows.focus()
 
     def _options(self) -> list[Option]:
         options: list[Option] = []

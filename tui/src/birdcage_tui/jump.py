@@ -18,6 +18,7 @@ from birdcage_tui.status import TopRow
 
 LETTERS = "asdfgqwertzuiopyxcvbnmhjkl1234567890"
 """In the order in which they are given out: those under the left hand first."""
+HINT = " Type a label to go there. ; closes. "
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,6 +73,7 @@ class JumpScreen(Dialog[Target | None]):
     def compose(self) -> ComposeResult:
         """A label at the corner of each target."""
         yield TopRow()
+        yield Static(HINT, id="jump-hint", markup=False)
         for letter, place in self._places.items():
             label = Static(f"{letter:^{place.cap}}", classes="jump", markup=False)
             label.absolute_offset = place.region.offset if place.command else _corner(place.widget)

@@ -6,10 +6,12 @@ from collections.abc import Iterator
 from functools import partial
 from typing import cast
 
+from textual import events
 from textual.app import ComposeResult
 from textual.command import CommandList, CommandPalette, DiscoveryHit, Hit, Hits, Provider
 from textual.containers import Vertical
 from textual.content import Content
+from textual.widgets import Input
 
 from birdcage_tui.commands import COMMANDS, PAGES, Command, in_force
 from birdcage_tui.dialogs import Dialog
@@ -27,7 +29,7 @@ class Palette(CommandPalette, Dialog[None]):
 
     ID = "--command-palette"
     """Textual looks for it, to open no second one."""
-    KEYS = "Enter runs it"
+    KEYS, OTHER = "Enter runs it", "Backspace closes"
 
     def __init__(self) -> None:
         super().__init__(placeholder="Type part of a command", id=self.ID)
@@ -41,6 +43,16 @@ class Palette(CommandPalette, Dialog[None]):
         """Name the frame; fill row 1, and let the footer know that one types, once the field has the focus."""
         self.query_one(Vertical).border_title = "All commands"
         self.call_after_refresh(cast(Host, self.app).paint)
+
+    def on_key(self, event: events.Key) -> None:
+        """Close by Backspace where nothing is typed: Esc stops the dish while it moves."""
+        if event.key == "backspace" and not self.query_one(Input).value:
+            event.stop()
+            self.action_leave()
+
+    def action_leave(self) -> None:
+        """Close, and look for nothing more."""
+        self._action_escape()
 
     def _action_command_list(self, action: str) -> None:
         """Move in the list. Pages of one that is not drawn yet, or has no row here, cannot be turned."""

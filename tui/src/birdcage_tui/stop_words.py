@@ -104,6 +104,16 @@ def awaited_words(stopped: StopReport) -> str:
     }.get(stopped.means, "STOP sent")
 
 
-def esc_text(view: View, *, closes: str) -> str:
-    """Return what Esc does now: `closes` (`closes`, `does nothing`, …) only while nothing moves or may move."""
-    return "Esc stops the dish" if view.may_move else f"Esc {closes}"
+def esc_text(view: View, *, closes: str, other: str = "") -> str:
+    """Return what Esc does now: `closes` (`closes`, `leaves`, …) only while nothing moves or may move.
+
+    `other` says what else closes the same layer while Esc stops the dish.
+    """
+    if not view.may_move:
+        return f"Esc {closes}"
+    return other or "Esc stops the dish"
+
+
+def stop_keys(view: View) -> str:
+    """Return the keys that stop the dish from a layer or a text field."""
+    return "Esc or Ctrl+C stops the dish" if view.may_move else "Ctrl+C stops"

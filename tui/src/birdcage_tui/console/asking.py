@@ -130,7 +130,7 @@ class Asking:
             return ((saying.held_words(self.text.strip(), verdict, may_move=view.may_move), "warn-row"),)
         if self.warns(view):
             again = "  Enter asks first." if saying.asks(verdict) else "  Enter twice sends it."
-            esc = esc_text(view, closes="cancels")
+            esc = esc_text(view, closes="cancels", other="Backspace cancels")
             again = f"  Enter again sends it, {esc}." if self.armed else again
             hazard = (saying.verdict_words(verdict) + again, saying.GRADES[verdict.grade][0])
             return (hazard, (f"✖ LIMIT: {verdict.limit}", "fault-row")) if verdict.limit else (hazard, *usage)

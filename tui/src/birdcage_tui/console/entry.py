@@ -9,6 +9,7 @@ from typing import cast
 from textual.binding import Binding
 from textual.widgets import Input
 
+from birdcage_tui.esc_field import LeaveField
 from birdcage_tui.host import Host
 
 
@@ -49,10 +50,13 @@ class Purpose(Enum):
     HISTORY = "recall"
 
 
-class FindInput(Input):
+class FindInput(LeaveField):
     """Searches the log, or the lines typed before, while one types."""
 
-    HELP = "Searches while you type. Enter accepts, Esc leaves at rest. Space types a space. Ctrl+C stops the dish."
+    HELP = (
+        "Searches while you type. Enter accepts. Backspace leaves the empty line; at rest Esc leaves. Space types a "
+        "space. Ctrl+C stops the dish."
+    )
 
     def __init__(self, do: Callable[[str], bool]) -> None:
         super().__init__(select_on_focus=False, disabled=True)

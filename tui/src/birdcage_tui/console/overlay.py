@@ -35,7 +35,7 @@ HOW = "i or Enter: type a line for the dish. Sending it takes control."
 TYPE = "Enter sends, Tab completes, Esc back to the log. Ctrl+C stops the dish."
 MOVING = "Enter sends, Tab completes. Esc or Ctrl+C stops the dish, which may move."
 TAKE = "Enter copies it to the line and sends nothing. ^R: an older one"
-PART = "Type a part of a line that you have sent."
+PART = "Type a part of a line that you have sent"
 NONE = "No sent line contains this."
 KEEP = "Enter accepts. Then n and N step through the matches"
 
@@ -157,12 +157,12 @@ class ConsoleOverlay(Container):
         self._head.lit = self._keys.lit = self.has_focus_within
 
     def _hint(self, view: View) -> tuple[tuple[str, str], ...]:
-        leave = esc_text(view, closes="leaves")
+        leave = esc_text(view, closes="leaves", other="Backspace leaves")
         if self._finder.display and self._finder.purpose is Purpose.HISTORY:
             found = self._asking.history.find(self._finder.value, self._recalled)
             if found:
                 return (found, "strong"), (f"{TAKE}, {leave}.", "dim")
-            return ((NONE if self._finder.value else PART, "dim"),)
+            return ((NONE if self._finder.value else f"{PART}, {leave}.", "dim"),)
         if self._finder.display:
             return ((f"{KEEP}, {leave}.", "dim"),)
         how = HOW if not self._entry.has_focus else MOVING if view.may_move else TYPE
@@ -339,6 +339,12 @@ class ConsoleOverlay(Container):
             self._back()
         else:
             return
+        self.show(self._shell.view())
+
+    @on(FindInput.Left)
+    def _left(self, event: FindInput.Left) -> None:
+        event.stop()
+        self._back()
         self.show(self._shell.view())
 
     def _back(self) -> None:

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from textual import events
+from textual import events, on
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
 from textual.widgets import Input, Label, Static
 
+from birdcage_tui.cancel import CancelButton
 from birdcage_tui.dialogs import Dialog
 from birdcage_tui.status import TopRow
 
@@ -40,7 +41,7 @@ class PasteInput(Input):
 
 
 class FieldsScreen(Dialog[Values | None]):
-    """Enter keeps all lines if `check` finds nothing wrong, else its sentence is shown; at rest, Esc keeps nothing."""
+    """Enter keeps all lines if `check` finds nothing wrong, else its sentence is shown; Cancel keeps nothing."""
 
     DEFAULT_CSS = """
     FieldsScreen Horizontal { height: 1; }
@@ -49,8 +50,10 @@ class FieldsScreen(Dialog[Values | None]):
         background: $panel; }
     FieldsScreen #wrong { color: $warning; margin-top: 1; }
     FieldsScreen #words { margin-bottom: 1; }
+    FieldsScreen CancelButton { width: auto; margin-top: 1; }
+    App.-tiny FieldsScreen CancelButton { margin-top: 0; }
     """
-    KEYS = "Enter saves, Tab next line"
+    KEYS, OTHER = "Enter saves", "Tab to Cancel"
     BINDINGS = [("escape", "leave", "close")]  # noqa: RUF012
 
     def __init__(
@@ -78,11 +81,16 @@ class FieldsScreen(Dialog[Values | None]):
                     else:
                         yield Input(field.value, placeholder=field.hint, select_on_focus=replaces)
             yield Static(f"▲ {self._wrong}" if self._wrong else "", id="wrong", markup=False)
+            yield CancelButton()
 
     def on_mount(self) -> None:
         """Give the focus to the first line: a person has asked for it."""
         self.screen.set_focus(self.query(Input).first())
         super().on_mount()
+
+    @on(CancelButton.Pressed)
+    def _cancelled(self) -> None:
+        self.action_leave()
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """Keep, or say what is wrong."""
@@ -93,7 +101,3 @@ class FieldsScreen(Dialog[Values | None]):
             self.query_one("#wrong", Static).update(f"▲ {wrong}")
         else:
             self.dismiss(values)
-
-    def action_leave(self) -> None:
-        """Keep nothing."""
-        self.dismiss(None)

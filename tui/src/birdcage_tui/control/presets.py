@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import cast
 
 from birdcage.base.presets import Preset
-from textual import events
+from textual import events, on
 from textual.app import ComposeResult
 from textual.containers import Vertical
 from textual.geometry import Region
@@ -196,6 +196,11 @@ class PresetsBox(Vertical):
         """Go back to the list, with the filter in force."""
         event.stop()
         self._close_filter(event.value.strip())
+
+    @on(EscField.Left)
+    def _left_filter(self, event: EscField.Left) -> None:
+        event.stop()
+        self._close_filter("")
 
     def on_key(self, event: events.Key) -> None:
         """Esc in the filter clears it; in the list it goes back to the rose."""

@@ -121,15 +121,15 @@ class SketchPane(Pane, can_focus=True):
 
 
 class SketchScreen(Dialog[HorizonMask | None]):
-    """Enter keeps what was drawn; at rest, Esc does not."""
+    """Enter keeps what was drawn; q, and at rest Esc, does not."""
 
     DEFAULT_CSS = """
     SketchScreen > Vertical { width: 96%; max-width: 200; height: 1fr; margin: 0 0 1 0; }
     SketchScreen SketchPane { height: 1fr; }
     SketchScreen Static { height: auto; color: $dim; }
     """
-    KEYS = "Enter saves"
-    BINDINGS = [("enter", "keep", "keep"), ("escape", "leave", "close")]  # noqa: RUF012
+    KEYS, OTHER = "Enter saves", "q closes"
+    BINDINGS = [("enter", "keep", "keep"), ("escape,q", "leave", "close")]  # noqa: RUF012
 
     def __init__(self, mask: HorizonMask) -> None:
         super().__init__()
@@ -153,7 +153,3 @@ class SketchScreen(Dialog[HorizonMask | None]):
     def action_keep(self) -> None:
         """Close with what was drawn."""
         self.dismiss(self.query_one(SketchPane).sketch.mask())
-
-    def action_leave(self) -> None:
-        """Close without it."""
-        self.dismiss(None)

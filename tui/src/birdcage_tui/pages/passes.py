@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import cast
 
-from textual import events
+from textual import events, on
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
 from textual.timer import Timer
@@ -310,6 +310,11 @@ class PassesPage(Page):
         """Go back to the list, with the filter in force."""
         event.stop()
         self._close_filter(event.value.strip())
+
+    @on(EscField.Left)
+    def _left_filter(self, event: EscField.Left) -> None:
+        event.stop()
+        self._close_filter("")
 
     def on_key(self, event: events.Key) -> None:
         """Esc in the filter clears it."""

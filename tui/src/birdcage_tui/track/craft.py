@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import cast
 
-from textual import events
+from textual import events, on
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
 from textual.widgets import Input
@@ -322,6 +322,11 @@ class CraftTab(Vertical):
         source = self.host.track.source
         if source is not None:
             self._take(self.host.view(), source)
+
+    @on(EscField.Left)
+    def _left_search(self, event: EscField.Left) -> None:
+        event.stop()
+        self._close_search()
 
     def on_key(self, event: events.Key) -> None:
         """Esc closes the search; the arrows choose while one types."""

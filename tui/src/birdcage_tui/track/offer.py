@@ -145,7 +145,7 @@ def carry_out(deed: str, host: Host) -> None:
 
 
 class OfferLine(Pane, can_focus=True):
-    """One row. As long as it has the focus, Enter does what it says; Esc closes it."""
+    """One row. As long as it has the focus, Enter does what it says; Backspace, at rest also Esc, closes it."""
 
     def __init__(self, done: Callable[[], object], *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
@@ -163,7 +163,7 @@ class OfferLine(Pane, can_focus=True):
     def draw(self, cells: Cells, view: View) -> None:
         """Write what Enter would do."""
         ink, words = self.words(view)
-        closes = f"  {esc_text(view, closes='closes')} "
+        closes = f"  {esc_text(view, closes='closes', other='Backspace closes')} "
         room = cells.width - len(closes)
         cells.put(0, 0, pad(cut(f" ▶ {words}", room), room) + closes, ink)
         self.heat(0, 0, cells.width, self.scope)
@@ -190,8 +190,8 @@ class OfferLine(Pane, can_focus=True):
         return True
 
     def on_key(self, event: events.Key) -> None:
-        """Esc closes it (the app has stopped the dish first, if it could move)."""
-        if event.key == "escape":
+        """Close it by Backspace, or by Esc (with which the app has stopped the dish first, if it could move)."""
+        if event.key in ("escape", "backspace"):
             event.stop()
             self.closed()
             cast(Host, self.app).paint()
