@@ -99,7 +99,7 @@ def test_in_every_place(size, said, tmp_path):
     said.check()
 
 
-@pytest.mark.parametrize("size", [SMALL, LARGE, POCKET], ids=str)
+@pytest.mark.parametrize("size", [*SIZES, POCKET], ids=str)
 def test_in_every_state(size, said, tmp_path):
     app = app_of(tmp_path)
 
