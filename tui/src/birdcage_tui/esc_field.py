@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from textual import events
+from textual.app import ComposeResult
+from textual.containers import Horizontal
 from textual.message import Message
-from textual.widgets import Input
+from textual.widgets import Input, Static
 
 from birdcage_tui.stop_words import esc_text, stop_keys
 from birdcage_tui.view import View
@@ -27,15 +29,29 @@ class LeaveField(Input):
 class EscField(LeaveField):
     """`hints` tell what to type and what Enter does, the longest first: the first that fits is shown.
 
-    `closes` is what Esc does while nothing moves, and Backspace in the empty field at any time.
+    `closes` is what Esc does while nothing moves, and Backspace in the empty field at any time. `typed`: what Enter
+    does, and where that and Esc are told while something is typed.
     """
 
-    def __init__(self, *hints: str, closes: str, id: str | None = None) -> None:  # noqa: A002
+    def __init__(
+        self,
+        *hints: str,
+        closes: str,
+        id: str | None = None,  # noqa: A002
+        typed: tuple[str, Static] | None = None,
+    ) -> None:
         super().__init__(placeholder=hints[0], id=id, disabled=True)
         self._hints, self._closes = hints, closes
+        self._typed, self._told = typed, ""
 
     def show(self, view: View) -> None:
-        """Renew the placeholder."""
+        """Renew what is said of Enter and Esc."""
+        if self._typed is not None:
+            enter, place = self._typed
+            told = f"{enter}, {esc_text(view, closes=self._closes, other=stop_keys(view))}" if self.value else ""
+            if told != self._told:
+                self._told = told
+                place.update(told)
         leaves = esc_text(view, closes=self._closes, other=f"Backspace {self._closes}")
         said = [f"{hint}, {leaves}, {stop_keys(view)}" for hint in self._hints]
         said += [*(f"{hint}, {leaves}" for hint in self._hints), leaves]
@@ -43,3 +59,24 @@ class EscField(LeaveField):
         words = next((each for each in said if not width or len(each) <= width), said[-1])
         if self.placeholder != words:
             self.placeholder = words
+
+
+class NamedField(Horizontal):
+    """An `EscField` behind its name; once something is typed, what Enter and Esc do stands at its end."""
+
+    DEFAULT_CSS = """
+    NamedField { height: 1; background: $panel; }
+    NamedField Static { width: auto; padding: 0 1; color: $dim; }
+    NamedField EscField { width: 1fr; }
+    """
+
+    def __init__(self, name: str, *hints: str, enter: str, closes: str, field_id: str) -> None:
+        super().__init__()
+        self._named, self._does = name, Static()
+        self._field = EscField(*hints, closes=closes, id=field_id, typed=(enter, self._does))
+
+    def compose(self) -> ComposeResult:
+        """The parts from the left."""
+        yield Static(self._named)
+        yield self._field
+        yield self._does

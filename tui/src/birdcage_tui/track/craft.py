@@ -12,7 +12,7 @@ from textual.widgets import Input
 
 from birdcage_tui.commands.table import can_release
 from birdcage_tui.control.fields import Field, FieldsScreen
-from birdcage_tui.esc_field import EscField
+from birdcage_tui.esc_field import EscField, NamedField
 from birdcage_tui.host import Host
 from birdcage_tui.pane import Pane
 from birdcage_tui.track.found import FoundList
@@ -89,7 +89,10 @@ class CraftTab(Vertical):
         offer.display = False
         yield offer
         yield TrackHead(id="craft-head")
-        field = EscField("name, number, 19.2E, moon, 180 45; Enter selects", closes="closes", id="craft-search")
+        field = NamedField(
+            "search", "name, number, 19.2E, moon, 180 45; Enter selects", "name, number, 180 45",
+            enter="Enter selects", closes="closes", field_id="craft-search",
+        )  # fmt: skip
         field.display = False
         yield field
         with Horizontal(id="craft-upper"):
@@ -290,7 +293,8 @@ class CraftTab(Vertical):
     def _open_search(self) -> None:
         field = self.query_one(Input)
         self._searching, self._shown = True, VIEWS[0]
-        field.disabled, field.display = False, True
+        field.disabled = False
+        self.query_one(NamedField).display = True
         field.value = ""
         self.query_one(FoundList).restart()
         self._search("")
@@ -301,7 +305,8 @@ class CraftTab(Vertical):
         self._searching = False
         if field.has_focus:
             self.screen.set_focus(None)
-        field.disabled, field.display = True, False
+        field.disabled = True
+        self.query_one(NamedField).display = False
         self.host.paint()
 
     def _search(self, text: str) -> None:

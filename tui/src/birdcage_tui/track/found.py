@@ -11,12 +11,17 @@ from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import cell_len, cut, fit, wrap
 from birdcage_tui.host import Host
 from birdcage_tui.pane import Pane
+from birdcage_tui.passes.words import count_text, reach_text
 from birdcage_tui.view import View
 
 MOST_UP = 40
 DETAIL = 26
 """Columns that are kept for what is told of a target; a longer name takes up to three fifths of a row."""
+UP = "up now"
 EMPTY = "Searching …"
+HEADINGS = "name", "number · elements", "next event"
+PASS = 30
+"""Columns of the next pass: its event, countdown, maximum and time in reach."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,9 +47,22 @@ def candidates(view: View) -> list[Candidate]:
     up = sorted((one for one in view.sky.up if one.name not in known and not one.fixed), key=lambda one: -one.el_deg)
     return rows + [
         Candidate(str(one.norad_id or one.name), one.name,
-                  f"up now, {one.el_deg:.0f}°{'' if one.el_deg >= floor else ', too low'}", one.favourite)
+                  f"{UP}, {one.el_deg:.0f}°{'' if one.el_deg >= floor else ', too low'}", one.favourite)
         for one in up[:MOST_UP]
     ]  # fmt: skip
+
+
+def next_passes(view: View, wanted: set[str]) -> dict[str, str]:
+    """Return what comes next of each of these satellites that passes: `reach   02:58   71°    7m28`."""
+    found: dict[str, str] = {}
+    now_s = view.utc.timestamp()
+    for row in () if view.sky is None else view.sky.rows:
+        text = str(row.norad_id or row.name)
+        event = row.next_event(now_s) if text in wanted and text not in found else None
+        if event is not None:
+            count = count_text(event[0] - now_s)
+            found[text] = f"{event[1]:<6}{count:>7} {row.max_el_deg:>4.0f}°{reach_text(row):>8}"
+    return found
 
 
 class FoundList(Pane):
@@ -92,11 +110,21 @@ class FoundList(Pane):
                 cells.put(1, y, line, "dim")
             return
         self.cursor = min(self.cursor, len(rows) - 1)
-        above, chosen = self._note(cells, view), self._here(view)
+        above, chosen = self._note(cells, view) + 1, self._here(view)
+        self._above = above
         room = max(cells.height - above, 1)
         self._top = max(min(self._top, self.cursor, len(rows) - room), self.cursor - room + 1, 0)
         width = min(max(cells.width - DETAIL, cells.width * 3 // 5, 12), max(cell_len(row.name) for row in rows))
-        for y, row in enumerate(rows[self._top : self._top + room], above):
+        shown = rows[self._top : self._top + room]
+        details = max(cell_len(HEADINGS[1]), *(cell_len(row.detail) for row in shown))
+        aside = 4 + width + details + 3
+        passes = next_passes(view, {row.text for row in shown}) if aside + PASS <= cells.width else {}
+        cells.put(3, above - 1, HEADINGS[0], "dim")
+        if not any(row.detail.startswith(UP) for row in shown):
+            cells.put(4 + width, above - 1, cut(HEADINGS[1], max(cells.width - 5 - width, 0)), "dim")
+        if passes:
+            cells.put(aside, above - 1, f"{HEADINGS[2]:<14}{'max':>5}{'reach':>8}", "dim")
+        for y, row in enumerate(shown, above):
             here = self._top + y - above == chosen
             ink = "accent-row" if here else "text"
             if here:
@@ -104,6 +132,8 @@ class FoundList(Pane):
             cells.put(0, y, f"{'▶' if here else ' '}{'★' if row.favourite else ' '} ", ink if here else "target")
             cells.put(3, y, fit(row.name, width), ink)
             cells.put(4 + width, y, cut(row.detail, max(cells.width - 5 - width, 0)), ink if here else "dim")
+            if row.text in passes:
+                cells.put(aside, y, passes[row.text], ink if here else "dim")
 
     def _note(self, cells: Cells, view: View) -> int:
         """Say above the rows why none of them is what was typed; return how many rows that takes."""

@@ -1,0 +1,42 @@
+"""The search of the Track tab: what stands around the field, and the columns of what was found."""
+
+import re
+
+import pytest
+import stand_in
+from track_stage import run
+
+
+async def typed(app, pilot, _desk):
+    await pilot.press("slash")
+    await pilot.press(*"met")
+    await pilot.pause()
+    app.paint()
+    await pilot.pause()
+    return stand_in.text_of(app)
+
+
+@pytest.mark.parametrize("size", [(80, 24), (100, 30), (160, 48)], ids=str)
+def test_the_field_has_its_name_and_says_what_leaves_it_after_something_was_typed(size):
+    text = run(typed, "craft-idle", size=size)
+    assert re.search(r"^ search +met +Enter selects, Esc closes *$", text, re.MULTILINE), text
+
+
+@pytest.mark.parametrize("size", [(80, 24), (100, 30), (160, 48)], ids=str)
+def test_an_age_is_said_to_be_that_of_the_elements(size):
+    text = run(typed, "craft-idle", size=size)
+    heading = next(line for line in text.splitlines() if "number · elements" in line)
+    row = next(line for line in text.splitlines() if "59051 · 6 h old" in line)
+    assert heading.index("number · elements") == row.index("59051 · 6 h old"), text
+
+
+def test_on_a_large_screen_a_found_satellite_has_its_next_pass():
+    text = run(typed, "craft-idle", size=(160, 48))
+    assert re.search(r"name +number · elements +next event +max +reach", text), text
+    assert re.search(r"METEOR-M2 4 +59051 · 6 h old +out +01:29 +71° +7m28", text)
+
+
+def test_on_a_small_screen_the_pass_is_left_out_and_nothing_is_cut():
+    text = run(typed, "craft-idle", size=(80, 24))
+    assert "next event" not in text
+    assert "59051 · 6 h old" in text
