@@ -86,6 +86,7 @@ def test_init_follows_the_boot_and_its_time(run) -> None:
     assert result.exit_code == 0, result.stderr
     assert " s  Boot Complete" in result.stderr
     assert "The dish is not homed" in result.stderr
+    assert "Ready." not in result.stderr, "it does not know where it points"
 
 
 def test_init_never_waits_without_end(run, pty_dish) -> None:

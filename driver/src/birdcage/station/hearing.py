@@ -17,7 +17,7 @@ TAKES_S = RSSI_READS * RSSI_PERIOD_S + 2.0
 
 
 class Hearing:
-    """One excursion at a time. `begin` says whether there is one, then `read` until that says that it is over."""
+    """One excursion at a time: `carry_out` until it is over."""
 
     def __init__(self, board: Board, antenna: BirdcageAntenna, look: Look, watches: Watches) -> None:
         self._board, self._antenna, self._look, self._watches = board, antenna, look, watches
@@ -36,7 +36,7 @@ class Hearing:
         excursion = self._watches.excursion
         return -math.inf if excursion is None or not self.under_way else excursion.next_at
 
-    def begin(self, step: Hear, now_s: float) -> bool:
+    def _begin(self, step: Hear, now_s: float) -> bool:
         """Return whether the tuner is to be read now: the dish is seen at rest, and stays so for long enough."""
         board, clock, now = self._board, self._board.clock, self._board.clock.monotonic()
         dish, motion = board.state.dish, self._antenna.motion
@@ -52,7 +52,20 @@ class Hearing:
         self._look.elsewhere = True  # STOP has to come back to the motor menu first, and look
         return True
 
-    def read(self) -> None:
+    def carry_out(self, step: Hear, now_s: float, *, at_once: bool) -> bool:
+        """Begin an excursion if it is time for one, read once, and return whether it is over, if there was one.
+
+        `at_once`: read no more, and come back. NoReply if the dish does not answer.
+        """
+        if not self.under_way and not self._begin(step, now_s):
+            return True
+        if at_once:
+            self.end()
+        else:
+            self._read()
+        return not self.under_way
+
+    def _read(self) -> None:
         """Read once; the last time, come back to the motor menu. NoReply where the dish does not answer."""
         try:
             self._look.signal()

@@ -46,9 +46,7 @@ SHOW_S = 0.1
 class Helmsman:
     """Knows one step at a time: `take` it, then `carry_out` until it gives the answer."""
 
-    def __init__(
-        self, board: Board, antenna: BirdcageAntenna, look: Look, mover: Mover, watches: Watches
-    ) -> None:  # fmt: skip
+    def __init__(self, board: Board, antenna: BirdcageAntenna, look: Look, mover: Mover, watches: Watches) -> None:
         self._board, self._antenna, self._look, self._mover = board, antenna, look, mover
         self._hearing = Hearing(board, antenna, look, watches)
         self.speeds = Speeds(board, antenna, look)
@@ -367,17 +365,12 @@ class Helmsman:
         self._arrival, self._az_deg = arrival, az_deg
 
     def _hear(self, step: Hear) -> Answer | None:
-        hearing = self._hearing
-        if not hearing.under_way and not hearing.begin(step, self.now_s):
-            return Answer(self.now_s)
         try:
-            if self.hurry:
-                hearing.end()
-            else:
-                hearing.read()
+            over = self._hearing.carry_out(step, self.now_s, at_once=self.hurry)
         except NoReply as error:
             self._bear(error)
-        return None if hearing.under_way else Answer(self.now_s)
+            over = True  # it has come back, or cannot
+        return Answer(self.now_s) if over else None
 
     def _read(self) -> Answer:
         before_s = self.now_s

@@ -71,6 +71,7 @@ def command(switch: str | None, yes: bool, timeout_s: float | None) -> None:
     from birdcage.cli.say import say, tell_json
     from birdcage.cli.which import with_firmware
     from birdcage.station.report import status_report
+    from birdcage.station.state import Activity
 
     dish_wanted = with_firmware(wanted(), patience_s=PATIENCE_S if timeout_s is None else timeout_s)
     at_once = _ends_at_once(dish_wanted.model)
@@ -91,9 +92,10 @@ def command(switch: str | None, yes: bool, timeout_s: float | None) -> None:
         if switch is not None and not at_once:
             _switch(dish, disabled=switch == "disable", booted=follower.booted)
         report = status_report(dish.state, dish.now)
+        ready = dish.state.homed is not False and dish.state.activity is not Activity.MOVING_UNASKED
     if flags().json:
         tell_json(report)
-    else:
+    elif ready:
         say("Ready.")
 
 
