@@ -34,7 +34,7 @@ def test_the_text_fits_a_terminal_and_tells_what_matters(rewinding, through_the_
     assert "Rewind   12:12:52Z: dish +23° to -333°, 9.6 s" in text
     assert "↺ rewind" in text
     assert "Leave    12:08:" in text
-    assert "10 s out of reach: cable stop." in text
+    assert "Beyond the cable stop for 10 s." in text
     text = "\n".join(plan_lines(through_the_keyhole))
     assert "1700 MHz" in text
     assert "at best 2.69°" in text

@@ -103,14 +103,14 @@ def test_the_dashboard_and_the_status_line_say_it_in_brief():
     text = run(read, keys=("f1",))
     assert "FOLLOW ±0.0" in text.splitlines()[0]
     assert "tracker" in text.splitlines()[0]
-    for words in ("FOLLOWING METEOR-M2 4", "error ±0.0", "65° ceiling in 02:35", "LOS 12:11:06", "12:06"):
+    for words in ("FOLLOWING METEOR-M2 4", "error ±0.0", "In reach 02:35, then 65° ceiling", "LOS 12:11:06", "12:06"):
         assert words in text, words
 
 
 def test_the_pocket_view_says_it_in_two_rows():
     rows = run(read, size=(40, 12), keys=()).splitlines()
     assert any("FOLLOW METEOR-M2 4" in row and "err ±0.0" in row for row in rows)
-    assert any("65° ceiling in 02:35   LOS 12:11:06" in row for row in rows)
+    assert any("In reach 02:35, then above 65° ceiling" in row for row in rows)
 
 
 def test_f_on_the_dashboard_goes_to_craft():

@@ -62,18 +62,19 @@ def plan(name="METEOR-M2 4", number=59051, minutes=-4.0, length=14.0, from_az=34
     times = np.linspace(spans[0][0], spans[-1][1], 200)
     az, el = sky.sample(times)
     errors = 0.02 + 0.02 * np.abs(np.sin(times / 40.0))
-    holes, incidents = (), [Incident(spans[0][0], "reach", "18° floor")]
+    holes, incidents = (), [Incident(spans[0][0], "reach", "in reach")]
     if keyhole is not None:
         middle = passing.tca.timestamp()
         holes = (Keyhole(middle - keyhole, middle + keyhole, 3.1, 2.2),)
         bump = np.clip(1 - np.abs(times - middle) / keyhole, 0, None)
         errors = errors + 3.1 * bump
         az = az + 14.0 * np.sin(np.clip((times - middle) / keyhole, -1, 1) * math.pi) * (bump > 0)
-        incidents.append(Incident(middle - keyhole, "keyhole", "keyhole, up to 3.1°"))
+        incidents.append(Incident(middle - keyhole, "keyhole", "keyhole, up to 3.1° off"))
     for first, second in pairwise(spans):
-        incidents.append(Incident(first[1], "unreach", "65° ceiling"))
-        incidents.append(Incident(second[0], "reach", "reach again"))
-    incidents += [Incident(passing.tca.timestamp(), "tca", "highest"), Incident(spans[-1][1], "unreach", "18° floor"),
+        incidents.append(Incident(first[1], "unreach", "above the 65° ceiling"))
+        incidents.append(Incident(second[0], "reach", "in reach"))
+    incidents += [Incident(passing.tca.timestamp(), "tca", "highest"),
+                  Incident(spans[-1][1], "unreach", "below the 18° floor"),
                   Incident(path.t_s[-1], "los", "sets")]  # fmt: skip
     first = sky.at(spans[0][0])
     dish = Forecast(times, errors, 12.0 * (errors / 2.6) ** 2, float(np.sqrt(np.mean(errors**2))), float(errors.max()))

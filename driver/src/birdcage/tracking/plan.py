@@ -116,7 +116,7 @@ class Incident:
     what: str
     """`aos`, `reach`, `tca`, `keyhole`, `rewind`, `unreach`, `los`."""
     text: str
-    """For a person: `65° ceiling`, `cable turns back, up to 9.6 s`."""
+    """For a person, what holds from then on: `above the 65° ceiling`, `cable turns back, up to 9.6 s`."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -83,7 +83,11 @@ class PointingPane(Pane):
         cells.put(1, y, cut(motion_text(view), cells.width - 2), motion_ink(view))
         if not self._pursuit(cells, y, view):
             self._bar(cells, y + 1, view)
-        cells.put(1, y + 2, cut(stop_text(view), cells.width - 2), "text" if view.moving else "dim")
+        x = cells.put(1, y + 2, cut(stop_text(view), cells.width - 2), "text" if view.moving else "dim")
+        pursuit = pursuit_of(view)
+        los = "" if pursuit is None or not view.link_up else los_words(pursuit.plan)
+        if x + len(los) + 3 <= cells.width:
+            cells.right(cells.width - 1, y + 2, los, "dim")
         cable_gauge(cells, min(y + 3 + air, cells.height - 1), view)
 
     @staticmethod
@@ -123,7 +127,7 @@ class PointingPane(Pane):
 
     @staticmethod
     def _pursuit(cells: Cells, y: int, view: View) -> bool:
-        """Write what happens next in the pursuit, and when the target sets, where there is one.
+        """Write what happens next in the pursuit, where there is one.
 
         The error stands at the right end of the row above: it is looked at most.
         """
@@ -134,10 +138,7 @@ class PointingPane(Pane):
         if error:
             cells.put(1, y, pad(fit(name, cells.width - 4 - len(error)), cells.width - 2), "accent-strong")
             cells.right(cells.width - 1, y, error, "accent-strong")
-        x = cells.put(1, y + 1, cut(next_words(view), cells.width - 2), "text")
-        los = los_words(pursuit.plan)
-        if x + len(los) + 3 <= cells.width:
-            cells.right(cells.width - 1, y + 1, los, "dim")
+        cells.put(1, y + 1, cut(next_words(view, cells.width - 2), cells.width - 2), "text")
         return True
 
     @staticmethod

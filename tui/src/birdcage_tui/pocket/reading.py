@@ -84,9 +84,9 @@ class PocketReading(Pane):
         if not wrong and y < cable_y:
             said = "" if view.moving else calm(view, brief=True)
             pursuit = pursuit_of(view)
-            if pursuit is not None and next_words(view):
-                both = f"{next_words(view)}   {los_words(pursuit.plan)}".rstrip()
-                said = both if len(both) <= cells.width - 2 else next_words(view)
+            if pursuit is not None and (coming := next_words(view, cells.width - 2)):
+                both = f"{coming}   {los_words(pursuit.plan)}".rstrip()
+                said = both if len(both) <= cells.width - 2 else coming
             cells.put(1, y, whole(said or stop_text(view), cells.width - 2), "text" if view.moving else "dim")
             y += 1
         if has_skew(view) and y < cable_y and self.digits > 1:

@@ -108,7 +108,7 @@ class TrackNow(Pane):
         if sample is not None and not big:
             head = f"{fit(head, width - len(error) - 2)}  {error}"
         found.insert(0, (ink, head))
-        coming = next_words(view)
+        coming = next_words(view, width)
         los = los_words(pursuit.plan)
         found.append(("text", f"{coming}   {los}".strip() if len(coming) + len(los) + 3 <= width else coming))
         whole, dish = followed_words(pursuit)

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from birdcage.pursuit.now import Unfinished
     from birdcage.station.pursuit import Pursuit, Sample
     from birdcage.tracking.day import Day
-    from birdcage.tracking.plan import Plan
+    from birdcage.tracking.plan import Incident, Plan
 
 PHASE = {
     Phase.WAITING: "WAITING FOR",
@@ -153,11 +153,25 @@ def left_words(left: Unfinished) -> str:
 
 
 def _soon(word: str, left_s: float | None) -> str:
-    return word if left_s is None else f"{word} in {count_text(left_s)}"
+    what, comma, more = word.partition(", ")
+    return word if left_s is None else f"{what} in {count_text(left_s)}{comma}{more}"
 
 
-def next_words(view: View) -> str:
-    """Return what happens next and when: `18° floor in 02:43`; while it waits, what it waits for."""
+def _still_reached(incident: Incident, left_s: float, room: int) -> str:
+    """Return for how long it is in reach yet, and where the target is then, as long as there is room for."""
+    left, then = count_text(left_s), incident.text
+    limit = then.partition(" the ")[2] or then
+    shapes = [f"In reach for {left}, then {then}", f"In reach {left}, then {then.replace('the ', '')}",
+              f"In reach {left}, then {limit}"]  # fmt: skip
+    fits = [words for words in shapes if len(words) <= room and then != "ends"]
+    return fits[0] if fits else f"In reach for {left}"
+
+
+def next_words(view: View, room: int = 80) -> str:
+    """Return what happens next and when, in about `room` columns; while it waits, what it waits for.
+
+    `In reach for 02:43, then below the 18° floor`, `keyhole in 01:10, up to 2.6° off`.
+    """
     pursuit = pursuit_of(view)
     if pursuit is None:
         return ""
@@ -166,10 +180,12 @@ def next_words(view: View) -> str:
             return pursuit.plan.day.standing
         coming = next_incident(view)
         if coming is not None and coming.what != "los":
-            return _soon(coming.text, coming.at_s - view.utc.timestamp())
+            left_s = coming.at_s - view.utc.timestamp()
+            return _still_reached(coming, left_s, room) if coming.what == "unreach" else _soon(coming.text, left_s)
     if not pursuit.next_what:
         return ""
-    return _soon(pursuit.next_what, seconds_to(view, pursuit.next_at))
+    what = "in reach" if pursuit.next_what == "reach" else pursuit.next_what
+    return _soon(what, seconds_to(view, pursuit.next_at))
 
 
 def los_words(plan: Plan) -> str:

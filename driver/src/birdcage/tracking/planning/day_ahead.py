@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from birdcage.base.errors import BirdcageError
 from birdcage.sky.observer import Observer
-from birdcage.sky.reach_limits import ReachLimits
 from birdcage.sky.targets.model import Target
 from birdcage.tracking.day import HOURS, Day
 from birdcage.tracking.mount import Mount
+from birdcage.tracking.planning.limit_words import where_words
 from birdcage.tracking.planning.refraction import Refraction
 from birdcage.tracking.planning.sight import Sight
 from birdcage.tracking.planning.sky_path import sky_path
@@ -23,15 +23,4 @@ def day_ahead(
     except BirdcageError:
         return None
     reach = Sight.of(sky, mount).reached()
-    return Day(sky, reach, tuple(_limit(reason, mount.limits) for reason in reach.reasons))
-
-
-def _limit(reason: str, limits: ReachLimits) -> str:
-    """Return a reason of `Reach` as the place where the target is: `below the 18° floor`."""
-    if reason == "floor":
-        return f"below the {limits.el_floor_deg:g}° floor"
-    if reason == "ceiling":
-        return f"above the {limits.el_ceiling_deg:g}° ceiling"
-    if reason == "horizon":
-        return "behind the horizon mask"
-    return "beyond the cable stop" if reason == "cable" else f"in {reason}" if ":" in reason else reason
+    return Day(sky, reach, tuple(where_words(reason, mount.limits) for reason in reach.reasons))

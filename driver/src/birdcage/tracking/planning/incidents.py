@@ -10,6 +10,7 @@ from birdcage.sky.reach_limits import ReachLimits
 from birdcage.sky.reach_model import Lost, Reach
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.plan import Incident, Keyhole, Leg, Part
+from birdcage.tracking.planning.limit_words import where_words
 
 _SHORT_LOSS_S = 1.0
 _EDGE_S = 2.0
@@ -27,7 +28,7 @@ def incidents(
             how = "cable turns back" if leg.turn is not None else "cable may turn back"
             found.append(Incident(leg.start_s, "rewind", f"{how}, up to {leg.end_s - leg.start_s:.1f} s"))
         elif before is None or before.end_s < leg.start_s - 1e-3 or before.part is Part.REWIND:
-            found.append(Incident(leg.start_s, "reach", _enters(leg.start_s, reach, limits)))
+            found.append(Incident(leg.start_s, "reach", "in reach"))
     for index, leg in enumerate(legs):
         after = legs[index + 1] if index + 1 < len(legs) else None
         reason = _reason_after(leg.end_s, reach)
@@ -37,18 +38,8 @@ def incidents(
         if leg.part is Part.FOLLOW and (reason not in ("", "cable") if turns_back else not goes_on):
             if not reason and passing is None and leg.end_s >= sky.end_s - 1.0:
                 continue  # only the plan ends there
-            text = f"out of reach: {limit_words(reason, limits)}" if reason else "ends"
-            found.append(Incident(leg.end_s, "unreach", text))
+            found.append(Incident(leg.end_s, "unreach", where_words(reason, limits) if reason else "ends"))
     return tuple(sorted(found, key=lambda one: one.at_s))
-
-
-def limit_words(reason: str, limits: ReachLimits) -> str:
-    """Return a reason of `Reach` in words: `65° ceiling`."""
-    if reason == "floor":
-        return f"{limits.el_floor_deg:g}° floor"
-    if reason == "ceiling":
-        return f"{limits.el_ceiling_deg:g}° ceiling"
-    return "cable stop" if reason == "cable" else reason
 
 
 def _of_pass(passing: Pass | None, sky: Curve) -> Iterator[Incident]:
@@ -63,13 +54,6 @@ def _of_pass(passing: Pass | None, sky: Curve) -> Iterator[Incident]:
         at_s = when.timestamp()
         if not cut and sky.start_s - 1.0 <= at_s <= sky.end_s + 1.0:
             yield Incident(at_s, what, text)
-
-
-def _enters(at_s: float, reach: Reach, limits: ReachLimits) -> str:
-    for lost in _limiting(reach):
-        if abs(_s(lost.end) - at_s) < _EDGE_S:
-            return f"in reach: {limit_words(lost.reason, limits)} passed"
-    return "in reach"
 
 
 def _reason_after(at_s: float, reach: Reach) -> str:
@@ -95,10 +79,10 @@ def loss_notes(reach: Reach, limits: ReachLimits) -> Iterator[str]:
     for lost in reach.lost:
         seconds[lost.reason] = seconds.get(lost.reason, 0.0) + (lost.end - lost.start).total_seconds()
     for reason, lost_s in seconds.items():
-        if lost_s >= _SHORT_LOSS_S and reason == "horizon":
-            yield f"{_length(lost_s)} behind the horizon mask: the dish follows, nothing is heard."
-        elif lost_s >= _SHORT_LOSS_S:
-            yield f"{_length(lost_s)} out of reach: {limit_words(reason, limits)}."
+        if lost_s >= _SHORT_LOSS_S:
+            where = where_words(reason, limits)
+            heard = ": the dish follows, nothing is heard" if reason == "horizon" else ""
+            yield f"{where[:1].upper()}{where[1:]} for {_length(lost_s)}{heard}."
 
 
 def _length(seconds: float) -> str:
