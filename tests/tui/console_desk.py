@@ -6,6 +6,7 @@ from dataclasses import replace
 import stand_in
 from birdcage.station.raw import Entry
 from birdcage.station.requests import Raw
+from birdcage.station.state import HeldState
 from birdcage_tui.console.entry import ConsoleInput
 from birdcage_tui.console.log import LogView
 
@@ -43,6 +44,10 @@ class Desk:
         self.app.paint()
         await self.pilot.pause()
         return stand_in.text_of(self.app)
+
+    def latch(self):
+        """Let STOP be latched, as it is before its first byte."""
+        self.state(held=HeldState("you", self.clock.monotonic(), self.clock.utc(), "stop"))
 
     def state(self, **changes):
         self.app.station.state = replace(self.app.station.state, **changes)

@@ -41,6 +41,7 @@ class Station:
     def __init__(self, state):
         self.state = state
         self.asked, self.stops, self.listeners = [], [], []
+        self.steering = False
 
     def submit(self, request):
         self.asked.append(request)
@@ -51,6 +52,9 @@ class Station:
 
     def only_asks(self, line, prompt):
         return PROTOCOL.only_asks(line, prompt)
+
+    def is_steering(self):
+        return self.steering and self.state.held is None
 
     def commands(self, menu):
         return MenuCommands(PROTOCOL).of(menu)

@@ -58,6 +58,48 @@ def test_a_fold_outlives_the_cutting_of_old_lines():
     assert [row.text for row in back.rows][1:] == ["end"]
 
 
+STEP = (b"a 0 123.13\r", b"a 0 123.13\r\n", b"Angle = 123.13\r\n", b"MOT>")
+
+
+def steps_of(*lines):
+    """Parts of lines of which those that go out are a pursuit's."""
+    sorter = Sorter(PROTOCOL.only_asks)
+    sorter.sort(Line(START, "<", b"MOT>"))
+    return [sorter.sort(Line(START, way, data), step=way == ">").part for way, data in lines]
+
+
+def test_a_step_of_a_pursuit_folds_with_its_answer_and_whatever_else_the_dish_says_is_seen():
+    taken = [(">", STEP[0]), *(("<", line) for line in STEP[1:])]
+    assert steps_of(*taken) == [Part.STEP] * 4
+    assert steps_of(*taken[:2], ("<", b"Motor 0 stalled at 123.13\r\n")) == [Part.STEP] * 2 + [Part.PLAIN]
+    assert steps_of(*taken, ("<", b"Angle = 9\r\n")) == [Part.STEP] * 4 + [Part.PLAIN], "nobody has asked"
+
+
+def test_the_steps_of_a_pursuit_are_one_row_and_stop_and_what_you_move_are_not():
+    async def see(at):
+        at.app.station.steering = True
+        at.wire("<", b"MOT>")
+        await at.look()
+        for _ in range(20):
+            at.wire(">", STEP[0])
+            at.wire("<", *STEP[1:])
+        steps = await at.look()
+        await at.press("p")
+        shown = await at.look()
+        await at.press("p", "c")
+        at.wire(">", STEP[0])
+        at.latch()
+        at.wire(">", b"a 0 124.00\r")
+        at.wire("<", b"a 0 124.00\r\n", b"Angle = 124.00\r\n", b"MOT>")
+        return steps, shown, await at.look()
+
+    steps, shown, stopped = desk(see)
+    assert "+ 80 lines of tracking and polling, p shows all" in steps
+    assert "a 0 123.13" not in steps
+    assert "> a 0 123.13   by birdcage" in shown
+    assert "a 0 124.00" in stopped, "STOP retargets too, and is never folded"
+
+
 def test_polling_is_one_row_until_p_shows_every_byte_and_counts_as_nothing_new():
     async def see(at):
         at.wire("<", b"MOT>")

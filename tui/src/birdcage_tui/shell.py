@@ -84,7 +84,7 @@ class Shell(Surface):
         """Motions that you asked for and that are not at their end."""
         self.step_deg = 1.0
         """What one press of a jog key is."""
-        self.tap = WireTap()
+        self.tap = WireTap(self.station.is_steering)
         """What passes on the wire, from the first byte on; the console takes it out."""
         self.tap_problem = ""
         """Why nothing of the wire is heard, as a sentence."""

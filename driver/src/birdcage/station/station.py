@@ -26,6 +26,7 @@ from birdcage.station.lent import LentSpeeds
 from birdcage.station.look import Look
 from birdcage.station.move_memory import MoveMemory
 from birdcage.station.pursuing import Pursuing
+from birdcage.station.pursuit import Phase
 from birdcage.station.queued_mover import QueuedMover
 from birdcage.station.raw import MenuCommand, Verdict
 from birdcage.station.raw_effects import RawEffects
@@ -143,6 +144,12 @@ class Station:
     def only_asks(self, line: str, prompt: str) -> bool:
         """Return whether a line that went out at this prompt changes nothing but the menu. Any thread."""
         return self._antenna.protocol.only_asks(line, prompt)
+
+    def is_steering(self) -> bool:
+        """Return whether what goes out now is a pursuit's own: no STOP, and no motion of anybody else. Any thread."""
+        live = self.state.pursuit
+        following = live is not None and live.phase is Phase.FOLLOWING and self.state.holder == live.holder
+        return following and not self._control.latched
 
     def commands(self, menu: str) -> tuple[MenuCommand, ...]:
         """Return the commands of a menu: the documented ones, and what the dish has told. Any thread."""

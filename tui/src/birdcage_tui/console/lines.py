@@ -38,6 +38,8 @@ class Part(Enum):
     """Somebody typed it."""
     POLL = "poll"
     """The station asks for something by itself, or hears the answer: nothing changes but the menu."""
+    STEP = "step"
+    """A pursuit keeps the dish on its target, or hears that the step was taken."""
     ECHO = "echo"
     """The dish repeats what was typed."""
     WARNING = "warning"
@@ -106,7 +108,7 @@ def rows_of(line: Line, number: int, before: Line | None, width: int, stamps: St
     """Lay a line out in rows of at most `width` columns: stamp, glyph, space, text."""
     stamp = stamp_of(line, before, stamps)
     room = max(width - len(stamp) - 2, 8)
-    by = BY_BIRDCAGE if line.direction == ">" and line.part is Part.PLAIN else ""
+    by = BY_BIRDCAGE if line.direction == ">" and line.part in (Part.PLAIN, Part.STEP) else ""
     pieces = _hex(line.data, room) if as_hex and line.direction != "#" else _wrapped(line.text + by, room)
     return [
         Row(number, stamp if not index else " " * len(stamp), line.direction if not index else " ", piece, line.ink)

@@ -20,9 +20,9 @@ class LogView(Pane, can_focus=True):
     """Draws only the rows that are seen, and sends only those that changed."""
 
     HELP = (
-        "The log shows all traffic on the wire. > is sent to the dish, < comes from it, # is a remark. Polling folds "
-        "into one row and echoes are hidden; p shows every byte. Scrolling up stops following; End follows again. "
-        "Space stops the dish here. In the line below it types a space."
+        "The log shows all traffic on the wire. > is sent to the dish, < comes from it, # is a remark. Polling and the "
+        "steps of the tracker fold into one row, and echoes are hidden; p shows every byte. Scrolling up stops "
+        "following; End follows again. Space stops the dish here. In the line below it types a space."
     )
 
     def __init__(self, kept: int = KEPT) -> None:

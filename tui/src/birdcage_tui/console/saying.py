@@ -27,7 +27,7 @@ def mode_words(view: View, quiet_s: float) -> tuple[str, str, str]:
     if not view.link_up:
         return "NO LINK", "the dish does not answer; your text stays", "fault-row"
     if not talking(view):
-        return "WATCH", "live, polling goes on", "key"
+        return "WATCH", "live", "key"
     age_s = view.position_age_s
     known = "position unknown" if age_s is None else f"position {age_text(age_s)} old"
     left_s = max(IDLE_S - quiet_s, 0.0)

@@ -26,7 +26,7 @@ class Scrollback:
         self.told = 0
         """How many of them were shown, not folded away."""
         self.folded = True
-        """Whether the station's own polling is one row, and echoes are not repeated."""
+        """Whether the station's own polling, a pursuit's steps too, is one row, and echoes are not repeated."""
         self.width = 80
         self.stamps = Stamps.UTC
         self.as_hex = False
@@ -34,6 +34,8 @@ class Scrollback:
         self._before: Line | None = None
         self._folding = 0
         """How many lines the last row stands for; 0 when it is one of a line."""
+        self._steps = False
+        """Whether steps of a pursuit are among them."""
 
     def add(self, lines: Iterable[Line]) -> int:
         """Take lines in; return how many rows were cut off at the top."""
@@ -75,12 +77,14 @@ class Scrollback:
         """Append the rows of a line; return whether it is seen as one of its own."""
         if self.folded and line.part in (Part.ECHO, Part.MARK):
             return False
-        if self.folded and line.part is Part.POLL:
+        if self.folded and line.part in (Part.POLL, Part.STEP):
             number = self.rows.pop().number if self._folding else number
+            self._steps = line.part is Part.STEP or (self._steps and self._folding > 0)
             self._folding += 1
             stamp = stamp_of(line, self._before, self.stamps)
+            what = "tracking and polling" if self._steps else "polling"
             lines = "1 line" if self._folding == 1 else f"{self._folding} lines"
-            self.rows.append(Row(number, stamp, FOLD, f"{lines} of polling, p shows all"[: self.width], "dim"))
+            self.rows.append(Row(number, stamp, FOLD, f"{lines} of {what}, p shows all"[: self.width], "dim"))
             return False
         self.rows += rows_of(line, number, self._before, self.width, self.stamps, as_hex=self.as_hex)
         self._before, self._folding = line, 0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -13,6 +14,9 @@ OnlyAsks = Callable[[str, str], bool]
 """Whether a line at a prompt changes nothing but the menu."""
 ANSWER_S = 2.0
 """What comes later than this is no answer to a poll: a dish that restarts prints for seconds."""
+
+TAKEN = re.compile(r"\s*[A-Za-z]+(\[\d\])?\s*=\s*[-+]?\d+(\.\d+)?\s*$")
+"""How a dish says where it goes. Whatever else it says to a step is seen."""
 
 
 class Sorter:
@@ -27,14 +31,16 @@ class Sorter:
         """The last line that went out, until the dish has repeated it."""
         self._polled: Line | None = None
         self._owed = 0
-        """Prompts that the poll under way still waits for."""
+        """Prompts that the poll or the step under way still waits for."""
+        self._stepped: frozenset[str] | None = None
+        """The commands of the step under way; None: it is a poll."""
 
-    def sort(self, line: Line) -> Line:
-        """Return the line with the part it plays."""
+    def sort(self, line: Line, *, step: bool = False) -> Line:
+        """Return the line with the part it plays; `step`: a pursuit sent it."""
         if line.direction == "#":
             part = self._remark(line)
         elif line.direction == ">":
-            part = self._out(line)
+            part = self._out(line, step=step)
         else:
             part = self._in(line)
         return replace(line, part=part)
@@ -49,8 +55,8 @@ class Sorter:
             return Part.WARNING
         return Part.PLAIN if mark.about else Part.MARK
 
-    def _out(self, line: Line) -> Part:
-        self._sent, self._polled = line, None
+    def _out(self, line: Line, *, step: bool) -> Part:
+        self._sent, self._polled, self._stepped = line, None, None
         said = [part.strip() for part in line.data.decode("ascii", "replace").rstrip("\r\n").split("\r")]
         if self._typed is not None and self._typed in said:
             self._typed = None
@@ -58,6 +64,9 @@ class Sorter:
         if all(not part or self._only_asks(part, self._prompt) for part in said):
             self._polled, self._owed = line, line.data.count(b"\r")
             return Part.POLL
+        if step:
+            self._polled, self._owed, self._stepped = line, line.data.count(b"\r"), frozenset(said)
+            return Part.STEP
         return Part.PLAIN
 
     def _in(self, line: Line) -> Part:
@@ -66,7 +75,10 @@ class Sorter:
         polled = self._polled
         if polled is not None and self._owed and (line.utc - polled.utc).total_seconds() < ANSWER_S:
             self._owed -= line.is_prompt
-            return Part.POLL
+            if self._stepped is None:
+                return Part.POLL
+            taken = line.is_prompt or line.text.strip() in self._stepped or TAKEN.match(line.text)
+            return Part.STEP if taken else Part.PLAIN
         self._polled = None
         return Part.ECHO if sent is not None and _bare(sent) == _bare(line) != b"" else Part.PLAIN
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections import deque
+from collections.abc import Callable
 from datetime import datetime
 
 from birdcage.station.raw import Entry
@@ -15,9 +16,10 @@ KEPT = 5000
 class WireTap:
     """Keeps the newest events until they are taken, and counts all. `take_in` is for any thread, and quick."""
 
-    def __init__(self) -> None:
+    def __init__(self, is_steering: Callable[[], bool]) -> None:
         self._lock = threading.Lock()
-        self._events: deque[Entry] = deque(maxlen=KEPT)
+        self._is_steering = is_steering
+        self._events: deque[tuple[Entry, bool]] = deque(maxlen=KEPT)
         self._missed = 0
         self.bytes_in = 0
         self.bytes_out = 0
@@ -25,7 +27,8 @@ class WireTap:
         """When the first byte passed."""
 
     def take_in(self, event: Entry) -> None:
-        """Take one event."""
+        """Take one event, and whether a pursuit has just sent it: later nobody could tell it from a STOP."""
+        steering = event.direction == ">" and self._is_steering()
         with self._lock:
             if self.since is None:
                 self.since = event.utc
@@ -35,15 +38,15 @@ class WireTap:
                 self.bytes_out += len(event.data)
             if len(self._events) == KEPT:
                 self._missed += 1
-            self._events.append(event)
+            self._events.append((event, steering))
 
     @property
     def waiting(self) -> bool:
         """Whether something has come that was not taken out."""
         return bool(self._events)
 
-    def take_out(self) -> tuple[int, list[Entry]]:
-        """Return how many events were dropped before these, and these, which are then no longer here."""
+    def take_out(self) -> tuple[int, list[tuple[Entry, bool]]]:
+        """Return how many events were dropped before these, and these, each with whether a pursuit sent it."""
         with self._lock:
             missed, events = self._missed, list(self._events)
             self._missed = 0

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from datetime import datetime
 
-from birdcage.station.raw import LineJoiner
+from birdcage.station.raw import Entry, LineJoiner
 
 from birdcage_tui.console.lines import Line, Part
 from birdcage_tui.console.sorter import OnlyAsks, Sorter
@@ -20,6 +20,8 @@ class WireLog:
     def __init__(self, tap: WireTap, only_asks: OnlyAsks) -> None:
         self._tap, self._sorter = tap, Sorter(only_asks)
         self._joiner = LineJoiner()
+        self._sending = self._steps = False
+        """Whether the last event went out, and whether a pursuit sent all that has gone out since the dish spoke."""
         self._own: list[Line] = []
         self.prompt = ""
         """The last prompt as the dish wrote it; empty when none was seen."""
@@ -31,16 +33,21 @@ class WireLog:
     def take(self, now: datetime) -> list[Line]:
         """Return the lines that are new, in order."""
         missed, found = self._tap.take_out()
-        joined = [line for event in found for line in self._joiner.join(event)]
-        if not found or found[-1].data.endswith(b">"):
-            joined += self._joiner.finish()  # quiet, or a prompt, which has no line end
+        joined: list[tuple[Entry, bool]] = []
+        for event, step in found:
+            if event.direction == ">":  # what went out in one breath is a pursuit's only if all of it is
+                self._steps = step and (self._steps or not self._sending)
+            joined += [(line, self._steps) for line in self._joiner.join(event)]
+            self._sending = event.direction == ">"
+        if not found or found[-1][0].data.endswith(b">"):
+            joined += [(line, self._steps) for line in self._joiner.finish()]  # quiet, or a prompt without a line end
         lines = []
         if missed:
             words = f"{missed} events are not shown here. The transcript file has them."
-            lines.append(Line(found[0].utc if found else now, "#", words.encode(), Part.WARNING))
-        for event in joined:
+            lines.append(Line(found[0][0].utc if found else now, "#", words.encode(), Part.WARNING))
+        for event, step in joined:
             line = Line(event.utc, event.direction, event.data)
-            lines.append(self._sorter.sort(line))
+            lines.append(self._sorter.sort(line, step=step))
             self._note_prompt(line)
         lines += self._own
         self._own = []
