@@ -103,6 +103,7 @@ PLACES = (
     _page("setup, wiring", "f8", "w"),
     _page("pocket", size=POCKET),
     _page("pocket, passes", "f", holds="PocketPasses/NextList", size=POCKET),
+    _page("pocket, pass picked", "f", "enter", holds="PocketPasses/NextList PocketPasses/PocketOffer", size=POCKET),
     _page("pocket, go to", "g", holds="GotoLine/EscField GotoLine/CancelButton", size=POCKET),
     _dialog("home", "BirdcageApp.ask_home", "H"),
     _dialog("add elements", "ask_elements", "I", dialog="FieldsScreen",
