@@ -1,6 +1,7 @@
 """The map of the world: what a person sees on it, in every glyph set and size, and when it is asked for."""
 
 import math
+import re
 from dataclasses import replace
 from datetime import UTC, datetime
 from types import SimpleNamespace
@@ -16,7 +17,7 @@ from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.passes.listing import PassList
 from birdcage_tui.passes.model import Row
 from birdcage_tui.passes.world_map import WorldMapPane, place_text
-from birdcage_tui.passes.world_map_ask import Ask, PassWorld, world_of
+from birdcage_tui.passes.world_map_ask import Ask, PassWorld, seen_text, world_of
 from birdcage_tui.passes.world_map_chart import Chart, Layers
 from stage import run
 from stand_in import text_of
@@ -145,7 +146,7 @@ def test_the_chosen_satellite_has_its_name_ring_and_way():
     assert "METEOR" in text
     assert "10.0°N 40.0°W  800 km up" in text
     assert "12:00:00Z" in text
-    assert "seen within 3," in text
+    assert "footprint radius 3," in text
 
     def dots(ink, rows):
         return sum(
@@ -313,3 +314,67 @@ def test_the_world_is_worked_out_from_the_elements_of_the_passes():
         (seen.satellites[0].latitude_deg, seen.satellites[0].longitude_deg),
     )
     assert 2.0 < apart < 6.0  # a minute of its way
+
+
+@pytest.mark.parametrize("size", [(80, 24), (160, 48)], ids=str)
+def test_the_map_says_until_when_the_satellite_is_in_view_and_names_the_dish(size):
+    async def look(app, pilot):
+        first = text_of(app)
+        await pilot.press("down")
+        await pilot.pause()
+        app.paint()
+        await pilot.pause()
+        return first, text_of(app)
+
+    first, second = on_map(look, size)
+    assert re.search(r"METEOR-M2 4  in view here to 12:10  \d", first), first
+    assert re.search(r"NOAA 20 \(JPSS-1\)  in view here 12:03 to 12:16", second), second
+    assert "EN10" in first.split("World", 1)[1]
+    assert "○ footprint" in first
+    assert "sort:" not in first
+
+
+@pytest.mark.parametrize(("minutes", "words"), [
+    (-5, "in view here 12:00 to 12:10"), (5, "in view here to 12:10"), (15, "")
+])  # fmt: skip
+def test_when_it_is_in_view_is_told_from_the_pass(minutes, words):
+    row = Row("A", 1, sky_stand_in.NOON, 0.0, sky_stand_in.NOON + 600, 0.0, 0.0, 0.0, 40.0)
+    t_s = sky_stand_in.NOON + minutes * 60
+    assert seen_text(row, t_s) == words
+    always = replace(row, already_up=True, still_up=True)
+    assert seen_text(always, t_s) == "always in view here"
+
+
+def test_on_the_largest_screen_the_list_stands_beside_the_map():
+    async def look(app, pilot):
+        panes = {pane.id: pane.region for pane in app.query("PassesPage Pane") if pane.display and pane.region.area}
+        text = text_of(app)
+        await pilot.press("w")
+        await pilot.pause()
+        app.paint()
+        await pilot.pause()
+        back = {pane.id for pane in app.query("PassesPage Pane") if pane.display and pane.region.area}
+        return panes, app.screen.region, text, back
+
+    panes, screen, text, back = on_map(look, (240, 70))
+    assert set(panes) == {"pass-head", "pass-list", "pass-world"}
+    assert all(screen.contains_region(region) for region in panes.values())
+    assert not panes["pass-list"].overlaps(panes["pass-world"])
+    assert re.search(r"out +01:29 METEOR-M2 4 +7m28", text)
+    assert "sort: next event" in text
+    assert back == {"pass-head", "pass-list", "pass-sky", "pass-strip", "pass-timeline"}
+
+
+def test_a_satellite_over_a_coast_has_its_name_on_it():
+    others = (Ground("OVER THE BALTIC", 2, 57.0, 19.0, 500.0), Ground("OVER SUMATRA", 3, 0.0, 102.0, 500.0))
+    _, cells = drawn(followed(0.0, -140.0, satellites=others))
+    text = "\n".join(rows_of(cells))
+    assert "OVER THE BALTIC" in text
+    assert "OVER SUMATRA" in text
+
+
+def test_the_dish_keeps_its_name_where_the_ring_runs_close_around_it():
+    _, cells = drawn(followed(46.0, 5.2, 250.0, observer=HERE))
+    text = "\n".join(rows_of(cells))
+    assert "Utrecht" in text
+    assert "METEOR" in text.rsplit("\n", 1)[0]

@@ -18,7 +18,7 @@ from birdcage_tui.pane import Pane
 from birdcage_tui.passes.desk import Desk, utc_of
 from birdcage_tui.passes.figures import PassFigures
 from birdcage_tui.passes.head import PassHead
-from birdcage_tui.passes.layout import VIEWS, Layout, layout
+from birdcage_tui.passes.layout import BESIDE_MAP, MAP_LIST, VIEWS, Layout, layout
 from birdcage_tui.passes.listing import PassList
 from birdcage_tui.passes.plot import PassSky
 from birdcage_tui.passes.strip import PassStrip
@@ -35,7 +35,7 @@ RUN_S = 0.25
 
 
 class PassesPage(Page):
-    """The list at the left, the chosen pass at the right, the timeline below; or the world in place of all three."""
+    """The list at the left, the chosen pass at the right, the timeline below; or the world."""
 
     DEFAULT_CSS = """
     PassesPage { layout: vertical; }
@@ -44,7 +44,7 @@ class PassesPage(Page):
     PassesPage PassList, PassesPage PassSky, PassesPage PassStrip, PassesPage PassFigures, PassesPage Timeline,
     PassesPage PassWorld { border: round $line; border-title-color: $dim; border-title-style: none;
         border-subtitle-color: $dim; }
-    PassesPage PassWorld { height: 1fr; }
+    PassesPage PassWorld { width: 1fr; height: 1fr; }
     PassesPage PassList:focus, PassesPage PassWorld:focus { border: round $focus; border-title-color: $foreground; }
     PassesPage #pass-side { width: 1fr; }
     PassesPage Input, PassesPage Input:focus { height: 1; border: none; padding: 0 1; background: $panel; }
@@ -73,10 +73,10 @@ class PassesPage(Page):
                 yield PassSky(self.desk, id="pass-sky")
                 yield PassStrip(self.desk, id="pass-strip")
                 yield PassFigures(self.desk, id="pass-figures")
+            world = PassWorld(self.desk, id="pass-world")
+            world.display = False
+            yield world
         yield Timeline(self.desk, id="pass-timeline")
-        world = PassWorld(self.desk, id="pass-world")
-        world.display = False
-        yield world
 
     def on_mount(self) -> None:
         """Have a timer ready for a time that runs."""
@@ -96,7 +96,7 @@ class PassesPage(Page):
         side, upper = self.query_one("#pass-side"), self.query_one("#pass-upper")
         listing = self.query_one(PassList)
         listing.styles.width, listing.styles.height = found.list_width, found.list_height
-        upper.display = not self.desk.world
+        listing.display = not self.desk.world or self.size.width >= BESIDE_MAP
         lower = found.strip_height + found.figures_height
         side.display = found.plot_height + lower > 0
         side.styles.height = found.plot_height + lower
@@ -108,6 +108,10 @@ class PassesPage(Page):
             pane = self.query_one(kind)
             pane.display = rows > 0 and not self.desk.world
             pane.styles.height = rows
+        if self.desk.world:
+            side.display = False
+            listing.styles.width, listing.styles.height = MAP_LIST, "1fr"
+            upper.styles.layout, upper.styles.height = "horizontal", "1fr"
         for pane in self.query(Pane):
             pane.redraw()
 

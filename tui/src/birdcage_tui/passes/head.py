@@ -5,6 +5,7 @@ from __future__ import annotations
 from birdcage_tui.canvas import Cells
 from birdcage_tui.pane import Pane
 from birdcage_tui.passes.desk import Desk
+from birdcage_tui.passes.layout import BESIDE_MAP
 from birdcage_tui.passes.words import clock_text, shift_text
 from birdcage_tui.view import View
 
@@ -43,6 +44,11 @@ class PassHead(Pane):
         if words and x + len(words) < cells.width:
             cells.right(cells.width - 1, 0, words, "warn" if sky.note and machine.is_now else quiet)
 
+    @property
+    def _alone(self) -> bool:
+        """Whether the map has the page for itself: then there is no list to be in any order."""
+        return self._desk.world and self.size.width < BESIDE_MAP
+
     def _told(self, view: View, room: int) -> list[tuple[str, str]]:
         """Return (words, command) of what is hidden, and the order; where that does not fit, how many filters hide.
 
@@ -56,9 +62,9 @@ class PassHead(Pane):
             filters.append((f"heard by {sky.feed}", "pass-hearable"))
         if choice.favourites_only:
             filters.append(("favourites only", "pass-favourites"))
-        order = (f"sort: {choice.sort}", "pass-sort")
+        order = [] if self._alone else [(f"sort: {choice.sort}", "pass-sort")]
         counted = [(f"{len(filters)} filter{'s' if len(filters) > 1 else ''}", "pass-filter")] if filters else []
-        for parts in ([*filters, order], filters, [*counted, order], counted):
+        for parts in ([*filters, *order], filters, [*counted, *order], counted):
             if sum(len(words) + 2 for words, _ in parts) - 2 <= room:
                 return parts
         return []

@@ -10,6 +10,10 @@ FIGURES = 10
 """Rows that the figures need, with their frame, on a small page; one more on a large one, where they are narrower."""
 PATH = 130
 """Columns that a large map of the sky needs with all its figures beside it."""
+BESIDE_MAP = 220
+"""Columns from which on the list stands beside the map of the world."""
+MAP_LIST = 78
+"""How wide it is there."""
 ROOMY = (100, 28)
 
 

@@ -36,7 +36,7 @@ class WorldMapPane(Pane, can_focus=True):
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
-        self.border_title = "World  ━ ahead  ┄ behind  ○ in view  · night  ☼ Sun overhead"
+        self.border_title = "World  ━ ahead  ┄ behind  ○ footprint  · night  ☼ Sun overhead"
         self.world: WorldView | None = None
         self._layers = Layers()
         self._drawn: tuple[WorldView | None, str] | None = None
@@ -74,7 +74,11 @@ class WorldMapPane(Pane, can_focus=True):
         _lines(canvas, chart, world)
         canvas.onto(cells, left, top)
         _marks(cells, chart, left, top, world, view)
-        _figures(cells, world)
+        _figures(cells, world, self.seen())
+
+    def seen(self) -> str:
+        """Return when the chosen satellite is in view of the observer, where that is known: nothing here."""
+        return ""
 
     def on_mouse_move(self, event: events.MouseMove) -> None:
         """Read out the place under the mouse, and whether it is day there."""
@@ -120,7 +124,7 @@ def _marks(cells: Cells, chart: Chart, left: int, top: int, world: WorldView, vi
     if world.observer is not None:
         spot = at(world.observer.latitude_deg, world.observer.longitude_deg)
         cells.put(*spot, view.pointer, "accent-strong")
-        _name(cells, chart, left, world.observer.name or "you", *spot, "accent", CALM)
+        _name(cells, chart, left, world.observer.name or "you", *spot, "accent", CALM, QUIET, OVER)
     if world.chosen is not None:
         spot = at(world.chosen.latitude_deg, world.chosen.longitude_deg)
         cells.put(*spot, "•", "target-strong")
@@ -131,7 +135,7 @@ def _marks(cells: Cells, chart: Chart, left: int, top: int, world: WorldView, vi
         if one.favourite:
             _name(cells, chart, left, one.name, *spot, "text", CALM, rows=1)
         else:
-            _name(cells, chart, left, one.name, *spot, "dim", ("faint",), rows=1)
+            _name(cells, chart, left, one.name, *spot, "dim", ("faint",), CALM, rows=1)
 
 
 def _name(
@@ -153,16 +157,17 @@ def _name(
                     return
 
 
-def _figures(cells: Cells, world: WorldView) -> None:
-    """Write the last row: when, and where the chosen satellite is."""
+def _figures(cells: Cells, world: WorldView, seen: str) -> None:
+    """Write the last row: when, where the chosen satellite is, and when it is in view; what has no room is left out."""
     y = cells.height - 1
     x = cells.put(1, y, f"{world.utc:%H:%M:%S}Z  ", "dim")
     chosen = world.chosen
     if chosen is None:
         cells.put(x, y, NOTHING[: cells.width - x], "dim")
         return
-    for ink, words in (("target-strong", chosen.name), ("text", _where(chosen)), ("dim", _wide(chosen))):
-        if x + len(words) <= cells.width:
+    told = [("target-strong", chosen.name), ("target", seen), ("text", _where(chosen)), ("dim", _wide(chosen))]
+    for ink, words in told:
+        if words and x + cell_len(words) <= cells.width:
             x = cells.put(x, y, words, ink) + 2
 
 
@@ -171,4 +176,4 @@ def _where(one: Ground) -> str:
 
 
 def _wide(one: Ground) -> str:
-    return f"seen within {radius_km(one.altitude_km):,.0f} km"
+    return f"footprint radius {radius_km(one.altitude_km):,.0f} km"

@@ -13,6 +13,7 @@ from textual.message import Message
 from birdcage_tui.host import Host
 from birdcage_tui.passes.desk import Desk
 from birdcage_tui.passes.model import Row
+from birdcage_tui.passes.words import clock_text
 from birdcage_tui.passes.world_map import WorldMapPane
 from birdcage_tui.view import View
 
@@ -61,6 +62,17 @@ def _mapped(row: Row) -> Mapped | None:
     return Mapped(elements, row.origin.time_offset_s, row.favourite)
 
 
+def seen_text(row: Row, t_s: float) -> str:
+    """Return `in view here to 15:40`, `in view here 15:52 to 16:02`; empty for a pass that is over."""
+    if row.stays:
+        return "always in view here"
+    if t_s > row.los_s:
+        return ""
+    until = "" if row.still_up else f" to {clock_text(row.los_s, seconds=False)}"
+    since = "" if t_s >= row.aos_s else f" {clock_text(row.aos_s, seconds=False)}"
+    return f"in view here{since}{until}"
+
+
 class PassWorld(WorldMapPane):
     """The map with the chosen pass of the page's desk."""
 
@@ -87,6 +99,11 @@ class PassWorld(WorldMapPane):
         if ask != self._asked:
             self._asked = ask
             self._waits = cast(Host, self.app).sky.look_down(ask, lambda world: self.post_message(self.Seen(world)))
+
+    def seen(self) -> str:
+        """Return until when the chosen pass is in view from here, or when it is."""
+        row = None if self.view is None else self._desk.chosen(self.view)
+        return "" if row is None or self.view is None else seen_text(row, self._desk.time(self.view))
 
     def on_pass_world_seen(self, event: Seen) -> None:
         """Draw the answer; ask again if another moment is shown meanwhile."""

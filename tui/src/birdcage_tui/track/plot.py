@@ -129,11 +129,12 @@ class TrackSky(Pane):
             cells.put(*polar.cell(*command), "+", "accent-strong")
         here = None if position is None else polar.cell(position.az_deg, position.el_deg)
         target = target_place(view)
-        if target is not None and target[1] > -1.0:
-            x, y = polar.cell(target[0], max(target[1], 0.0))
-            x += (x, y) == here
-            cells.put(x, y, "✕", "target-strong")
-            if (plan := plan_of(view)) is not None:
-                name_target(cells, polar, plan.aim.name, x, y)
-        if position is not None and here is not None:
+        shown = None if target is None or target[1] <= -1.0 else polar.cell(target[0], max(target[1], 0.0))
+        if shown is not None:
+            shown = shown[0] + (shown == here), shown[1]
+            cells.put(*shown, "✕", "target-strong")
+        if here is not None:
             cells.put(*here, view.pointer, "dim" if view.stale else "accent-strong")
+        plan = plan_of(view)
+        if shown is not None and plan is not None:  # last: a name keeps off the dish
+            name_target(cells, polar, plan.aim.name, *shown)
