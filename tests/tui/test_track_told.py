@@ -48,7 +48,7 @@ def test_why_it_waits_and_when_it_goes_on_are_told():
     assert "WAITING FOR METOP-C" in text
     assert "leave in 32:10" in text
     assert "Below the 18° floor" in text
-    assert "rises in 31:00" in text
+    assert "rises in 31 min" in text
 
 
 def test_an_interrupted_pursuit_is_told_in_the_row_under_the_status():

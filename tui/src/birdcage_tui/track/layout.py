@@ -41,5 +41,5 @@ def layout(width: int, height: int, shown: str = VIEWS[0]) -> Layout:
         lower = max(lower, min(lower + 6, height - head - 14))
     upper = height - head - lower
     sky = min((upper - FRAME) * 2 + 6, width - 56)
-    now = 9 + FRAME if upper >= 24 else 6 + FRAME
+    now = 9 + FRAME if upper >= 24 else 5 + FRAME
     return Layout(True, head, sky, now, lower, 44 if width >= 150 else 0)

@@ -154,7 +154,7 @@ def _watched(view: View, width: int) -> list[tuple[str, str]]:
         if last.rms_error_deg is not None:
             error = f"Followed: {', '.join(filter(None, followed_words(last)))}. "
         done = [("text", f"{error}{last.why}")]
-    here = "" if place is None else f"  AZ {place[0]:.1f}°  EL {place[1]:.1f}°"
+    here = "" if place is None else f"  AZ {place[0]:.2f}°  EL {place[1]:.2f}°"
     found = [*done, ("target-strong", f"{plan.aim.name}{here}")]
     t_s = view.utc.timestamp()
     chance = _chance(view, plan, t_s)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from birdcage.station.pursuit import Phase, Pursuit, Sample
 
-from birdcage_tui.view import View
+from birdcage_tui.view import STALE_S, View
 
 if TYPE_CHECKING:
     from birdcage.base.beam import Beam
@@ -61,8 +61,13 @@ def beam_of(view: View) -> Beam | None:
 
 
 def target_place(view: View) -> tuple[float, float] | None:
-    """Return where the target stands now, true degrees: by the plan, else where it was seen last."""
-    plan = plan_of(view)
+    """Return where the target stands now, true degrees: by the plan, else where it was seen last.
+
+    While the dish follows it, at the moment of the dish's own reading: the two differ by the error and no more.
+    """
+    plan, sample = plan_of(view), sample_of(view)
+    if sample is not None and view.now - sample.at <= STALE_S and shown_is_followed(view):
+        return sample.target_az_deg % 360.0, sample.target_el_deg
     t_s = view.utc.timestamp()
     if plan is not None and plan.sky.start_s <= t_s <= plan.sky.end_s:
         az_deg, el_deg = plan.sky.at(t_s)

@@ -11,7 +11,7 @@ from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.pane import Pane
 from birdcage_tui.passes.words import clock_text, count_text
 from birdcage_tui.track.path import Points, Spot
-from birdcage_tui.track.pursuing import beam_of, plan_of, shown_is_followed
+from birdcage_tui.track.pursuing import beam_of, plan_of, shown_is_followed, target_place
 from birdcage_tui.track.scale import error_top, shown_deg, window
 from birdcage_tui.track.still import draw_still
 from birdcage_tui.track.words import degrees, drifts
@@ -20,8 +20,12 @@ from birdcage_tui.view import View
 if TYPE_CHECKING:
     from birdcage.tracking.plan import Incident, Plan
 
-LEFT, RIGHT = 6, 7
-"""Columns of the scales."""
+LEFT, RIGHT = 8, 8
+"""Columns of name and scale, and of the figures of now and the loss: no name ever stands on a figure."""
+TWO_ROWS = 10
+"""From so many rows on, events and times have a row each on the time axis."""
+APART = 2
+"""Blanks between two words on the time axis."""
 TICKS_S = (10.0, 20.0, 30.0, 60.0, 120.0, 300.0, 600.0, 900.0, 1800.0, 3600.0)
 TITLE = "Azimuth, elevation, error"
 MARKS = {"keyhole": "warn", "rewind": "warn", "unreach": "text", "reach": "text"}
@@ -48,8 +52,8 @@ class TrackStrips(Pane):
     def draw(self, cells: Cells, view: View) -> None:
         """Share the rows out, draw the strips, then the line of now over all of them."""
         plan = plan_of(view)
-        width, axis = cells.width - LEFT - RIGHT, 2 if cells.height >= 14 else 1
-        rows = cells.height - axis
+        width = cells.width - LEFT - RIGHT
+        rows = cells.height - (2 if cells.height >= TWO_ROWS else 1)
         if plan is None or width < 12 or rows < 3:
             cells.put(1, 0, "Select a target to see its curves."[: cells.width - 2], "dim")
             return
@@ -95,8 +99,7 @@ class TrackStrips(Pane):
         if span[0] <= now_s <= span[1]:
             cells.put(LEFT + min(at_now, width - 1), y, "▲", "strong")
         elif now_s < span[0]:
-            words = f"◀ rises in {count_text(span[0] - now_s)}"
-            cells.put(1, y, words, "strong")
+            cells.put(1, y, f"◀ rises in {_left_text(span[0] - now_s)}", "strong")
         order = list(MARKS)
         coming = sorted((each for each in plan.incidents if each.what in MARKS), key=lambda one: order.index(one.what))
         for each in coming:
@@ -107,9 +110,22 @@ class TrackStrips(Pane):
         while at_s < span[1]:
             words = clock_text(at_s, seconds=every < 60.0)
             x = LEFT + int(x_of(at_s)) // 2 - len(words) // 2
-            if x + len(words) <= cells.width and cells.free(x - 1, row, len(words) + 2):
+            if _fits(cells, x, row, words):
                 cells.put(x, row, words, "dim")
             at_s += every
+
+
+def _left_text(span_s: float) -> str:
+    """Return how long is left, in words that no time of day looks like: `45 s`, `12 min`, `2h05`."""
+    if span_s < 60.0:
+        return f"{span_s:.0f} s"
+    return f"{span_s // 60.0:.0f} min" if span_s < 3600.0 else count_text(span_s)
+
+
+def _fits(cells: Cells, x: int, y: int, words: str) -> bool:
+    """Return whether words are whole there, and apart from those beside them."""
+    first, end = max(x - APART, 0), min(x + len(words) + APART, cells.width)
+    return x >= 0 and x + len(words) <= cells.width and cells.free(first, y, end - first)
 
 
 def _across(start_s: float, end_s: float, width: int) -> Callable[[float], float]:
@@ -122,9 +138,9 @@ def _write(cells: Cells, y: int, what: Incident, x_of: Callable[[float], float],
     if not 0 <= column < width:
         return
     ink = "dim" if past else MARKS[what.what]
-    for words in (what.text, what.text.partition(",")[0]):
-        for x in (LEFT + column - len(words) // 2, LEFT + column, LEFT + column - len(words) + 1):
-            if x >= 1 and x + len(words) < cells.width and cells.free(x - 1, y, len(words) + 2):
+    for words in dict.fromkeys((what.text, what.text.partition(",")[0], what.text.partition(": ")[2])):
+        for x in (LEFT + column - len(words) // 2, LEFT + column, LEFT + column - len(words) + 1) if words else ():
+            if x >= 1 and _fits(cells, x, y, words):
                 cells.put(x, y, words, ink)
                 return
     if cells.free(LEFT + column - 1, y, 3):  # within words it would look like a letter of theirs
@@ -166,10 +182,9 @@ def _angles(cells: Cells, view: View, spots: Sequence[Spot], axis: int, box: tup
         cells.right(LEFT - 1, y, top, "dim")
         cells.right(LEFT - 1, y + height - 1, bottom, "dim")
     cells.put(0, y + (height - 1) // 2 if height > 2 else y, name, "strong")
-    here = next((spot for spot in spots if spot.t_s >= now_s), None)
-    if here is not None and spots[0].t_s <= now_s:
-        deg = (here.az_deg % 360.0, here.el_deg)[axis]
-        cells.right(cells.width, y + (height - 1) // 2, f"{deg:.1f}°", "target")
+    place = target_place(view)
+    if place is not None and spots[0].t_s <= now_s <= spots[-1].t_s:
+        cells.right(cells.width, y + (height - 1) // 2, f"{place[axis]:.2f}°", "target")
 
 
 def _curve(canvas: Braille, series: Series, x_of: Callable[[float], float], up: Callable[[float], float], ink: str,
@@ -223,5 +238,5 @@ def _errors(cells: Cells, view: View, plan: Plan, box: tuple[int, int, int], x_o
 
 
 def _decibels(lost_db: float) -> str:
-    """Return what is lost, as a level: `-0.04dB`, `-44dB`; the least that shows is a hundredth."""
-    return f"-{lost_db:.0f}dB" if lost_db >= 9.995 else f"-{lost_db:.2f}dB" if lost_db >= 0.005 else "<0.01dB"
+    """Return what is lost, as a level: `-0.04 dB`, `-44 dB`; what is less than a hundredth is nothing."""
+    return f"-{lost_db:.0f} dB" if lost_db >= 9.995 else f"-{lost_db:.2f} dB" if lost_db >= 0.005 else "0.00 dB"
