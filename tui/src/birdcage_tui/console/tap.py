@@ -27,7 +27,7 @@ class WireTap:
         """When the first byte passed."""
 
     def take_in(self, event: Entry) -> None:
-        """Take one event, and whether a pursuit has just sent it: later nobody could tell it from a STOP."""
+        """Take one event, and whether a pursuit has just sent it: later it would look like a STOP."""
         steering = event.direction == ">" and self._is_steering()
         with self._lock:
             if self.since is None:

@@ -148,7 +148,8 @@ class Told:
             else:
                 if width < WITH_RANGE:
                     blocks.append([("dim", f"range AOS {first}, TCA {nearest}, LOS {last}")])
-                blocks.append([("dim", f"Doppler AOS {rising}, LOS {falling} {at}")])
+                shift = f"Doppler {rising.removesuffix(' kHz')} to {falling}"
+                blocks.append([("dim", shift), ("dim", f"  {at}")])
         sun = ", ".join(words for _, words in sun_lines(row, self.beam))
         blocks.append(clock_lines(row))
         blocks.append([(sun_lines(row, self.beam)[-1][0], sun)] if sun else [])
