@@ -5,6 +5,8 @@ import stand_in
 from birdcage.station.requests import Jog
 from birdcage_tui.commands import COMMANDS, PAGES, for_key, in_force
 from birdcage_tui.commands.jog import STEPS_DEG
+from birdcage_tui.footer import KeyBar
+from birdcage_tui.help import HelpScreen
 from birdcage_tui.jump import targets
 from stage import run
 from textual.widgets import ContentSwitcher, OptionList
@@ -69,7 +71,7 @@ def test_jump_reaches_every_control_on_the_screen():
         app.paint()
         places = targets(app.screen)
         assert {place.command for place in places} >= {"goto", "help", "home"}
-        letter = next(place.letter for place in places if place.command == "help")
+        letter = next(place.label for place in places if place.command == "help")
         await pilot.press("semicolon")
         await pilot.pause()
         shown = stand_in.text_of(app)
@@ -81,6 +83,58 @@ def test_jump_reaches_every_control_on_the_screen():
     shown, letter, text = run(jump)
     assert f" {letter} " in shown.splitlines()[-1]
     assert "Help" in text
+
+
+@pytest.mark.parametrize("size", [(80, 24), (100, 30), (160, 48)], ids=str)
+def test_every_control_has_a_label_of_its_own_also_where_the_letters_run_out(size):
+    async def jump(app, pilot):
+        places = targets(app.screen)
+        keys = next(bar for bar in app.screen.query(KeyBar))
+        footer = [place for place in places if place.widget is keys]
+        assert {command for _, command in keys.hot} == {place.command for place in footer}, "all of the last row"
+        label = next(place.label for place in footer if place.command == "help")
+        await pilot.press("semicolon")
+        await pilot.pause()
+        await pilot.press(*label)
+        await pilot.pause()
+        await pilot.pause()
+        return [place.label for place in places], isinstance(app.screen, HelpScreen)
+
+    names, is_open = run(jump, size=size, key="f2")
+    assert size == (80, 24) or len(names) > 26
+    assert not [each for each in names if not each.isalpha()], "a digit is the key of another page"
+    assert len(set(names)) == len(names)
+    assert not [one for one in names for other in names if one != other and other.startswith(one)]
+    assert is_open
+
+
+def test_the_second_letter_of_a_label_is_waited_for_and_the_rest_go():
+    async def half(app, pilot):
+        label = next(place.label for place in targets(app.screen) if len(place.label) == 2)
+        await pilot.press("semicolon")
+        await pilot.pause()
+        await pilot.press(label[0])
+        await pilot.pause()
+        shown = [part.name for part in app.screen.query(".jump") if part.display]
+        await pilot.press("semicolon")
+        await pilot.pause()
+        return label, shown, len(app.screen_stack)
+
+    label, shown, layers = run(half, size=(160, 48), key="f2")
+    assert label in shown
+    assert {each[0] for each in shown} == {label[0]}
+    assert layers == 1
+
+
+def test_a_label_covers_the_key_that_it_stands_for_and_no_part_of_its_word():
+    async def jump(app, pilot):
+        await pilot.press("semicolon")
+        await pilot.pause()
+        return stand_in.text_of(app).splitlines()[-1]
+
+    row = run(jump, size=(80, 24))
+    assert row.rstrip().endswith(" pages")
+    assert "0 pages" not in row
 
 
 def test_pages_have_a_key_each():

@@ -1,5 +1,7 @@
 """The horizon drawn: with the mouse, with the arrows, and what becomes of the line beside it."""
 
+import re
+
 import pytest
 import stage
 import stand_in
@@ -91,6 +93,24 @@ def test_arrows_draw_too_and_z_takes_it_back():
     assert max(el_deg for _, el_deg in drawn.points) == 3.0
     assert after == HorizonMask()
     assert "undid the last change" in text
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_the_axis_has_north_at_both_ends_also_under_the_cursor(size):
+    async def axis(app, pilot):
+        pane = await opened(app, pilot)
+        rows = []
+        for key in ("right", "left", "left"):
+            await pilot.press(key)
+            await pilot.pause()
+            rows.append("".join(segment.text for segment in pane._strips[pane.size.height - 2])[SCALE:])
+        return rows
+
+    for row in run(axis, size=size):
+        letters = re.sub("[^NESW]", "", row.replace("◉", ""))
+        assert letters == "NESWN", row
+        assert row[0] == "N"
+        assert row.rstrip()[-1] == "N"
 
 
 def test_esc_keeps_nothing():

@@ -69,6 +69,6 @@ def ask_place(app: BirdcageApp) -> None:
         where = f"{found.name}, " if found.name else ""
         app.say(f"Location set: {where}{found.latitude_deg:.4f}°, {found.longitude_deg:.4f}°.")
 
-    words = "Type a city, a locator, or latitude and longitude. Passes follow it at once."
+    words = "Type a city, a locator, or latitude and longitude. Passes are recomputed at once."
     app.push_screen(FieldsScreen("Set location", words, (Field("place", "", "Rotterdam, JO21jv, 51.9 4.8"),), check),
                     answered)  # fmt: skip

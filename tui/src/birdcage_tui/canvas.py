@@ -50,6 +50,11 @@ class Cells:
                     chars[column], inks[column] = char, ink
         return x + len(text)
 
+    def run_of(self, ink: str, x: int, y: int) -> int:
+        """Return how many cells from this one on have that ink."""
+        row = self._inks[y][x:] if 0 <= y < self.height and x >= 0 else []
+        return next((count for count, each in enumerate(row) if each != ink), len(row))
+
     def _put_piece(self, x: int, y: int, piece: str, width: int, ink: str) -> int:
         """Write one sign, a space for each of its cells where it lies across an edge."""
         whole = x >= 0 and x + width <= self.width

@@ -85,7 +85,8 @@ class KeyBar(Pane):
             x += 2
         if pages:
             start = cells.width - len(pages)
-            cells.put(start, 0, pages, "bar")
+            keys, _, word = pages.strip().partition(" ")
+            cells.put(cells.put(start, 0, f" {keys} ", "key"), 0, f"{word} ", "bar")
             self.heat(start, 0, len(pages), "help")
 
     def _pages_are_named(self) -> bool:

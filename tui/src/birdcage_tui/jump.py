@@ -1,7 +1,8 @@
-"""Jump to any control: a letter on everything that can have the focus or be clicked."""
+"""Jump to any control: a label on everything that can have the focus or be clicked."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from textual import events
@@ -16,8 +17,8 @@ from birdcage_tui.dialogs import Dialog
 from birdcage_tui.pane import Pane
 from birdcage_tui.status import TopRow
 
-LETTERS = "asdfgqwertzuiopyxcvbnmhjkl1234567890"
-"""In the order in which they are given out: those under the left hand first."""
+LETTERS = "asdfgqwertzuiopyxcvbnmhjkl"
+"""In the order in which they are given out: those under the left hand first. A digit is the key of a page."""
 HINT = " Type a label to go there. ; closes. "
 
 
@@ -25,7 +26,7 @@ HINT = " Type a label to go there. ; closes. "
 class Target:
     """One thing to jump to: a widget that takes the focus, or a command that is written on one."""
 
-    letter: str
+    label: str
     region: Region
     widget: Widget
     command: str | None = None
@@ -34,7 +35,16 @@ class Target:
     def cap(self) -> int:
         """Columns of its label: as many as the key that it lies on."""
         shown = BY_NAME[self.command].shown if self.command in BY_NAME else ""
-        return min(max(len(shown) + 2, 3), max(self.region.width, 3))
+        drawn = self._key_width()
+        wide = drawn if 0 < drawn < self.region.width else max(len(shown) + 2, 3)
+        return min(wide, max(self.region.width, 3))
+
+    def _key_width(self) -> int:
+        """Return how many columns a key is drawn in, from the left end; 0 where none is."""
+        if not isinstance(self.widget, Pane):
+            return 0
+        corner = self.region.offset - self.widget.content_region.offset
+        return self.widget.run_of("key", corner.x, corner.y)
 
 
 def _corner(widget: Widget) -> Offset:
@@ -45,7 +55,7 @@ def _corner(widget: Widget) -> Offset:
 
 
 def targets(screen: Screen[object]) -> tuple[Target, ...]:
-    """Return everything on the screen that a person could go to, from the top left; as many as there are letters."""
+    """Return everything on the screen that a person could go to, from the top left."""
     found: list[tuple[Region, Widget, str | None]] = []
     for widget in screen.query("*"):
         region = widget.region
@@ -58,32 +68,49 @@ def targets(screen: Screen[object]) -> tuple[Target, ...]:
             found += [(spot.translate(inside.offset), widget, command) for spot, command in widget.hot]
     found.sort(key=lambda each: (each[0].y, each[0].x))
     return tuple(
-        Target(letter, region, widget, command)
-        for letter, (region, widget, command) in zip(LETTERS, found, strict=False)
+        Target(label, region, widget, command)
+        for label, (region, widget, command) in zip(labels(len(found)), found, strict=False)
     )
 
 
+def labels(count: int) -> list[str]:
+    """Return so many labels, none the beginning of another: one letter each, two where the letters run out.
+
+    With p of the n letters kept to begin pairs there are n - p + p n labels: p is the fewest that suffice.
+    """
+    begin = min(max(math.ceil((count - len(LETTERS)) / (len(LETTERS) - 1)), 0), len(LETTERS))
+    single = len(LETTERS) - begin
+    pairs = [first + second for first in LETTERS[single:] for second in LETTERS]
+    return [*LETTERS[:single], *pairs][:count]
+
+
 class JumpScreen(Dialog[Target | None]):
-    """The page shines through; a letter goes there, any other key closes."""
+    """The page shines through; a label goes there, any other key closes."""
 
     def __init__(self, places: tuple[Target, ...]) -> None:
         super().__init__()
-        self._places = {place.letter: place for place in places}
+        self._places = {place.label: place for place in places}
+        self._typed = ""
 
     def compose(self) -> ComposeResult:
         """A label at the corner of each target."""
         yield TopRow()
         yield Static(HINT, id="jump-hint", markup=False)
-        for letter, place in self._places.items():
-            label = Static(f"{letter:^{place.cap}}", classes="jump", markup=False)
+        for text, place in self._places.items():
+            label = Static(f"{text:^{place.cap}}", classes="jump", name=text, markup=False)
             label.absolute_offset = place.region.offset if place.command else _corner(place.widget)
             label.styles.width = place.cap
             yield label
 
     def on_key(self, event: events.Key) -> None:
-        """Go there, or close."""
+        """Go there, wait for the second letter, or close."""
         event.stop()
-        self.dismiss(self._places.get(event.character or ""))
+        self._typed += event.character or " "
+        left = [text for text in self._places if text.startswith(self._typed)]
+        if self._typed in self._places or not left:
+            self.dismiss(self._places.get(self._typed))
+        for label in self.query(".jump"):
+            label.display = label.name in left
 
     def on_click(self, event: events.Click) -> None:
         """Close."""

@@ -20,6 +20,11 @@ from birdcage_tui.status import TopRow
 
 KEY_WIDTH = 8
 """Columns of a key, right-aligned."""
+CURSOR = 1e-1
+"""Factor on the score of a key that only moves a cursor."""
+CURSOR_KEYS = frozenset({"up", "down", "left", "right", "pageup", "pagedown", "home", "end"})
+MOVING = ("Jog", "Nudge")
+"""Groups whose arrows move the dish."""
 REFUSED = 1e-3
 """Factor on the score of what cannot be done now: it comes after all that can."""
 
@@ -66,6 +71,24 @@ def page_of(command: Command) -> str:
     return next((title for name, title, _ in PAGES if name == where), "")
 
 
+def nearness(query: str, command: Command, *, here: bool) -> float:
+    """Return how well a command's title answers: 0 where a word of the query is no part of it.
+
+    A whole word, or the beginning of a page's name, counts most, then the beginning of a word; keys that only move a
+    cursor come last, and where they do nothing they are left out.
+    """
+    title = command.title.casefold()
+    words = title.split()
+    asked = query.casefold().split()
+    cursor = bool(CURSOR_KEYS.intersection(command.keys)) and command.group not in MOVING
+    if not asked or not all(part in title for part in asked) or (cursor and not here):
+        return 0.0
+    is_page = command.name.startswith("page-")
+    ranks = [4 if part in words else 3 if is_page else 2 if title.startswith(part) else 1 for part in asked]
+    score = sum(ranks) + (0.5 if here else 0.0) + (2.0 if is_page else 0.0)
+    return score * (CURSOR if cursor else 1.0)
+
+
 class CommandProvider(Provider):
     """Every command by its title, the nearest first."""
 
@@ -102,10 +125,12 @@ class CommandProvider(Provider):
 
     async def search(self, query: str) -> Hits:
         """Yield what matches."""
-        matcher = self.matcher(query)
-        for command, here, reason in self._commands():
-            score = matcher.match(f"{command.title} {command.name}")
+        matcher, commands = self.matcher(query), tuple(self._commands())
+        scores = [nearness(query, command, here=here) for command, here, _ in commands]
+        if not any(scores):  # an abbreviation: letters in this order
+            scores = [matcher.match(f"{command.title} {command.name}") for command, _, _ in commands]
+        for (command, here, reason), score in zip(commands, scores, strict=True):
             if score > 0:
                 line = self._line(matcher.highlight(command.title), command, here=here, reason=reason)
-                score *= 1.0 if reason is None else REFUSED
-                yield Hit(score, line, partial(self._do, command), text=command.title)
+                can = 1.0 if reason is None else REFUSED
+                yield Hit(score * can, line, partial(self._do, command), text=command.title)

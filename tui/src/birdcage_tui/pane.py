@@ -51,6 +51,10 @@ class Pane(Widget):
         self.heat(start, y, x - start, command)
         return x + 1
 
+    def run_of(self, ink: str, x: int, y: int) -> int:
+        """Return how many cells from this one on are drawn in that ink."""
+        return 0 if self._cells is None else self._cells.run_of(ink, x, y)
+
     def heat(self, x: int, y: int, width: int, command: str) -> None:
         """Let a click on these cells give a command."""
         self.hot.append((Region(x, y, width, 1), command))

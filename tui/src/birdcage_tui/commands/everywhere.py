@@ -117,7 +117,7 @@ APP = (
         ("L",),
         "L",
         "Set location …",
-        "Type a city, a locator, or latitude and longitude. Passes follow it at once.",
+        "Type a city, a locator, or latitude and longitude. Passes are recomputed at once.",
         "App",
     ),
     Command("theme", ("T",), "T", "Next theme", "Dusk, daylight, night. Your choice is saved.", "App"),

@@ -90,7 +90,7 @@ def speeds(view: View) -> FieldsScreen:
                 return f"{axis.name}: type {LEAST_DEG_S:g} to {axis.most_deg_s:g} degrees a second, or leave it empty."
         return ""
 
-    words = "Maximum speed of each axis in degrees a second, until the dish restarts. Nothing moves now."
+    words = "Maximum speed of each axis in degrees a second, until the dish restarts. Saving does not move the dish."
     return FieldsScreen("Maximum speeds", words, fields, check)
 
 
@@ -111,8 +111,8 @@ def preset_fields(preset: Preset | None) -> tuple[Field, ...]:
     name, note = ("", "") if preset is None else (preset.name, preset.note)
     return (
         Field("name", name, "name of the direction"),
-        Field("azimuth", az, "degrees, clockwise from true north"),
-        Field("elevation", el, "degrees above the horizon"),
+        Field("azimuth °", az, "clockwise from true north"),
+        Field("elevation °", el, "above the horizon"),
         Field("note", note, "optional"),
     )
 
@@ -139,5 +139,5 @@ def preset(title: str, fields: tuple[Field, ...], book: PresetBook, old: str | N
         names = {entry.name.casefold() for entry in book.entries} - {(old or "").casefold()}
         return f'A preset "{typed.name}" exists.' if typed.name.casefold() in names else ""
 
-    words = "Save a direction under a name. Nothing moves now."
+    words = "Save a direction, in true degrees, under a name. Saving does not move the dish."
     return FieldsScreen(title, words, fields, check)

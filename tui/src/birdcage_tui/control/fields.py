@@ -50,8 +50,6 @@ class FieldsScreen(Dialog[Values | None]):
         background: $panel; }
     FieldsScreen #wrong { color: $warning; margin-top: 1; }
     FieldsScreen #words { margin-bottom: 1; }
-    FieldsScreen CancelButton { width: auto; margin-top: 1; }
-    App.-tiny FieldsScreen CancelButton { margin-top: 0; }
     """
     KEYS, OTHER = "Enter saves", "Tab to Cancel"
     BINDINGS = [("escape", "leave", "close")]  # noqa: RUF012

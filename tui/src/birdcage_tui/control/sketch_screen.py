@@ -23,8 +23,8 @@ SCALE = 4
 STEP_DEG = 1.0
 PARTS = " ▁▂▃▄▅▆▇█"
 WORDS = (
-    "Draw the line of trees and roofs with the mouse. Or select with ← →, set with ↑ ↓; Home makes it flat there. "
-    "Nothing moves."
+    "Draw the tree line with the mouse. Or ← → select an azimuth, ↑ ↓ raise and lower the line, Home sets it to 0°. "
+    "Drawing moves nothing."
 )
 
 
@@ -62,12 +62,16 @@ class SketchPane(Pane, can_focus=True):
                 part = min(max(filled - row, 0.0), 1.0)
                 if part > 1 / 16:
                     cells.put(SCALE + column, rows - 1 - row, PARTS[round(part * 8)], ink)
-        for az_deg, name in ((0, "N"), (90, "E"), (180, "S"), (270, "W")):
-            cells.put(SCALE + int(az_deg / 360.0 * sketch.columns), rows, name, "strong")
+        names = {sketch.columns * quarter // 4: name for quarter, name in enumerate("NESW")}
+        names[sketch.columns - 1] = "N"
+        for column, name in names.items():
+            cells.put(SCALE + column, rows, name, "strong")
         position = view.state.position
         if position is not None:
             cells.put(SCALE + int(position.az_deg / 360.0 * sketch.columns), rows, view.pointer, "accent-strong")
-        cells.put(SCALE + self.cursor, rows, "▲", "text")
+        # On a name the cursor is its ground: the axis keeps its letters.
+        here = names.get(self.cursor, "▲")
+        cells.put(SCALE + self.cursor, rows, here, "text" if here == "▲" else "accent-row")
         words = f"{sketch.azimuth(self.cursor):.0f}°  {sketch.heights[self.cursor]:.1f}° high"
         cells.put(SCALE, rows + 1, words, "text")
         cells.right(cells.width, rows + 1, f"{len(sketch.mask().points)} points", "dim")
