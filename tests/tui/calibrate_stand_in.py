@@ -69,8 +69,7 @@ SETS = (KeptSet(AlignmentSet("Roof", 5.01, 0.38, 0.3, 1.2, 0.7, 0.04, 5), in_for
         KeptSet(AlignmentSet("Van", -12.5, 0.1, rms_deg=0.21, peaks=3), in_force=False))  # fmt: skip
 SCENES = {
     "opening": CalibrateNow(searching=True),
-    "no-place": CalibrateNow(replace(view(0), proposals=()), wrong="No place is set, so directions can't be "
-    "computed. Set one in Setup, or with `birdcage place`."),
+    "no-place": CalibrateNow(replace(view(0), proposals=()), wrong="No location set. L sets it."),
     "first": CalibrateNow(view(0)),
     "one": CalibrateNow(on_object(1), told="Peak 1 saved, ±0.10°."),
     "five": CalibrateNow(on_object(5), SETS, removed=1, enough=True),

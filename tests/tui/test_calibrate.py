@@ -60,6 +60,11 @@ def flat(text):
     return " ".join(text.replace("│", " ").split())
 
 
+def pane_text(pane):
+    """The words of one pane, in one line."""
+    return " ".join(" ".join("".join(row) for row in pane._cells._chars).split())
+
+
 @pytest.mark.parametrize("size", SIZES, ids=str)
 @pytest.mark.parametrize("scene", calibrate_stand_in.SCENES)
 def test_what_a_person_needs_is_inside_the_screen_and_over_nothing_else(scene, size):
@@ -114,6 +119,16 @@ def test_the_figures_are_told_and_the_warning_too(size):
     assert f"{view.fit.condition:.0f} " in text
     assert "Peak 3" in text
     assert "▲" in text
+
+
+@pytest.mark.parametrize("size", SIZES[:2], ids=str)
+def test_what_is_wrong_with_the_fit_and_what_to_do_next_are_told_whole(size):
+    async def look(app, _pilot, _source):
+        return [pane_text(app.page.query_one(kind)) for kind in (FiguresPane, AimPane)]
+
+    below, aim = run(look, "odd", size)
+    assert calibrate_stand_in.SCENES["odd"].guide.fit.warning in below
+    assert "Nudge to the highest signal, then press Enter." in aim
 
 
 def test_the_picture_holds_each_peak_by_its_number_and_its_ring():
@@ -357,4 +372,5 @@ def test_the_highest_signal_is_told_with_its_place():
 
 def test_no_place_is_told_and_what_to_do():
     text = " ".join(run(read, "no-place").replace("│", " ").split())
-    assert "▲ No place is set" in text
+    assert "▲ No location set. L sets it." in text
+    assert "can hear nothing" not in text, "why nothing was found is told, not that nothing is up"

@@ -212,4 +212,24 @@ def test_without_a_place_it_says_what_to_do(tmp_path):
             await house.press("n")
             return house.text()
 
-    assert "No place is set" in asyncio.run(body())
+    text = asyncio.run(body())
+    assert "▲ No location set. L sets it." in text
+    assert "can hear nothing" not in text
+
+
+def test_a_location_that_is_set_from_here_counts_here_at_once(tmp_path):
+    async def body():
+        def keep(latitude_deg, longitude_deg, _height_m, _name):
+            lines = ["[place]", f"latitude_deg = {latitude_deg}", f"longitude_deg = {longitude_deg}", ""]
+            house.paths.config_file.write_text("\n".join(lines))
+
+        house = House(tmp_path, config="", keep_place=keep)
+        async with house.app.run_test(size=SIZE) as house.pilot:
+            await house.open()
+            assert not house.guide.proposals
+            await house.press("L", *"39.1", "comma", "minus", *"95.7", "enter")
+            return house.text()
+
+    text = asyncio.run(body())
+    assert "Next best: " in text
+    assert "No location set" not in text

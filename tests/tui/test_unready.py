@@ -93,7 +93,7 @@ def test_the_pocket_view_has_what_must_be_fixed_in_its_calm_row():
 @pytest.mark.parametrize(
     ("check", "sentence", "key", "title"),
     [
-        (NO_PLACE, "✗ No location set, so passes can't be computed. L: set it.", "L", "Set location"),
+        (NO_PLACE, "✗ No location set. L sets it.", "L", "Set location"),
         (OLD_FAVOURITE, "▲ The elements of ISS (ZARYA) are old: expect a larger error. I: add newer ones.", "I",
          "Add elements"),
     ],

@@ -7,11 +7,15 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
+from dataclasses import replace
 from datetime import datetime
 from typing import TYPE_CHECKING, Protocol
 
+from birdcage.pursuit.now import NO_PLACE
 from birdcage.station.events import Event, Followed, PursuitChanged
 from birdcage.station.pursuit import Phase, Sample
+
+from birdcage_tui.unready import NO_LOCATION
 
 if TYPE_CHECKING:
     from birdcage.pursuit.now import DeskNow
@@ -87,6 +91,15 @@ class TrackSource(Protocol):
 MakeTrack = Callable[[ShowTrack], TrackSource]
 
 
+def _with_our_keys(now: DeskNow) -> DeskNow:
+    """Name the key of this app where the desk names a command that sets the location."""
+    if now.problem == NO_PLACE:
+        now = replace(now, problem=NO_LOCATION)
+    if now.located is not None and now.located.problem == NO_PLACE:
+        now = replace(now, located=replace(now.located, problem=NO_LOCATION))
+    return now
+
+
 class TrackFeed:
     """The app's end. `now` is what the desk told last, `looks` how well the dish has pointed in this pursuit."""
 
@@ -110,7 +123,7 @@ class TrackFeed:
             self.source.start()
 
     def _take(self, now: DeskNow) -> None:
-        self.now = now
+        self.now = _with_our_keys(now)
         self._changed()
 
     def keep(self, place: Place | None, horizon: HorizonMask | None = None) -> None:

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from birdcage.ready.check import Check
 
 SETUP = "page-setup"
+NO_LOCATION = "No location set. L sets it."
+"""The same sentence on every page; `L` works on all of them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +41,7 @@ def worst(view: View) -> Finding | None:
     check = next((each for each in left if each.state == "must"), left[0])
     sentence, key, command, deed = _told(check)
     glyph, ink = ("✗", "warn-strong") if check.state == "must" else ("▲", "text")
-    words = f"{glyph} {sentence} {key}: {deed}." if key else f"{glyph} {sentence}"
+    words = f"{glyph} {sentence} {key}: {deed}." if key and deed else f"{glyph} {sentence}"
     brief = BRIEF.get(check.subject, "") if check.state == "must" and key else ""
     return Finding(ink, words, brief, command, STEPS.get(check.subject, "") if command == SETUP else "")
 
@@ -70,7 +72,10 @@ def _lacks(check: Check, view: View) -> bool:
 
 
 def _told(check: Check) -> tuple[str, str, str, str]:
-    """Return sentence, key, command and deed; no key where only an editor or a shell mends it."""
+    """Return sentence, key, command and deed; no key where only an editor or a shell mends it.
+
+    No deed where the sentence itself says what the key does.
+    """
     match check.subject:
         case "elements" | "favourites" if check.name != "favourites":
             return _elements(check)
@@ -85,12 +90,12 @@ def _told(check: Check) -> tuple[str, str, str, str]:
         return f"The feed {words}.", "8", SETUP, DEEDS["feed"]
     sentence = SENTENCES.get(check.subject, "{name}: {words}.").format(name=check.name, words=words)
     if check.subject == "place":
-        return sentence, "L", "place-set", "set it"
+        return sentence, "L", "place-set", ""
     return sentence, "8", SETUP, DEEDS.get(check.subject, "open Setup")
 
 
 SENTENCES = {
-    "place": "No location set, so passes can't be computed.",
+    "place": NO_LOCATION,
     "dish": "The dish is not known: {words}.",
     "port": "No port is set.",
     "search": "The TV search may move the dish: not known to be off.",
@@ -98,7 +103,7 @@ SENTENCES = {
     "feed": "Which feed is fitted? birdcage assumes {words}.",
 }
 _OLD = "✗ Old elements. I: add newer ones"
-BRIEF = {"place": "✗ No location. L: set it", "elements": _OLD, "favourites": _OLD}
+BRIEF = {"place": f"✗ {NO_LOCATION}", "elements": _OLD, "favourites": _OLD}
 DEEDS = {"search": "switch it off", "limits": "set yours", "feed": "tell which", "port": "find the dish"}
 
 

@@ -206,13 +206,13 @@ def _rms(values: Sequence[float]) -> float:
 
 def _warning(peaks: Sequence[Peak], condition: float | None, odd: Peak | None) -> str:
     if len(peaks) < 3:
-        return "Only the offsets are fitted: three objects show the tilt, four or more the beam's collimation too."
+        return "Offsets only. Three objects give the tilt, four the collimation."
     if odd is not None:
         name = f"Peak {odd.number} ({odd.target})" if odd.number else odd.target
         return f"{name} disagrees with the others. Take it again, or delete it."
     if condition is None or condition > ILL_CONDITIONED:
         told = "These peaks can't tell all terms apart" if condition is None else (
-            f"These peaks hardly tell the terms apart (condition number {condition:.0f})"
+            f"These peaks hardly tell the terms apart (condition {condition:.0f})"
         )  # fmt: skip
-        return f"{told}: add one far from them, high up or on the other side of the sky, as the Sun or Moon may be."
+        return f"{told}. Add one far from them: high up, or across the sky."
     return ""

@@ -17,8 +17,8 @@ from birdcage.pursuit.circumstances import Circumstances
 from birdcage.pursuit.desk_setup import DeskSetup
 from birdcage.pursuit.follower import Follower, Post, options_of, reach_end
 from birdcage.pursuit.memory import Memory
-from birdcage.pursuit.now import DeskNow, Found, Mode, Resumable
-from birdcage.pursuit.pointer import NO_PLACE, BelowWords, Pointer
+from birdcage.pursuit.now import NO_PLACE, DeskNow, Found, Mode, Resumable
+from birdcage.pursuit.pointer import BelowWords, Pointer
 from birdcage.pursuit.sheet import Sheet
 from birdcage.pursuit.stopped import Stopped
 from birdcage.pursuit.timetable import Timetable

@@ -14,6 +14,9 @@ if TYPE_CHECKING:
     from birdcage.sky.pass_row import PassRow
     from birdcage.tracking.plan import Aim, Plan
 
+NO_PLACE = "No place is set. `birdcage place add home WHERE --use` sets one: a city, a locator (JO21jv), or two angles."
+"""The problem of a desk that does not know where the dish stands, and of a target that it is to locate."""
+
 
 class Mode(Enum):
     """What is done with the chosen target."""

@@ -6,15 +6,13 @@ from datetime import datetime
 from typing import TYPE_CHECKING
 
 from birdcage.base.errors import BirdcageError
-from birdcage.pursuit.now import Located
+from birdcage.pursuit.now import NO_PLACE, Located
 
 if TYPE_CHECKING:
     from birdcage.pursuit.finder import Finder
     from birdcage.sky.observer import Observer
     from birdcage.sky.targets import Resolution, Target
     from birdcage.tracking.planning.refraction import Refraction
-
-NO_PLACE = "No place is set. `birdcage place add home WHERE --use` sets one: a city, a locator (JO21jv), or two angles."
 
 
 def brief(meant: Resolution) -> str:

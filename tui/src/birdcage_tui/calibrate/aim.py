@@ -84,9 +84,11 @@ class AimPane(Pane, can_focus=True):
     @staticmethod
     def _none(cells: Cells, now: CalibrateNow, guide: GuideView) -> int:
         if not guide.proposals:
-            words = "Finding what is up …" if now.searching else "This dish can hear nothing that is in reach now."
-            cells.put(1, 0, words, "dim")
-            return 1
+            if now.wrong:
+                return 0
+            return put_wrapped(
+                cells, 0, "Finding what is up …" if now.searching else "No object to peak on now.", "dim"
+            )
         best = guide.proposals[0]
         cells.put(1, 0, f"Next best: {best.candidate.name}", "target-strong")
         return put_wrapped(cells, 1, best.words() + ".", "text", rows=3)

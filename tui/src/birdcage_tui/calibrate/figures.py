@@ -6,18 +6,34 @@ from typing import TYPE_CHECKING
 
 from birdcage_tui.calibrate.words import ENOUGH, TERMS, figure_rows, fitted_words, put_wrapped
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import wrap
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
 
 if TYPE_CHECKING:
     from birdcage.calibration.fit import Fit
 
+    from birdcage_tui.calibrate.feed import CalibrateNow
+
 LABEL = 11
 TERMS_WIDTH = 36
-SHORT = 7
+SHORT_ROWS, SHORT = 3, 7
 """With fewer rows the figures stand in three, so that there is room for the warning."""
 BESIDE = 84
 """From this width on the terms stand beside the figures."""
+
+
+def said_below(now: CalibrateNow | None) -> tuple[str, ...] | None:
+    """Return the sentence below the figures, if there is one; None where there are no figures."""
+    if now is None or now.guide is None or now.guide.fit is None:
+        return None
+    warning = now.guide.fit.warning
+    return (f"▲ {warning}",) if warning else (ENOUGH,) if now.enough else ()
+
+
+def rows_needed(said: tuple[str, ...] | None, width: int) -> int:
+    """Return how many rows, frame included, the figures take with what is said below them; 0 where there are none."""
+    return 0 if said is None else max(SHORT_ROWS + 2 + sum(len(wrap(words, width - 4)) for words in said), SHORT)
 
 
 class FiguresPane(Pane):
@@ -56,12 +72,9 @@ class FiguresPane(Pane):
         elif cells.height >= y + len(TERMS) + 4:
             self._terms(cells, fit, 1, y + 1)
             y += len(TERMS) + 1
-        if cells.height > y + 3:
-            y += 1
-        if fit.warning:
-            put_wrapped(cells, y, f"▲ {fit.warning}", "warn", width=width)
-        elif now.enough:
-            put_wrapped(cells, y, ENOUGH, "good", width=width)
+        for words in said_below(now) or ():
+            air = y + len(wrap(words, width)) < cells.height
+            put_wrapped(cells, y + air, words, "warn" if fit.warning else "good", width=width)
 
     @staticmethod
     def _terms(cells: Cells, fit: Fit, x: int, y: int) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from textual.geometry import Region
 
 ROOMY = (100, 25)
@@ -10,38 +12,43 @@ GRAND = (150, 38)
 """From this size on both pictures are, and the signal."""
 NARROW, WIDE = 43, 62
 """Columns of what is pointed at, in a small and in a grand page."""
-AIM = 10
+AIM = 11
+LEAST_PICTURE = 9
+"""Rows that the picture keeps, whatever the figures need."""
 
 
-def regions(width: int, height: int, *, fitted: bool, picture: str, listed: str) -> dict[str, Region]:
+def regions(width: int, height: int, *, fit_rows: Callable[[int], int], picture: str, listed: str) -> dict[str, Region]:
     """Return where each part stands, frames included; what is not named is not seen.
 
-    `fitted`: whether there are figures; else the words have their room. `picture` (scatter, sky) and `listed` (objects,
+    `fit_rows` returns how many rows the figures and their warning take in a width, frame included; 0 where there are
+    none: then the words have their room. `picture` (scatter, sky) and `listed` (objects,
     peaks, sets) are what is seen where there is room for one only.
     """
     if width >= GRAND[0] and height >= GRAND[1]:
-        return _grand(width, height, fitted=fitted)
+        return _grand(width, height, fitted=fit_rows(WIDE) > 0)
     if width >= ROOMY[0] and height >= ROOMY[1]:
-        return _roomy(width, height, picture, fitted=fitted)
-    left, fit = width - NARROW, 7 if fitted else 0
+        return _roomy(width, height, picture, fit_rows)
+    left = width - NARROW
+    fit = min(fit_rows(left), height - LEAST_PICTURE)
     found = {
         picture: Region(0, 0, left, height - fit),
         "aim": Region(left, 0, NARROW, AIM),
         listed: Region(left, AIM, NARROW, height - AIM),
     }
-    return found | ({"fit": Region(0, height - fit, left, fit)} if fitted else {})
+    return found | ({"fit": Region(0, height - fit, left, fit)} if fit else {})
 
 
-def _roomy(width: int, height: int, picture: str, *, fitted: bool) -> dict[str, Region]:
+def _roomy(width: int, height: int, picture: str, fit_rows: Callable[[int], int]) -> dict[str, Region]:
     """Picture beside object and objects; figures and the other lists below."""
-    if not fitted:
+    fit = 34 if width < 116 else 44
+    needs = fit_rows(fit)
+    if not needs:
         left = width // 2 - 6
         return {picture: Region(0, 0, left, height), **_column(left, width - left, height)}
-    lower = min(max(height // 3, 9), 13)
+    lower = min(max(height // 3, 9, needs), 13)
     upper = height - lower
     left = min(max(upper * 2 + 4, 44), width - 56)
     sets = 30 if width < 116 else 36
-    fit = 34 if width < 116 else 44
     return {
         picture: Region(0, 0, left, upper),
         "aim": Region(left, 0, width - left, AIM),
@@ -71,15 +78,15 @@ def _grand(width: int, height: int, *, fitted: bool) -> dict[str, Region]:
         "fit": Region(0, upper, half, lower),
         "peaks": Region(half, upper, left - half, lower - sets),
         "sets": Region(half, height - sets, left - half, sets),
-        "aim": Region(left, 0, WIDE, AIM + 1),
-        "signal": Region(left, AIM + 1, WIDE, 9),
-        "objects": Region(left, AIM + 10, WIDE, height - AIM - 10),
+        "aim": Region(left, 0, WIDE, AIM),
+        "signal": Region(left, AIM, WIDE, 9),
+        "objects": Region(left, AIM + 9, WIDE, height - AIM - 9),
     }
 
 
 def _column(x: int, width: int, height: int, signal: int = 0) -> dict[str, Region]:
     """What is pointed at and the lists, one below the other."""
-    aim, peaks, sets = AIM + (1 if signal else 0), 4, 5
+    aim, peaks, sets = AIM, 4, 5
     top = aim + signal
     found = {
         "aim": Region(x, 0, width, aim),

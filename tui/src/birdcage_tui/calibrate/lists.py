@@ -42,6 +42,10 @@ class ListPane(Pane):
         """Return ink and words of each row."""
         raise NotImplementedError
 
+    def empty(self, now: CalibrateNow) -> str:
+        """Return what stands where there is no row."""
+        return "" if now.searching else self.EMPTY
+
     def foot(self, now: CalibrateNow) -> str:  # noqa: ARG002 - not every list has one
         """Return a sentence about the chosen row, where there is room."""
         return ""
@@ -58,7 +62,7 @@ class ListPane(Pane):
         if told != (self.border_subtitle or ""):
             self.border_subtitle = told
         if now is None or not rows:
-            put_wrapped(cells, 0, "" if now is None or now.searching else self.EMPTY, "dim")
+            put_wrapped(cells, 0, "" if now is None else self.empty(now), "dim")
             return
         self.at = min(max(self.at, 0), len(rows) - 1)
         foot = self.foot(now) if cells.height >= 6 else ""
@@ -108,6 +112,10 @@ class ObjectsPane(ListPane, can_focus=True):
         "that peak. Objects beside a saved peak are left out; the present one stays, as the last. Enter goes there."
     )
     scope = "calibrate-objects"
+
+    def empty(self, now: CalibrateNow) -> str:
+        """Say nothing of what is up where that could not be found out: *Peak on* says why."""
+        return "" if now.wrong else super().empty(now)
 
     def rows(self, now: CalibrateNow) -> list[tuple[str, str]]:
         """Name, direction, and the error then."""

@@ -8,9 +8,10 @@ from collections.abc import Callable, Mapping
 from concurrent.futures import Future
 from typing import TYPE_CHECKING
 
-from birdcage.base.errors import BirdcageError
+from birdcage.base.errors import BirdcageError, ConfigError
 
 from birdcage_tui.calibrate.feed import CalibrateNow, KeptSet
+from birdcage_tui.unready import NO_LOCATION
 from birdcage_tui.view import YOU
 
 if TYPE_CHECKING:
@@ -152,7 +153,8 @@ class GuideDesk:
         self._order(lambda guide: f"The dish uses {guide.use(name).name} now.")
 
     def refresh(self) -> None:
-        """Find out again what is best to peak on."""
+        """Find out again what is best to peak on, by the settings as they are now."""
+        self._orders.put(self._arrive)
 
         def deed(_guide: Guide) -> str:
             self._stale = True
@@ -255,6 +257,9 @@ class GuideDesk:
 
     @staticmethod
     def _refresh(guide: Guide) -> None:
+        here = guide.settings.place
+        if here.latitude_deg is None or here.longitude_deg is None:
+            raise ConfigError(NO_LOCATION)  # the driver's own words name a command, not the key of this app
         guide.refresh()
 
     def _tell(self, *, searching: bool = False) -> None:

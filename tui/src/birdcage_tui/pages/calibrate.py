@@ -11,7 +11,7 @@ from textual.containers import Container
 from birdcage_tui.calibrate import ask
 from birdcage_tui.calibrate.aim import AimPane
 from birdcage_tui.calibrate.feed import CalibrateSource
-from birdcage_tui.calibrate.figures import FiguresPane
+from birdcage_tui.calibrate.figures import FiguresPane, rows_needed, said_below
 from birdcage_tui.calibrate.layout import regions
 from birdcage_tui.calibrate.lists import ListPane, ObjectsPane, PeaksPane, SetsPane, present_row
 from birdcage_tui.calibrate.over_sky import OverSkyPane
@@ -64,8 +64,8 @@ class CalibratePage(Page):
         super().__init__(id=id)
         self._over_sky = False
         """Which picture is seen where there is room for one."""
-        self._fitted = False
-        """Whether there are figures to show: without a peak the words have their room."""
+        self._fit_words: tuple[str, ...] | None = None
+        """What the figures say below themselves; None without figures: then the other words have their room."""
         self._listed = "objects"
         """The same of the lists."""
 
@@ -103,9 +103,9 @@ class CalibratePage(Page):
         chosen = self._candidate(view)
         self.query_one(OverSkyPane).chosen = "" if chosen is None else chosen.name
         now = view.calibrate
-        fitted = now is not None and now.guide is not None and now.guide.fit is not None
-        if fitted != self._fitted:
-            self._fitted = fitted
+        words = said_below(now)
+        if words != self._fit_words:
+            self._fit_words = words
             self.on_resize()
         super().show(view)
 
@@ -113,13 +113,24 @@ class CalibratePage(Page):
         """Give every part its place."""
         width, height = self.size.width, self.size.height - 1  # the tabs take a row
         picture = "sky" if self._over_sky else "scatter"
-        found = regions(width, height, fitted=self._fitted, picture=picture, listed=self._listed)
+        found = regions(
+            width,
+            height,
+            fit_rows=lambda room: rows_needed(self._fit_words, room),
+            picture=picture,
+            listed=self._listed,
+        )
         for name, kind in PARTS.items():
             pane, place = self.query_one(kind), found.get(name)
             pane.display = place is not None
             if place is not None:
                 pane.styles.offset = place.offset
                 pane.styles.width, pane.styles.height = place.width, place.height
+
+    def place_changed(self) -> None:
+        """Look again what is up: it was another sky."""
+        if self.source is not None:
+            self.source.refresh()
 
     def on_descendant_focus(self, event: events.DescendantFocus) -> None:
         """Where there is room for one list only, keep showing the one that had the focus last."""
@@ -207,7 +218,9 @@ class CalibratePage(Page):
         candidate = self._candidate(view)
         now = view.calibrate
         if candidate is None and (now is None or now.guide is None or not now.guide.target):
-            self.host.say("This dish can hear nothing that is in reach now.")
+            self.host.say(
+                "This dish can hear nothing that is in reach now." if now is None or not now.wrong else now.wrong
+            )
             return
         objects.at = 0  # when this one is peaked, the best of the others comes first
         source.go(candidate, self.host.begin_way())

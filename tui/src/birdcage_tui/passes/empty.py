@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from birdcage_tui.passes.desk import Desk
+from birdcage_tui.unready import NO_LOCATION
 from birdcage_tui.view import View
 
-NO_PLACE = "No location set, so passes can't be computed."
-SET_PLACE = "Set it in Setup (8), step 9. In a shell: birdcage place"
 NO_ELEMENTS = "The catalogue holds no satellites."
 GET_ELEMENTS = "In a shell: `birdcage elements update` fetches them, `birdcage elements add FILE` adds yours."
 
@@ -15,7 +14,7 @@ def empty_words(view: View, desk: Desk) -> list[tuple[str, str]]:
     """Return (ink, sentence) of why the list is empty."""
     sky = view.sky
     if view.settings.place is None:
-        return [("text", NO_PLACE), ("dim", SET_PLACE)]
+        return [("text", NO_LOCATION)]
     if sky is None or sky.searched is None:
         problem = "" if sky is None else sky.problem
         return [("warn", problem)] if problem else [("dim", "Reading the catalogue …")]

@@ -11,12 +11,11 @@ from birdcage_tui.commands.mending import motion_mend, release_mend, then_words
 from birdcage_tui.pane import Pane
 from birdcage_tui.track.pursuing import plan_of, pursuit_of, shown_is_followed
 from birdcage_tui.track.words import expected_words, offset_words, pass_words, reach_words
+from birdcage_tui.unready import NO_LOCATION
 from birdcage_tui.view import View
 
 SELECTOR = (("track-watch", Mode.WATCH, "Watch"), ("track-aim", Mode.AIM, "Aim once"),
             ("track-follow", Mode.FOLLOW, "Follow"))  # fmt: skip
-NO_PLACE = "No location set, so targets in the sky can't be followed."
-SET_PLACE = "Set it in Setup (8), step 9. In a shell: birdcage place add home JO21jv --use"
 NO_TARGET = "No target selected. Enter selects the row under the cursor; / searches."
 
 FIND = "/ finds names and numbers; 19.2E is the slot there."
@@ -52,8 +51,7 @@ class TrackHead(Pane):
         """Say what to do first."""
         chosen = None if view.track is None else view.track.choice
         if view.settings.place is None:
-            cells.put(1, 0, NO_PLACE, "warn")
-            cells.put(1, 1, SET_PLACE, "text")
+            cells.put(1, 0, NO_LOCATION, "warn")
         elif chosen is not None:
             cells.put(1, 0, f"{chosen}: computing the pass …", "text")
         else:
