@@ -8,6 +8,7 @@ import pytest
 import stage
 import stand_in
 from birdcage.base.config.sections import NoGoSector
+from birdcage.protocol.model import Turn
 from birdcage.station.events import End, MoveEnded
 from birdcage.station.requests import Goto
 from birdcage_tui.control.layout import sizes
@@ -125,6 +126,40 @@ def test_the_scale_tells_a_tenth_of_a_degree():
 
 def test_the_scale_reaches_further_where_there_is_room():
     assert [span_for(width, 3) for width in (30, 46, 74)] == [3.0, 5.0, 5.0]
+
+
+def test_the_scales_say_which_way_the_target_is():
+    off = {"target_az_deg": 188.86, "target_el_deg": 43.07}
+    text = run(read, size=(160, 48), state=off)
+    assert "target 0.30° CCW" in text
+    assert "target 0.20° up" in text
+    assert "on target" in run(read, size=(160, 48))
+
+
+@pytest.mark.parametrize("size", [(80, 24), (100, 30), (120, 36)], ids=str)
+def test_an_empty_list_of_presets_says_how_one_is_made(size, tmp_path):
+    key = "f2" if size[0] >= 100 else "f2,p"
+
+    async def look(app, pilot):
+        for each in key.split(",")[1:]:
+            await pilot.press(each)
+            await pilot.pause()
+        app.paint()
+        await pilot.pause()
+        return stand_in.text_of(app)
+
+    text = run(look, size=size, presets_file=tmp_path / "none.toml")
+    assert "No presets. a saves this direction." in text
+
+
+def test_the_frame_of_the_cable_says_that_its_turn_is_of_the_last_session_and_not_cable_twice():
+    text = run(read, size=(120, 36), state={"turn": Turn.REMEMBERED})
+    rows = text.splitlines()
+    top = next(y for y, row in enumerate(rows) if "─ Cable ─" in row)
+    assert "remembered" not in text
+    assert "turn from the last session" in "".join(rows[top : top + 5])
+    assert "cable" not in "".join(rows[top : top + 5])
+    assert "cable, remembered CCW" in run(read, state={"turn": Turn.REMEMBERED})
 
 
 def test_limits_target_and_stops_are_drawn():

@@ -187,7 +187,7 @@ def test_an_empty_list_says_which_key_fills_it(tmp_path, size):
         await settled(app, pilot)
         return "".join(segment.text for strip in app.query_one(PresetsPane)._strips for segment in strip)
 
-    assert "Press a to save the current direction." in " ".join(run(look, tmp_path / "none", size=size).split())
+    assert "No presets. a saves this direction." in " ".join(run(look, tmp_path / "none", size=size).split())
 
 
 @pytest.mark.parametrize("keys", [("a",), ("p", "e"), ("p", "d")])

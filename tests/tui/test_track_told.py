@@ -142,8 +142,36 @@ def test_passes_autotrack_and_radio_can_be_seen_at_every_size(size):
 def test_the_network_tab_says_what_there_is_and_what_there_is_not():
     for size in SIZES:
         text = run(read, size=size, keys=("f2", "N"))
-        for words in ("tracker", "birdcage stop", "birdcage track", "rotctld", "Not in this version"):
+        for words in (
+            "Tracker.",
+            "An arrow or go-to takes",
+            "birdcage stop",
+            "birdcage track",
+            "rotctld",
+            "Not in this version",
+        ):
             assert words in text
+
+
+def test_what_a_command_did_before_the_pursuit_is_not_told_as_if_it_were_now():
+    async def tell(app, pilot, _desk):
+        clock, state = app.session.clock, app.station.state
+        app.note("Arrived at 126.98°/41.86°.")
+        clock.advance(60.0)
+        state = replace(state, pursuit=replace(state.pursuit, since=clock.monotonic() - 50.0))
+        app.station.state = state
+        app.paint()
+        await pilot.pause()
+        before = stand_in.text_of(app)
+        app.note("Maximum speed set.")
+        app.paint()
+        await pilot.pause()
+        return before, stand_in.text_of(app)
+
+    before, after = run(tell, keys=("f2",))
+    assert "Arrived at" not in before
+    assert "An arrow takes over, or g and a direction." in before
+    assert "Maximum speed set." in after
 
 
 def test_the_presets_fill_the_width_and_esc_goes_back_to_the_rose(kept):

@@ -13,7 +13,7 @@ from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
 
 WHEEL_ROWS = 3
-EMPTY = ("No traffic yet.", "Once the port is open, every line shows here with its time.")
+EMPTY = ("No traffic yet.", "Every line on the wire shows here with its time.")
 
 
 class LogView(Pane, can_focus=True):

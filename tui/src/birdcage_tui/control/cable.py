@@ -22,6 +22,9 @@ ENDS = 2
 class CablePane(Pane):
     """Two rows: the gauge, and the numbers under it; a third in words where there is room."""
 
+    framed = False
+    """Whether a frame around it names it."""
+
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
         self.border_title = "Cable"
@@ -29,6 +32,10 @@ class CablePane(Pane):
     def draw(self, cells: Cells, view: View) -> None:
         """Draw the gauge, hatched while the turn is not known."""
         state, limits = view.state, cable_limits(view.state)
+        known = state.position is not None and state.position.cable_deg is not None
+        told = "turn from the last session" if self.framed and known and state.turn is Turn.REMEMBERED else ""
+        if (self.border_subtitle or "") != told:  # setting it repaints, equal or not
+            self.border_subtitle = told
         if limits is None:
             words = "Cable turn unknown." if state.dish is None else "This dish's cable has no stop."
             cells.put(1, 0, words, "dim")
@@ -38,7 +45,7 @@ class CablePane(Pane):
             self._unknown(cells, limits, view)
             return
         left, right = max(0.0, turn - limits[0]), max(0.0, limits[1] - turn)
-        name = "" if cells.height > 2 else "cable "  # its frame names it
+        name = "" if self.framed else "cable "  # its frame names it
         if name and state.turn is Turn.REMEMBERED and cells.width >= ROOM_TO_SAY:
             name = "cable, remembered "
         head, tail = f"{name}CCW {left:3.0f}° left ", f" CW {right:3.0f}° left"
@@ -81,24 +88,22 @@ class CablePane(Pane):
             if cells.free(at - 1, 1, len(text) + 2):
                 cells.put(at, 1, text, "dim")
 
-    @staticmethod
-    def _unknown(cells: Cells, limits: tuple[float, float], view: View) -> None:
+    def _unknown(self, cells: Cells, limits: tuple[float, float], view: View) -> None:
         """Hatch the whole track: the stops are known, where the cable stands between them is not."""
         waiting = view.waiting or not view.link_up
         by_itself = view.state.dish is not None and view.state.dish.homing_s is None
         how = "this dish doesn't report it" if by_itself else "H homes the dish and finds it"
         words = "turn unknown" if waiting else f"turn unknown: {how}"
         ink = "dim" if view.waiting or by_itself else "warn"
-        framed = cells.height > 2
-        start = 1 if framed else 7
-        if not framed:
+        start = 1 if self.framed else 7
+        if not self.framed:
             cells.put(1, 0, "cable", "dim")
         cells.put(start, 0, "▕" + UNKNOWN_SIGN * max(cells.width - start - 3, 0) + "▏", "line")
         low, high = (f"{limit:+.0f}°" if limit else "0°" for limit in limits)
         cells.put(start, 1, low, "dim")
         cells.right(cells.width - 1, 1, high, "dim")
         room = cells.width - start - len(low) - len(high) - 3
-        if framed:
+        if cells.height > 2:
             cells.put(1, 2, words, ink)
         elif len(words) <= room:
             cells.put(start + len(low) + 2, 1, words, ink)
@@ -106,8 +111,7 @@ class CablePane(Pane):
     @staticmethod
     def _words(cells: Cells, view: View, turn: float, there: float | None, limits: tuple[float, float]) -> None:
         """Say where it stands, and what the target would leave."""
-        known = ", from the last session" if view.state.turn is Turn.REMEMBERED else ""
-        x = cells.put(1, 2, f"{turn:+.1f}° from home{known}", "dim")
+        x = cells.put(1, 2, f"{turn:+.1f}° from home", "dim")
         if there is not None and abs(there - turn) >= 0.05:
             left = f"CCW {there - limits[0]:.0f}°, CW {limits[1] - there:.0f}° left"
             cells.put(x, 2, f"   at the target {there:+.1f}°: {left}", "target")

@@ -13,7 +13,7 @@ OTHERS = (
     ("birdcage track", "tracks a target without this app. Close the app first: only one program can use the port."),
 )
 TAKING = (
-    "A key that moves the dish takes control from the tracker, or when control is free. Otherwise it is refused. "
+    "An arrow or go-to takes control when it is free or the tracker has it. Other programs keep it. "
     "Anyone can press STOP."
 )
 LATER = (
@@ -27,7 +27,7 @@ def rows(view: View) -> list[tuple[str, str, str]]:
     state = view.state
     holder = state.holder
     control = "free" if holder is None else f"{holder}, at this terminal" if holder == YOU else holder
-    found = [("Control", "strong" if holder else "dim", f"{control}.")]
+    found = [("Control", "strong" if holder else "dim", f"{control[:1].upper()}{control[1:]}.")]
     held = state.held
     if held is not None:
         ignored = f" Refused {held.next_holder} {held.ignored} times." if held.next_holder else ""
@@ -58,7 +58,7 @@ class NetworkPane(Pane):
         cells.put(1, y, "In a shell", "dim")
         y += 1
         for name, words in OTHERS:
-            aside = " Not for a demo." if view.state.demo and name == "birdcage stop" else ""
+            aside = " It does not reach a demo." if view.state.demo and name == "birdcage stop" else ""
             y = self._row(cells, y, name, words + aside, "text", label_ink="strong")
         y += 1
         self._row(cells, y, "rotctld", LATER, "dim")

@@ -25,7 +25,7 @@ KEYS = (("preset-go", "go"), ("preset-add", "add"), ("preset-edit", "edit"), ("p
         ("preset-filter", "find"), ("preset-undo", "undo"))  # fmt: skip
 LEAST_NAME, LEAST_NOTE = 4, 6
 """Columns that a name gets at least, and from which on a note is worth showing."""
-EMPTY = "No presets. Press a to save the current direction."
+EMPTY = "No presets. a saves this direction."
 
 
 class PresetsPane(Pane, can_focus=True):
@@ -77,7 +77,12 @@ class PresetsPane(Pane, can_focus=True):
         problem = cast(Host, self.app).presets.problem
         if not view.presets:
             words = f"▲ {problem}" if problem else EMPTY
-            below = len(self._wrapped(cells, words, cells.height)) + 1
+            rows = len(self._wrapped(cells, words, cells.height))
+            if rows >= cells.height and not cast(Host, self.app).presets.deleted:
+                self._words(cells, 0, words, "warn" if problem else "dim", cells.height)
+                self.heat(0, 0, cells.width, "preset-add")  # the sentence names the key, which has no row here
+                return
+            below = rows + 1
             bottom = self._keys(cells, view, below)
             self._words(cells, 0, words, "warn" if problem else "dim", bottom)
             return

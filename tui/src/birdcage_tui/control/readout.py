@@ -39,7 +39,7 @@ class ReadoutPane(Pane):
         if cells.height >= rows + 3:
             true = view.state.az_offset_deg or view.state.el_offset_deg or view.state.alignment.model is not None
             name = "azimuth true" if true else "azimuth"
-            cells.put(1, y, name if position is None else f"{name}  {wind_of(position.az_deg)}", "dim")
+            cells.put(1, y, name if position is None else f"{name}, {wind_of(position.az_deg)}", "dim")
             cells.put(start_el, y, "elevation", "dim")
             self._age(cells, start_el + 10, y, view)
             y += 1

@@ -56,10 +56,11 @@ def draw_tape(
             number = f"{fold(tenth / 10):.0f}"
             at = math.floor(x / 2) - (len(number) - 1) // 2
             if at >= 0 and at + len(number) <= width:
-                cells.put(at, y, number, "strong" if abs(tenth / 10 - angle_deg) < 0.5 else "dim")
+                cells.put(at, y, number, "text" if abs(tenth / 10 - angle_deg) < 1.0 else "dim")
     if cells.glyphs == "braille":
         canvas.onto(cells, 0, y + 1)
-    _marks(cells, y + 2, centre, a_degree, _off(angle_deg, target_deg, fold))
+    ways = ("up", "down") if fold is _plain else ("CW", "CCW")
+    _marks(cells, y + 2, centre, a_degree, _off(angle_deg, target_deg, fold), ways)
     cells.put(middle, y + 2, "▲", ink)
 
 
@@ -69,17 +70,18 @@ def _off(angle_deg: float, target_deg: float | None, fold: Callable[[float], flo
     return target_deg - angle_deg if fold is _plain else shortest_turn(angle_deg, target_deg)
 
 
-def _marks(cells: Cells, y: int, centre: float, a_degree: float, off_deg: float | None) -> None:
-    """Write where the target is: on the scale, or beyond which end of it."""
+def _marks(cells: Cells, y: int, centre: float, a_degree: float, off_deg: float | None, ways: tuple[str, str]) -> None:
+    """Write where the target is: on the scale, or beyond which end of it; with a word for either way where it fits."""
     width = cells.width
     if off_deg is None:
         return
     column = math.floor((centre + off_deg * a_degree) / 2)
-    words = f"✕ {abs(off_deg):.2f}°"
+    figure = f"{abs(off_deg):.2f}°"
+    said = [f"target {figure} {ways[off_deg < 0]}", f"target {figure}", f"✕ {figure}", figure]
     if abs(off_deg) < 0.005:
-        words = "✕ there"
-    if len(words) + 2 >= width - width // 2:
-        words = words[2:]  # it would run into the pointer
+        said = ["on target", "✕"]
+    # What is longer would run into the pointer.
+    words = next((each for each in said if len(each) + 3 < width - width // 2), said[-1])
     if 0 <= column < width:
         cells.put(column, y, "✕", "target-strong")
         if width >= 28:

@@ -112,6 +112,7 @@ class ControlPage(Tabbed):
         ):  # fmt: skip
             self.query_one(name).styles.height = height
         self.query_one(SkewPane).display = found.skew > 0
+        self.query_one(CablePane).framed = found.roomy
         self.query_one("#control-upper").styles.height = found.upper or "1fr"
         log = self.query_one(LogPane)
         log.display, log.styles.width = found.log > 0 and self.tab == "manual", found.log
