@@ -16,7 +16,7 @@ SHORT = (
     (r"What arrives on|The dish talks on|Only our own|The dish answered|.*do not fit together", UNREADABLE),
     (r"The dish refused", "“The dish refused the command”"),
     (r".* is gone:", "“The port is gone”"),
-    (r".* is not there", "“The port is not there. Looking for it”"),
+    (r".* is not there", "“The port is not there. Plug it in”"),
     (r"The dish stands still", "“The dish stands still, away from its target”"),
     (r"The (\w+) is stalled", r"“The \1 is stalled”"),
     (r"The dish has restarted", "“The dish has restarted”"),

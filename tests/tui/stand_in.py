@@ -144,7 +144,9 @@ def lost(clock):
     state, now = slewing(clock), clock.monotonic()
     return replace(
         state,
-        link=LinkState(Link.LOST, now - 7, now - 7.3, 0.012, "/dev/ttyUSB0 is not there. Looking for it; plug it in."),
+        link=LinkState(
+            Link.LOST, now - 7, now - 7.3, 0.012, "/dev/ttyUSB0 is not there. Plug it in; birdcage keeps looking."
+        ),
         position=replace(state.position, at=now - 7.3),
         port="/dev/ttyUSB0",
         demo=False,

@@ -78,14 +78,22 @@ def test_the_geostationary_arc_names_its_slots_and_only_with_a_place():
             (
                 "LOST  ",
                 "○ LINK LOST 00:07",
-                "was moving when last heard",
-                "trying ttyUSB0",
-                "plug it in.",
+                "It was moving when last heard. /dev/ttyUSB0 is not there. Plug it in; birdcage keeps looking.",
             ),
         ),
         ("silent", ("◍ SILENT 00:04", "power off", "AZ ---.--°", "EL --.--°")),
-        ("not-homed", ("▲ NOT HOMED", "H home it", "AZ ---.--°", "NOT HOMED  free")),
-        ("fault", ("✖ FAULT Azimuth stalled at 203.1°.", "its steps", "Clear its swing", "Enter", "acknowledge")),
+        ("not-homed", ("▲ NOT HOMED", "H homes it.", "AZ ---.--°", " NOT HOMED ")),
+        (
+            "fault",
+            (
+                "✖ FAULT 12:00:00  Azimuth stalled at 203.1°. Something",
+                " FAULT ",
+                "its steps",
+                "Clear its swing",
+                "Enter",
+                "acknowledge",
+            ),
+        ),
         ("opening", ("Opening /dev/ttyUSB0", "AZ ---.--°")),
     ],
 )
@@ -94,6 +102,18 @@ def test_a_bad_day_is_told_in_words(name, words, size):
     text = run(read, name, size)
     for word in words:
         assert word in text or word in " ".join(text.split()), text
+
+
+def test_while_the_link_is_lost_nothing_in_health_is_vouched_for():
+    text = run(read, "lost", (160, 48))
+    assert "●" not in text[text.index(" Health ") :]
+    assert "a reply" not in text
+
+
+@pytest.mark.parametrize("state", ["held", "fault", "lost", "not-homed"])
+def test_the_last_row_offers_no_way_to_go_while_the_dish_cannot_be_moved(state):
+    assert "g go to" not in run(read, state, (120, 36)).splitlines()[-1]
+    assert "g go to" in run(read, "idle", (120, 36)).splitlines()[-1]
 
 
 def test_what_is_unknown_is_dashes_and_never_a_number():

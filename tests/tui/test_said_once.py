@@ -22,7 +22,7 @@ def flat(text):
     ("state", "sentences"),
     [
         ("fault", ("stalled at 203.1°", "Something holds the dish", "Clear its swing")),
-        ("lost", ("is not there", "was moving", "plug it in")),
+        ("lost", ("is not there", "was moving", "Plug it in")),
     ],
 )
 def test_a_fault_and_a_lost_link_are_said_once(state, sentences, size):

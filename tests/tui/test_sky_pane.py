@@ -69,6 +69,22 @@ def test_a_satellite_that_stands_on_the_arc_keeps_the_name_of_its_slot():
     assert "ASTRA" not in text
 
 
+def test_no_dot_stands_in_a_name():
+    crowd = tuple(Up(f"SAT {number}", number, 100.0 + number * 0.37 % 160, 25.0 + number % 25) for number in range(430))
+    for size in ((80, 24), (120, 36), (160, 48)):
+        text = run(read, "idle", size, sky=sky_stand_in.make(up=crowd))
+        assert not re.search(r"[A-Za-z0-9°]•[A-Za-z0-9]", text), text
+
+
+def test_among_thousands_of_passes_favourites_come_first():
+    table = [replace(sky_stand_in.rows()[0], name=f"DEBRIS {number}", norad_id=number, favourite=False)
+             for number in range(200)]  # fmt: skip
+    mine = next(row for row in sky_stand_in.rows() if row.name.startswith("NOAA 20"))
+    sky = sky_stand_in.make(rows=(*table, replace(mine, favourite=True)))
+    text = run(read, "idle", (120, 36), sky=sky)
+    assert text.index("NOAA 20") < text.index("DEBRIS"), text
+
+
 def test_a_satellite_leaves_a_trail():
     def dots(trail):
         async def rows(app, pilot):
@@ -103,8 +119,8 @@ def test_the_horizon_changes_the_map():
 @pytest.mark.parametrize("size", [(80, 24), (120, 36), (160, 48)], ids=str)
 def test_the_dashboard_announces_what_comes_into_reach(size):
     text = run(read, "idle", size, sky=sky_stand_in.make())
-    assert re.search(r"out +01:29 +METEOR-M2 4 +71° +7m28", text), text
-    assert re.search(r"reach +05:23 +NOAA 20", text)
+    assert re.search(r"leaves in +01:29 +METEOR-M2 4 .*71° +│", text), text
+    assert re.search(r"reach in +05:23 +NOAA 20", text)
     assert "TERRA" not in text, "what this dish cannot reach is no news"
     assert "At rest." in text
 

@@ -5,11 +5,14 @@ from dataclasses import replace
 
 import pytest
 import sky_stand_in
+import track_stage
 import track_stand_in
+from birdcage.sky.geostationary import slots_in_sight
 from birdcage_tui.panes.next import NextPane
 from birdcage_tui.panes.sky import SkyPane
 from birdcage_tui.track.plot import TrackSky
 from stage import run
+from track_plans import geo
 
 SIZES = [(80, 24), (120, 36), (160, 48), (240, 70)]
 IN_ITS_COLOUR = ("target", "target-strong")
@@ -84,3 +87,22 @@ def test_a_target_of_old_elements_is_named_with_the_sign_of_those(size):
     assert "? METEOR-M2 4" in text
     assert "? " in legend
     assert "old" in legend
+
+
+@pytest.mark.parametrize("size", [(120, 36), (160, 48)], ids=str)
+def test_a_slot_that_is_followed_is_named_once(size):
+    async def follow(app, pilot, _desk):
+        place, state = app.settings.place, app.station.state
+        in_sight = slots_in_sight(place.latitude_deg, place.longitude_deg, 18.0, 65.0)
+        slot, az_deg, el_deg = next(each for each in in_sight if each[0].label == "119°W")
+        plan = geo("119.0°W EchoStar", az_deg=az_deg, el_deg=el_deg)
+        app.station.state = replace(
+            state, pursuit=replace(state.pursuit, plan=plan), target_az_deg=az_deg, target_el_deg=el_deg
+        )
+        app.paint()
+        await pilot.pause()
+        return slot.label, "\n".join(cells_of(app, SkyPane)[0])
+
+    label, text = track_stage.run(follow, "craft-geo", size, keys=("f1",), sky=sky_stand_in.make(up=()))
+    assert text.count("119.0°W EchoStar") == 1, text
+    assert label not in text, text

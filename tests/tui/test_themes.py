@@ -103,7 +103,7 @@ def test_every_state_has_its_own_sign_and_word_beside_its_colour():
         rows[state] = shown(state, "dusk", row)
     words = {state: (text.split()[0], " ".join(text.split()[1:3])) for state, text in rows.items()}
     assert words["held"] == ("■", "HELD by")
-    assert words["fault"] == ("✖", "FAULT Azimuth")
+    assert words["fault"] == ("✖", "FAULT 12:00:00")
     assert words["lost"] == ("○", "LINK LOST")
     assert words["silent"][0] == "◍"
     assert words["not-homed"] == ("▲", "NOT HOMED")

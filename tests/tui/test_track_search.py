@@ -1,9 +1,12 @@
 """The search of the Track tab: what stands around the field, and the columns of what was found."""
 
 import re
+from dataclasses import replace
 
 import pytest
 import stand_in
+from birdcage.station.requests import Release
+from birdcage.station.state import HeldState
 from track_stage import run
 
 
@@ -40,3 +43,22 @@ def test_on_a_small_screen_the_pass_is_left_out_and_nothing_is_cut():
     text = run(typed, "craft-idle", size=(80, 24))
     assert "next event" not in text
     assert "59051 · 6 h old" in text
+
+
+@pytest.mark.parametrize("size", [(80, 24), (160, 48)], ids=str)
+def test_enter_in_the_field_chooses_while_the_dish_is_held_and_row_2_names_no_key_that_the_field_takes(size):
+    async def choose(app, pilot, desk):
+        held = HeldState("you", 0.0, app.session.clock.utc(), "stop")
+        app.station.state = replace(app.station.state, held=held)
+        text = await typed(app, pilot, desk)
+        await pilot.press("enter")
+        return text, desk.asked, app.station.asked
+
+    text, asked, of_dish = run(choose, "craft-idle", size=size)
+    row = text.splitlines()[1]
+    assert "HELD by you" in row
+    assert "Esc, then Enter release" in row
+    assert " U resume" not in row
+    assert "Enter choose" in text.splitlines()[-1] or size == (80, 24)
+    assert any(each[0] == "choose" for each in asked)
+    assert not any(isinstance(each, Release) for each in of_dish)

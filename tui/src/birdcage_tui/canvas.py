@@ -34,6 +34,7 @@ class Cells:
         self._chars = [[" "] * self.width for _ in range(self.height)]
         self._inks = [[ink] * self.width for _ in range(self.height)]
         self._wide_rows: set[int] = set()
+        self._shut: set[tuple[int, int]] = set()
 
     def put(self, x: int, y: int, text: str, ink: str = "text") -> int:
         """Write `text`, clipped at the edges. Return the column after it."""
@@ -90,10 +91,16 @@ class Cells:
         """Return whether nothing stands there yet; braille in the inks `over` counts as nothing."""
         if not (0 <= y < self.height and x >= 0 and x + length <= self.width):
             return False
+        if self._shut and not self._shut.isdisjoint((column, y) for column in range(x, x + length)):
+            return False
         return all(
             char == " " or (ink in over and "\u2800" <= char <= "\u28ff")
             for char, ink in zip(self._chars[y][x : x + length], self._inks[y][x : x + length], strict=True)
         )
+
+    def shut(self, x: int, y: int, length: int) -> None:
+        """Keep what asks for free cells off these, the gaps between words too."""
+        self._shut.update((column, y) for column in range(x, x + length))
 
     def rows_unlike(self, before: Cells) -> list[int]:
         """Return the rows that hold something else than those of `before`, which is as wide."""

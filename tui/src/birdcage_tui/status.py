@@ -85,16 +85,19 @@ class StatusLine(Pane):
             activity += f" {max(left_s, 0.0):.0f} s" if left_s is not None else ""
         if not view.link_up:
             activity = LINK[state.link.state][1].upper()
+        elif state.fault is not None and not view.may_move and state.held is None:
+            activity = "FAULT"
         elif state.homed is False and not view.moving and state.held is None:
             activity = "NOT HOMED"
-        holder = cut(state.holder or "free", 16)
+        holder = cut(state.holder or ("free" if wide else ""), 16)
+        holder = f"control: {holder}" if wide else holder
         fields = [
             (f"{name} {glyph} {age:<4}", link_ink),
             (f"AZ{mark}{az}°", ink),
             (f"EL{mark}{el}°", ink),
             (f"{activity:<9}", "bar"),
             (
-                pad(holder, max(cell_len(holder), 9)),
+                pad(holder, max(cell_len(holder), 16 if wide else 9)),
                 "bar-dim" if state.holder is None else "bar",
             ),
         ]

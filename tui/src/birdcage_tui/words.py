@@ -11,7 +11,7 @@ from birdcage_tui.commands.resume import KEY
 from birdcage_tui.stop_words import awaited_words, power_switch, searching, stop_text
 from birdcage_tui.track.pursuing import pursuit_of
 from birdcage_tui.track.resume import resume_words
-from birdcage_tui.track.words import PHASE, headline, live_words, trouble
+from birdcage_tui.track.words import PHASE, headline, live_words, plain_name, trouble
 from birdcage_tui.unready import worst
 from birdcage_tui.view import View
 
@@ -97,7 +97,8 @@ def motion_text(view: View) -> str:
     if view.crash:
         return "UNKNOWN: birdcage has failed"
     if state.activity is Activity.IDLE:
-        return "IDLE, at rest" if state.motion is None else "MOVING"
+        rests = "IDLE, at rest" if state.position is not None else "IDLE, position unknown"
+        return rests if state.motion is None else "MOVING"
     if state.activity is Activity.UNKNOWN:
         return "UNKNOWN since a raw line" if state.raw_motion else "UNKNOWN: nothing read yet"
     return f"{word} {state.activity_text}".rstrip()
@@ -122,28 +123,27 @@ def bad_day(view: View) -> tuple[str, str] | None:
         return "fault-row", f"{words} Press Ctrl+Q and start again. In an emergency use the {power_switch(view)}."
     if state.fault is not None:
         fault = state.fault
-        words = f"✖ FAULT {fault.what} {fault.utc:%H:%M:%S}. {fault.meaning} {fault.remedy}"
-        return "fault-row", f"{words}  Enter acknowledge{_tags(view, 'FAULT', 'NOT HOMED')}"
+        words = f"✖ FAULT {fault.utc:%H:%M:%S}  {_stopped(fault.what)} {fault.meaning} {fault.remedy}"
+        return "fault-row", f"{words}{_enter(view, 'acknowledge')}{_tags(view, 'FAULT', 'NOT HOMED')}"
     if link.state is Link.LOST and not state.port:
         return "warn-row", f"○ NO PORT  {link.detail}{_tags(view)}"
     if link.state is Link.LOST:
-        trying = f"trying {state.port.rsplit('/', 1)[-1]}  {link.detail}"
-        return "fault-row", f"○ LINK LOST {span_text(view.now - link.since)}  {_last_seen(view)}{trying}{_tags(view)}"
+        trying = "" if state.port in link.detail else f"Trying {state.port.rsplit('/', 1)[-1]}. "
+        told = f"{_last_seen(view)}{trying}{link.detail}"
+        return "fault-row", f"○ LINK LOST {span_text(view.now - link.since)}  {told}{_tags(view)}"
     if link.state is Link.SILENT:
         return "warn-row", f"◍ SILENT {span_text(view.now - link.since)}  {_last_seen(view)}{link.detail}{_tags(view)}"
     if state.held is not None:
         return "warn-row", _held(view) + _tags(view, "HELD")
     if state.motion_refused_because:
-        return "warn-row", f"▲ NO MOTION  {state.motion_refused_because}  Enter accept the dish's own limits"
+        accept = _enter(view, "accept the dish's own limits")
+        return "warn-row", f"▲ NO MOTION  {state.motion_refused_because}{accept}"
     if state.homed is False and state.activity is Activity.HOMING:
         return "warn-row", f"▲ NOT HOMED  Homing: it runs into its end stops. Only the {power_switch(view)} stops it."
     if state.homed is False:
-        how = home_hint(view).replace("H homes it", "H home it")
-        return "warn-row", f"▲ NOT HOMED  The dish does not know where it points.  {how[:1].upper()}{how[1:]}"
+        return "warn-row", f"▲ NOT HOMED  The dish does not know where it points.  {_homed_by(view)}"
     if state.position_lost == "unreadable" and state.activity is not Activity.HOMING:
-        how = home_hint(view).replace("H homes it", "H home it")
-        how = f"{how[:1].upper()}{how[1:]}"
-        return "warn-row", f"▲ POSITION UNREADABLE  The position reply is unreadable: see F5.  {how}"
+        return "warn-row", f"▲ POSITION UNREADABLE  The position reply is unreadable: see F5.  {_homed_by(view)}"
     pursued = trouble(view)
     if pursued is not None:
         return pursued
@@ -161,7 +161,24 @@ def _last_seen(view: View) -> str:
     position = view.state.position
     if position is None:
         return ""
-    return "was moving when last heard  " if view.moving else ""
+    return "It was moving when last heard. " if view.moving else ""
+
+
+def _homed_by(view: View) -> str:
+    """Return how it comes to know where it points, as a sentence that is not broken after its key."""
+    how = home_hint(view).replace("H homes", "H\N{NO-BREAK SPACE}homes")
+    return f"{how[:1].upper()}{how[1:]}."
+
+
+def _stopped(words: str) -> str:
+    return words if words.endswith((".", "!", "?")) else f"{words}."
+
+
+def _enter(view: View, does: str) -> str:
+    """Return what Enter does, after a gap; in a field once Esc has closed that, unless Esc stops the dish."""
+    if not view.typing:
+        return f"   Enter {does}"
+    return "" if view.may_move else f"   Esc, then Enter {does}"
 
 
 def _held(view: View) -> str:
@@ -182,8 +199,8 @@ def _held(view: View) -> str:
         awaited = f"  {awaited_words(stopped)}"
         words += {True: "", False: "  STOP NOT CONFIRMED", None: awaited}[stopped.confirmed]
     kept = "  NOT KEPT on disk" if view.state.held_trouble else ""
-    resume = resume_words(view)
-    return f"{words}{kept}   Enter release{f'   {resume}' if resume else ''}"
+    resume = "" if view.typing else resume_words(view)  # a field takes its letter
+    return f"{words}{kept}{_enter(view, 'release')}{f'   {resume}' if resume else ''}"
 
 
 def _since(view: View, utc: datetime | None) -> str:
@@ -287,7 +304,7 @@ def next_steps(view: View) -> list[tuple[str, str]]:
             ("text", "birdcage sends no motion. Fix the file, or press Enter to accept the dish's own limits.")
         )
     elif view.tour:
-        steps.append(("text", "2, c: details. Space: stop. Arrows: take over."))
+        steps.append(("text", "2, c: details."))  # the row under the status tells the other keys
     elif pursuit is not None:
         steps.append(("text", "2, c: details. x there: end it. Arrows: take over."))
     elif not view.moving:
@@ -298,7 +315,6 @@ def next_steps(view: View) -> list[tuple[str, str]]:
     if view.clock is not None and view.clock.ink == "warn":
         steps.append((view.clock.ink, f"{view.clock.glyph} {view.clock.doubt}"))
         steps.append(("text", view.clock.cost))
-    steps.append(("dim", "? keys   : commands   1-0 pages"))
     return steps
 
 
@@ -312,12 +328,11 @@ def _unconfirmed_stop(view: View) -> list[tuple[str, str]]:
 
 def _doing(view: View) -> tuple[str, str]:
     state = view.state
-    if state.held is not None and not view.moving:
-        report = state.last_stop
-        return "warn-strong", f"{state.held.sentence} {report.sentence if report is not None else ''}".rstrip()
+    if state.held is not None and not view.moving and state.last_stop is not None:
+        return "warn-strong", state.last_stop.sentence  # who holds it since when stands in row 2
     pursuit = pursuit_of(view)
     if pursuit is not None:
-        word, name = PHASE[pursuit.phase].removesuffix(":"), pursuit.plan.aim.name
+        word, name = PHASE[pursuit.phase].removesuffix(":"), plain_name(pursuit.plan.aim.name)
         return "accent-strong", pursuit.why or f"{word.capitalize()} {name}."
     if state.activity is Activity.SLEWING and state.motion is not None:
         skew = state.motion.to_skew_deg

@@ -108,7 +108,7 @@ class Connection:
             return False
         port = self.find()
         if port is None:
-            self._retry_later(Link.LOST, f"{self._port} is not there. Looking for it; plug it in.")
+            self._retry_later(Link.LOST, f"{self._port} is not there. Plug it in; birdcage keeps looking.")
             return False
         self.on_port(port)
         try:

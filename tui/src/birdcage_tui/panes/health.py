@@ -57,6 +57,7 @@ class HealthPane(Pane):
         """Return (glyph and ink, name, value) of every fact."""
         state, link = view.state, view.state.link
         up = link.state is Link.UP
+        ok = _OK if up else _UNKNOWN  # read before the link went, it may hold no longer
         heard = f"  heard {age_text(view.now - link.last_reply)} ago" if link.last_reply is not None else ""
         trip = "--" if link.round_trip_s is None else f"{link.round_trip_s * 1000:.0f} ms a reply"
         noise = f", {link.stray_bytes} stray bytes" if link.stray_bytes else ""
@@ -74,17 +75,17 @@ class HealthPane(Pane):
         clock = view.clock
         told = (_UNKNOWN, "clock", "--") if clock is None else ((clock.glyph, clock.ink), "clock", clock.words)
         return [
-            (_OK if up else _NO, "link", f"{LINK[link.state][1]}, {trip}{noise}"),
+            (_OK if up else _NO, "link", f"{LINK[link.state][1]}{f', {trip}{noise}' if up else ''}"),
             (_OK if up else _UNKNOWN, "port", f"{state.port.split('?')[0] or '--'}{heard}"),
             *((_NO, subject, words) for subject, words in state.warnings.items()),
-            (_UNKNOWN if state.homed is None else _OK if state.homed else _NO, "homed", homed),
+            (_UNKNOWN if state.homed is None else ok if state.homed else _NO, "homed", homed),
             (
-                {"off": _OK, "off until power-up": _OK, "RUNNING": _NO}.get(search, _UNKNOWN),
+                {"off": ok, "off until power-up": ok, "RUNNING": _NO}.get(search, _UNKNOWN),
                 "TV search",
                 search + (f" (NVS 20 {nvs.value})" if nvs is not None else _search_hint(view)),
             ),
             told,
-            (_OK if state.el_min_deg is not None else _UNKNOWN, "limits", limits),
+            (ok if state.el_min_deg is not None else _UNKNOWN, "limits", limits),
             (_UNKNOWN, "firmware", state.firmware_version or "--"),
             (_UNKNOWN, "feed", _feed(state)[0]),
             (_UNKNOWN, "offsets", offset),

@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
+from birdcage.station.pursuit import Phase
+
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import wrap
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.sky_next import draw_next, next_rows, troubled
+from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.track.words import plain_name
 from birdcage_tui.unready import worst
 from birdcage_tui.view import View
 from birdcage_tui.words import next_steps
+
+if TYPE_CHECKING:
+    from birdcage_tui.passes.model import Row
 
 FOR_WORDS = 9
 """Rows of a tall pane that the sentences keep; the others are for passes."""
@@ -18,6 +27,15 @@ def _wrapped(words: str, width: int) -> list[str]:
     """Return rows no wider than `width`; a number keeps its unit."""
     rows = wrap(words.replace("12 V", "12\N{NO-BREAK SPACE}V"), width)
     return [row.replace("\N{NO-BREAK SPACE}", " ") for row in rows]
+
+
+def _followed(row: Row, view: View) -> bool:
+    """Return whether a pass is the one under way, of which *Pointing* tells how long it is in reach."""
+    pursuit = pursuit_of(view)
+    passing = None if pursuit is None or pursuit.phase is not Phase.FOLLOWING else pursuit.plan.passing
+    if passing is None or (passing.norad_id, plain_name(passing.name)) != (row.norad_id, row.name):
+        return False
+    return abs(passing.tca.timestamp() - row.tca_s) < 60.0
 
 
 class NextPane(Pane):
@@ -32,7 +50,7 @@ class NextPane(Pane):
         width = max(cells.width - 2, 10)
         steps = [(ink, words, _wrapped(words, width)) for ink, words in next_steps(view)]
         rows = sum(len(lines) for *_, lines in steps)
-        passes, finding = next_rows(view), worst(view)
+        passes, finding = [row for row in next_rows(view) if not _followed(row, view)], worst(view)
         first = steps[: 2 if finding is not None and finding.words in [words for _, words, _ in steps[:2]] else 1]
         spare = cells.height - (rows if troubled(view) else sum(len(lines) for *_, lines in first))
         kept = max(min(len(passes), spare, max(cells.height // 2, cells.height - FOR_WORDS, 2)), 0)

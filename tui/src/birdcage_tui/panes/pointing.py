@@ -5,7 +5,7 @@ from __future__ import annotations
 from birdcage.station.known import Turn
 
 from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import cut, fit, pad
+from birdcage_tui.cell_text import cell_len, cut, fit, pad
 from birdcage_tui.digits import angle_text, put_big, width_of
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.sky_ground import UNKNOWN_SIGN
@@ -136,7 +136,10 @@ class PointingPane(Pane):
             return False
         name, error = headline(view) or "", live_words(view)
         if error:
-            cells.put(1, y, pad(fit(name, cells.width - 4 - len(error)), cells.width - 2), "accent-strong")
+            room = cells.width - 4 - len(error)
+            if cell_len(name) > room:
+                name = headline(view, brief=True) or ""
+            cells.put(1, y, pad(fit(name, room), cells.width - 2), "accent-strong")
             cells.right(cells.width - 1, y, error, "accent-strong")
         cells.put(1, y + 1, cut(next_words(view, cells.width - 2), cells.width - 2), "text")
         return True

@@ -16,8 +16,8 @@ LEAST_SPAN = {"counts": 100.0, "dB": 10.0}
 """Between the bottom and the top of the strip at least: noise must look like noise."""
 SLOW_S = 8.5
 """The tuner is asked every 5 s, while the dish follows every 9 s in bursts: only what is older than this is amiss."""
-COLUMN_S = 1.0
-"""Seconds that one column of cells stands for."""
+SPAN_S = 60.0
+"""What the strip shows, whatever its width."""
 
 
 class SignalPane(Pane):
@@ -34,10 +34,10 @@ class SignalPane(Pane):
             return
         axis = 6 if cells.width >= 34 and cells.height >= 4 else 0
         width, height = max(cells.width - 2 - axis, 1), max(cells.height - 1, 1)
-        shown = [sample for sample in view.signal if view.now - sample.at <= width * COLUMN_S]
+        shown = [sample for sample in view.signal if view.now - sample.at <= SPAN_S]
         self._words(cells, view, shown)
         if shown:
-            span = f"last {width * COLUMN_S:.0f} s"
+            span = f"last {SPAN_S:.0f} s"
             if self.border_subtitle != span:  # setting it repaints the pane, equal or not
                 self.border_subtitle = span
             self._curve(cells, shown, view, width, height, axis)
@@ -56,14 +56,14 @@ class SignalPane(Pane):
             best = max(shown, key=lambda sample: sample.value)
             parts = [(f"  peak {_text(best.value, unit)}", "text")]
             if best.az_deg is not None and best.el_deg is not None:
-                parts.append((f" at {best.az_deg:.1f} {best.el_deg:.1f}", "text"))
+                parts.append((f" at {best.az_deg:.1f}°, {best.el_deg:.1f}°", "text"))
             parts.append((f", {age_text(view.now - best.at)} ago", "dim"))
             for part, ink in parts:
                 if x + len(part) > end:
                     break
                 x = cells.put(x, 0, part, ink)
         loss_db = _loss_db(view)
-        if loss_db is not None and x + len(words := f"  loss {loss_db:.1f} dB") <= end:
+        if loss_db is not None and x + len(words := f"  pointing loss {loss_db:.1f} dB") <= end:
             cells.put(x, 0, words, "dim")
         cells.right(cells.width - 1, 0, by, "warn" if age_s > SLOW_S else "dim")
 
@@ -80,7 +80,7 @@ class SignalPane(Pane):
 
         def at(sample: Sample) -> tuple[float, float]:
             return (
-                width * 2 - 1 - (now - sample.at) / COLUMN_S * 2,
+                (width * 2 - 1) * (1 - (now - sample.at) / SPAN_S),
                 dots * (1 - (sample.value - low) / (high - low)),
             )
 

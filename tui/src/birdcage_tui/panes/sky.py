@@ -14,6 +14,7 @@ from birdcage_tui.panes.sky_up import OLD_SIGN, draw_trails, draw_up
 from birdcage_tui.track.path import Points
 from birdcage_tui.track.plot import draw_pursuit, draw_times
 from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.track.words import plain_name
 from birdcage_tui.view import View
 
 ON_SLOT_DEG = 0.75
@@ -127,7 +128,7 @@ class SkyPane(Pane):
                 here = state.position
                 x += here is not None and polar.cell(here.az_deg, here.el_deg) == (x, y)
                 cells.put(x, y, "✕", "target-strong")
-                name = pursuit.plan.aim.name
+                name = plain_name(pursuit.plan.aim.name)
                 old = target_is_old(view)
                 name_target(cells, polar, f"{OLD_SIGN} {name}" if old else name, x, y)
                 return name
@@ -147,6 +148,8 @@ class SkyPane(Pane):
         low, high = state.el_min_deg or 0.0, state.el_max_deg or 90.0
         named = cells.width >= 84
         slots = []
+        pursuit = pursuit_of(view)
+        followed = None if pursuit is None else pursuit.plan.sky.at(view.utc.timestamp())
         for slot, az_deg, el_deg in slots_in_sight(place.latitude_deg, place.longitude_deg, low, high):
             x, y = polar.cell(az_deg, el_deg)
             if cells.free(x, y, 1, *QUIET):
@@ -157,7 +160,8 @@ class SkyPane(Pane):
                 and separation(az_deg, el_deg, state.target_az_deg, state.target_el_deg) < ON_SLOT_DEG
             )
             names = (f"{slot.label} {slot.name}", slot.label) if named else (slot.label,)
-            slots.append((names, x, y, aimed))
+            if followed is None or separation(az_deg, el_deg, *followed) >= ON_SLOT_DEG:  # its name stands there
+                slots.append((names, x, y, aimed))
         middle = polar.width // 2
         # The slot that is pointed at is named first, then the ends of the arc, which have the most room.
         for names, x, y, aimed in sorted(slots, key=lambda slot: (not slot[3], -abs(slot[1] - middle))):

@@ -166,7 +166,9 @@ def name_target(cells: Cells, polar: Polar, name: str, x: int, y: int) -> None:
         letters = sum(not cells.free(column, spot[1], 1, *LINES) for column in near)
         return 8 * letters + sum(not cells.free(column, spot[1], 1, *QUIET) for column in near)
 
-    cells.put(*min(spots, key=cost, default=(below, y)), name, "target-strong")
+    spot = min(spots, key=cost, default=(below, y))
+    cells.put(*spot, name, "target-strong")
+    cells.shut(*spot, length)
 
 
 def label(
@@ -189,5 +191,6 @@ def label(
         for start, row in places:
             if start + length <= end and row < bottom and cells.free(start - 2, row, length + 4, *QUIET):
                 cells.put(start, row, name, ink)
+                cells.shut(start, row, length)
                 return True
     return False

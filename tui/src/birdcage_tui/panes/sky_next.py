@@ -13,6 +13,10 @@ from birdcage_tui.view import View
 if TYPE_CHECKING:
     from birdcage_tui.passes.model import Row
 
+EVENTS = {"reach": "reach in", "out": "leaves in", "AOS": "rises in", "LOS": "sets in"}
+"""What comes next, before the time until it does."""
+CROWD = 100
+"""With more passes than this some piece of debris would always come first."""
 MOST = 40
 WITH_WORDS = 46
 """Columns from which a row says what the time is that it ends with."""
@@ -27,7 +31,10 @@ def troubled(view: View) -> bool:
 
 
 def next_rows(view: View) -> list[Row]:
-    """Return the passes whose reach begins or ends next; none by elements that are too old for a dish."""
+    """Return the passes whose reach begins or ends next; in a crowd favourites first.
+
+    None by elements that are too old for a dish.
+    """
     if view.sky is None or view.sky.note:
         return []
     now_s = view.utc.timestamp()
@@ -39,22 +46,28 @@ def next_rows(view: View) -> list[Row]:
             event = row.next_event(now_s)
             if event is not None:
                 found.append((event[0], row))
-    return [row for _, row in heapq.nsmallest(MOST, found, key=lambda pair: pair[0])]
+    crowd = len(found) > CROWD
+    return [row for _, row in heapq.nsmallest(MOST, found, key=lambda one: (crowd and not one[1].favourite, one[0]))]
 
 
 def draw_next(cells: Cells, y: int, row: Row, now_s: float, ink: str = "") -> None:
-    """Write what comes next and when, the name, the highest elevation and the minutes in reach; `ink`: all in one."""
+    """Write what comes next and when, the name, the highest elevation and how long all of it is in reach.
+
+    Of a pass that is in reach now only the countdown tells how long; `ink`: all in one.
+    """
     event = row.next_event(now_s)
     if event is None:
         return
     inside = row.reach is not None and row.reach.holds(now_s)
     dim, text = ink or "dim", ink or ("strong" if inside else "text")
-    cells.put(1, y, f"{event[1]:<5}", dim)
-    cells.right(13, y, count_text(event[0] - now_s), text)
-    length = length_text(row.reach_s)
-    tail = f"{row.max_el_deg:3.0f}°  {length:>4}" + (" in reach" if cells.width >= WITH_WORDS else "")
+    cells.put(1, y, EVENTS.get(event[1], event[1]), dim)
+    cells.right(16, y, count_text(event[0] - now_s), text)
+    length = "" if inside else length_text(row.reach_s)
+    tail = f"{row.max_el_deg:2.0f}° {length:>4}"
+    if cells.width >= WITH_WORDS:
+        tail = f"max {tail}" + (" in reach" if length else " " * len(" in reach"))
     if cells.width >= WITH_AZIMUTHS:
-        tail = f"{row.aos_az_deg:3.0f}° to {row.los_az_deg:3.0f}°   max {tail}"
-    room = cells.width - 15 - len(tail) - 2
-    cells.put(15, y, fit(row.name, room), text)
+        tail = f"{row.aos_az_deg:3.0f}° to {row.los_az_deg:3.0f}°   {tail}"
+    room = cells.width - 17 - len(tail) - 2
+    cells.put(17, y, fit(row.name, room), text)
     cells.right(cells.width - 1, y, tail, dim)

@@ -29,7 +29,10 @@ def draw_trails(canvas: Braille, polar: Polar, view: View) -> None:
 
 
 def draw_up(cells: Cells, polar: Polar, view: View, target: str = "") -> dict[tuple[int, int], str]:
-    """Draw what is up, and return what stands in which cell. The target has its name already."""
+    """Draw what is up, and return what stands in which cell. The target has its name already.
+
+    In a crowd only favourites stand out.
+    """
     sky = view.sky
     named: dict[tuple[int, int], str] = {}
     if sky is None:
@@ -40,12 +43,12 @@ def draw_up(cells: Cells, polar: Polar, view: View, target: str = "") -> dict[tu
             if cells.free(*cell, 1, *OVER):
                 cells.put(*cell, glyph, "strong")
             named[cell] = name
-    marks = []
+    marks, quiet = [], "dim" if len([one for one in sky.up if not one.fixed]) > CROWD else "text"
     for one in sky.up:
         cell = polar.cell(one.az_deg, one.el_deg)
         named[cell] = f"{one.name}, {named[cell]}" if cell in named else one.name
         if cells.free(*cell, 1, *OVER):
-            sign, ink = (OLD_SIGN, "dim") if one.old else ("•", "strong" if one.favourite else "text")
+            sign, ink = (OLD_SIGN, "dim") if one.old else ("•", "strong" if one.favourite else quiet)
             cells.put(*cell, sign, ink)
         if not one.fixed and one.name != target:
             marks.append((one, cell))

@@ -12,6 +12,7 @@ from birdcage_tui.commands.table import can_release
 from birdcage_tui.pane import Pane
 from birdcage_tui.skew import has_skew
 from birdcage_tui.status import StopButton
+from birdcage_tui.track.resume import resume_words
 from birdcage_tui.view import View
 
 JOG = (("left", "◀"), ("up", "▲"), ("down", "▼"), ("right", "▶"))
@@ -60,8 +61,10 @@ class PocketKeys(Pane):
         if cells.height < 2:
             return
         more = SKEWED if has_skew(view) else MORE
-        release = (("release", _release_words(view)), *more[3:]) if can_release(view) is None else more
-        self._row(cells, Region(0, tall, cells.width, 1), release, view)
+        if can_release(view) is None:
+            again = (("resume", "U resume"),) if resume_words(view) else ()
+            more = (("release", _release_words(view)), *again, *more[3:])
+        self._row(cells, Region(0, tall, cells.width, 1), more, view)
 
     def _row(self, cells: Cells, place: Region, keys: Sequence[tuple[str, str]], view: View) -> None:
         """Share a row out among buttons, by the lengths of their words."""

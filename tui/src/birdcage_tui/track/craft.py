@@ -229,7 +229,7 @@ class CraftTab(Vertical):
         self.query_one(TrackPasses).move(by)
 
     def _take(self, view: View, source: TrackSource) -> None:
-        if can_release(view) is None:
+        if can_release(view) is None and not self._searching:
             self.host.action_command("release")
         elif self.listing(view):
             chosen = self.query_one(FoundList).chosen(view)

@@ -10,7 +10,7 @@ from birdcage_tui.view import View
 def resume_words(view: View, *, sentence: bool = False) -> str:
     """Return the key, what it resumes and where the dish goes by it; empty for nothing.
 
-    `U resume LEO 1 (4:44 left): dish goes to 231°/44°`. As a sentence: `U resumes LEO 1 …`. It tells what is released.
+    `U resume LEO 1 + autotrack (4:44 left): dish moves to 231°/44°`. As a sentence: `U resumes LEO 1 …`.
     """
     if view.track is None or can_resume(view) is not None:
         return ""
@@ -21,18 +21,17 @@ def resume_words(view: View, *, sentence: bool = False) -> str:
         assert left is not None, "one of both can be resumed"
         found = Resumable(left.name, None, left.reach_end, autotrack=False)
     name, plan, end, autotrack = found.name, found.plan, found.reach_end, found.autotrack
-    words = f"{KEY} {'resumes' if sentence else 'resume'} {fit(name, 24)}"
+    words = f"{KEY} {'resumes' if sentence else 'resume'} {fit(name.removeprefix('DEMO '), 24)}"
+    if autotrack and plan is not None:
+        words += " + autotrack"
     if end is not None:
         seconds = max(int((end - view.utc).total_seconds()), 0)
         words += f" ({seconds // 60}:{seconds % 60:02} left)"
     elif left is not None or plan is not None:
         words += " (always up)"
-    if autotrack and plan is not None:
-        words += " and autotrack"
-    releases = "releases it, " if view.state.held is not None else ""
     if plan is None:
-        return f"{words}: {releases}the dish moves when a pass comes" if autotrack else f"{words}: {releases}dish moves"
+        return f"{words}: dish moves when a pass comes" if autotrack else f"{words}: dish moves"
     t_s = view.utc.timestamp()
     start_s = next((leg.start_s for leg in plan.legs if leg.end_s > t_s), t_s)
     az_deg, el_deg = plan.sky.at(max(start_s, t_s))
-    return f"{words}: {releases}dish goes to {az_deg % 360.0:.0f}°/{el_deg:.0f}°"
+    return f"{words}: dish moves to {az_deg % 360.0:.0f}°/{el_deg:.0f}°"

@@ -41,7 +41,7 @@ SHORT = {Phase.FOLLOWING: "FOLLOW", Phase.PREPOSITIONING: "TO MEET", Phase.REWIN
          Phase.YIELDED: "YIELDED", Phase.INTERRUPTED: "CUT OFF", Phase.COUNTDOWN: "MOVES TO"}  # fmt: skip
 """The same where there is little room."""
 
-
+DEMO = "DEMO "
 DRIFTS_DEG = 0.005
 """What moves less in a day stands still."""
 
@@ -79,7 +79,12 @@ def headline(view: View, *, brief: bool = False) -> str | None:
     word = SHORT.get(pursuit.phase, PHASE[pursuit.phase]) if brief else PHASE[pursuit.phase]
     if pursuit.phase is Phase.COUNTDOWN and pursuit.next_what == "park":
         word = "PARKS AFTER" if brief else "ABOUT TO PARK AFTER"
-    return f"{word} {pursuit.plan.aim.name}"
+    return f"{word} {plain_name(pursuit.plan.aim.name)}"
+
+
+def plain_name(name: str) -> str:
+    """Return a target's name as lists and maps have it: that it is a demo stands in row 1."""
+    return name.removeprefix(DEMO)
 
 
 def live_words(view: View, *, brief: bool = False) -> str:
@@ -113,7 +118,7 @@ def countdown_words(view: View) -> str | None:
 
 def _where_to(pursuit: Pursuit) -> str:
     """Return where it is about to move and for what: its park direction when the pass is over."""
-    name, options, point = pursuit.plan.aim.name, pursuit.options, pursuit.plan.preposition
+    name, options, point = plain_name(pursuit.plan.aim.name), pursuit.options, pursuit.plan.preposition
     if pursuit.next_what == "park":
         if options.park_az_deg is None or options.park_el_deg is None:
             return f" to park after {name}"
@@ -138,7 +143,7 @@ def trouble(view: View) -> tuple[str, str] | None:
         return "target-row", f"◌ {did} {_while(passes=found.plan.passing is not None)}.  {resume}"
     left = None if view.track is None or pursuit is not None else view.track.unfinished
     if left is not None:
-        words = resume or f"{left.name}, {left_words(left)}."
+        words = resume or f"{plain_name(left.name)}, {left_words(left)}."
         return "warn-row", f"▲ LEFT {_while(passes=left.reach_end is not None).upper()}  {words}"
     return None
 
