@@ -46,7 +46,7 @@ def test_esc_stops_while_something_is_pursued_though_nothing_moves():
 def test_why_it_waits_and_when_it_goes_on_are_told():
     text = run(read, "craft-waiting")
     assert "WAITING FOR METOP-C" in text
-    assert "leave in 32:10" in text
+    assert "moves in 32:10" in text
     assert "Below the 18° floor" in text
     assert "rises in 31 min" in text
 
@@ -190,7 +190,7 @@ def test_the_presets_fill_the_width_and_esc_goes_back_to_the_rose(kept):
 def test_a_pursuit_that_is_over_keeps_its_curve_and_tells_its_figures():
     text = run(read, "craft-over", size=(160, 48))
     assert "Followed: pass ±0.0" in text
-    assert "dish RMS 0.0" in text
+    assert "dish alone RMS 0.0" in text
     assert "It has set." in text
 
 

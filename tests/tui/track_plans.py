@@ -85,7 +85,7 @@ def plan(name="METEOR-M2 4", number=59051, minutes=-4.0, length=14.0, from_az=34
         Curve(times, az, el), legs,
         Preposition(first[0], first[1], first[0] % 360.0, first[1], (first,), spans[0][0] - 68.0, 8.0), holes,
         dish, tuple(sorted(incidents, key=lambda each: each.at_s)),
-        ("Above 65° the dish cannot follow: 02:40 are missed.",) if len(spans) > 1 else (),
+        ("Above the 65° ceiling for 2.7 min.",) if len(spans) > 1 else (),
         elements=aged, pointing=pointing_error(dish, aged, Beam(2.6, 2.6)),
     )  # fmt: skip
 

@@ -220,7 +220,12 @@ def waiting(clock):
         stand_in.at_rest(clock),
         holder="tracker",
         pursuit=pursuit(
-            of, Phase.WAITING, "Below the 18° floor until 12:34:32; it leaves 68 s before.", "leave", 1930.0, clock
+            of,
+            Phase.WAITING,
+            "Below the 18° floor until 12:34:32; it moves at 12:32:10.",
+            "pre-position",
+            1930.0,
+            clock,
         ),
     )
     return state, desk(of, mode=Mode.FOLLOW, autotrack=True), []

@@ -18,7 +18,7 @@ SELECTOR = (("track-watch", Mode.WATCH, "Watch"), ("track-aim", Mode.AIM, "Aim o
             ("track-follow", Mode.FOLLOW, "Follow"))  # fmt: skip
 NO_TARGET = "No target selected. Enter selects the row under the cursor; / searches."
 
-FIND = "/ finds names and numbers; 19.2E is the slot there."
+FIND = "/ finds names and numbers; 19.2E selects the geostationary slot."
 HOW = f"Then f and Enter follow it. {FIND}"
 
 
@@ -52,6 +52,8 @@ class TrackHead(Pane):
         chosen = None if view.track is None else view.track.choice
         if view.settings.place is None:
             cells.put(1, 0, NO_LOCATION, "warn")
+        elif view.track is None:
+            cells.put(1, 0, "Loading tracker …", "dim")
         elif chosen is not None:
             cells.put(1, 0, f"{chosen}: computing the pass …", "text")
         else:
@@ -70,7 +72,7 @@ class TrackHead(Pane):
         x = 1
         for name, which, words in SELECTOR:
             known = BY_NAME[name]
-            here = which is mode and (desk is None or desk.choice is not None or pursuit is not None)
+            here = which is mode and (pursuit is not None or (desk is not None and desk.choice is not None))
             text = f" {'●' if here else '○'} {known.shown} {words} "
             dim = known.refused(view) is not None
             start = x

@@ -43,6 +43,8 @@ SOON_S = 1800.0
 """What comes into reach later is not in the plan yet, and can't be followed before that."""
 SKEW_WIDTH = 70
 """From so many columns on the skew is written out."""
+CUT = ("accent-strong", "warn-strong", "warn")
+"""Inks of what is cut, with a sign for it, rather than left out."""
 
 
 class TrackNow(Pane):
@@ -60,12 +62,16 @@ class TrackNow(Pane):
             side = cells.height * 2 + 2
             if draw_bullseye(cells, cells.width - side - 1, side, view):
                 width -= side + 2
-        lines = self.lines(view, width, big=y > 0)
-        for ink, words in lines:
-            for row in wrap(words, max(width, 10)):
-                if y < cells.height:
-                    cells.put(1, y, row, ink)
-                    y += 1
+        for ink, words in self.lines(view, width, big=y > 0):
+            rows, left = wrap(words, max(width, 10)), cells.height - y
+            left -= ink == "dim" and width < ROOMY  # nothing but a blank row parts words and curves there
+            if len(rows) > left:
+                if left < 1 or ink not in CUT:
+                    continue  # whole, or not at all
+                rows = wrap(words, max(width, 10), most=left)
+            for row in rows:
+                cells.put(1, y, row, ink)
+                y += 1
 
     @staticmethod
     def _big(cells: Cells, view: View) -> bool:
@@ -80,7 +86,7 @@ class TrackNow(Pane):
             return False
         error_deg = live_deg(sample, pursuit.plan)
         x = put_big(cells, 1, 0, degrees(error_deg), "big")
-        cells.put(1, 3, "error" if error_deg is not None else "error unknown", "dim")
+        cells.put(1, 3, "error now" if error_deg is not None else "error unknown", "dim")
         if sample.loss_db is not None and cells.width - x >= 4 + width_of("-00.00"):
             x = put_big(cells, x + 3, 0, decibels(sample.loss_db).removesuffix(" dB"), "big")
             cells.put(x + 1, 2, "dB", "dim")
@@ -96,7 +102,7 @@ class TrackNow(Pane):
             left = desk.unfinished
             left_when = "in mid-pass" if left.reach_end is not None else "while following"
             words = f"{left.name} was left {left_when}, {left_words(left)}"
-            found.append(("warn-strong", f"{words}: U: resume. D: dismiss."))
+            found.append(("warn-strong", f"{words}. U: resume. D: dismiss."))
         if desk is not None and desk.problem:
             found.append(("warn", f"▲ {desk.problem}"))
         if desk is not None and desk.note:
@@ -115,7 +121,9 @@ class TrackNow(Pane):
         if pursuit.rms_error_deg is not None:
             words = whole or dish
             if sample is not None and not big:
-                words = f"{decibels(sample.loss_db)}  {words}"
+                lost = decibels(sample.loss_db)
+                words = next(each for each in (f"beam {lost}  {words}", f"{lost}  {words}") if len(each) <= width
+                             or each.startswith(lost))  # fmt: skip
             found.append(("text", words))
         shown = plan_of(view)
         followable = shown is not None and any(leg.end_s > view.utc.timestamp() for leg in shown.legs)
@@ -131,10 +139,9 @@ class TrackNow(Pane):
             again = f"{again} x: end."
             found.append(("text", again))
         found += [("dim", dish)] if whole and pursuit.rms_error_deg is not None else []
-        steers = f"{pursuit.controller} controller" if pursuit.controller else ""
-        if pursuit.latency_s is not None:
-            steers += f", {pursuit.latency_s * 1000:.0f} ms a command"
-        found += [("dim", steers)] if steers else []
+        if pursuit.controller and width >= ROOMY:
+            took = "" if pursuit.latency_s is None else f", {pursuit.latency_s * 1000:.0f} ms a command"
+            found.append(("dim", f"{pursuit.controller} controller{took}"))
         found += [] if always_up else _skew(pursuit.plan, width)
         return [*found, *(("dim", note) for note in pursuit.plan.notes)]
 
@@ -143,28 +150,25 @@ def _watched(view: View, width: int) -> list[tuple[str, str]]:
     """Return what there is to say of a target that is only looked at."""
     plan, place, desk = plan_of(view), target_place(view), view.track
     if desk is None or desk.choice is None or plan is None:
-        if desk is None:
-            return [("dim", "Loading tracker …")]
-        waits = desk.choice is not None and view.settings.place is not None
+        waits = desk is not None and desk.choice is not None and view.settings.place is not None
         return [("dim", "Computing the pass …")] if waits else []
     last = view.state.pursuit
     done = []
     if last is not None and last.phase is Phase.OVER and same_target(plan, last.plan):
-        error = ""
+        done = [("text", last.why)]
         if last.rms_error_deg is not None:
-            error = f"Followed: {', '.join(filter(None, followed_words(last)))}. "
-        done = [("text", f"{error}{last.why}")]
+            done.append(("text", f"Followed: {', '.join(filter(None, followed_words(last)))}."))
     here = "" if place is None else f"  AZ {place[0]:.2f}°  EL {place[1]:.2f}°"
-    found = [*done, ("target-strong", f"{plan.aim.name}{here}")]
+    found = [("target-strong", f"{plan.aim.name}{here}")]
     t_s = view.utc.timestamp()
     chance = _chance(view, plan, t_s)
-    found.append(("text", chance))
+    found += [("text", chance), *done]
     found += _expected(plan, width)
     found += _skew(plan, width)
     if plan.preposition is not None and plan.legs and plan.legs[0].start_s > t_s:
         point = plan.preposition
         where = f"{point.true_az_deg:.0f}°/{point.true_el_deg:.0f}°"
-        found.append(("dim", f"It waits at {where}, {point.slew_s:.0f} s away."))
+        found.append(("dim", f"The dish waits at {where}, {point.slew_s:.0f} s away."))
     return [*found, *(("dim", note) for note in plan.notes if note != chance)]
 
 

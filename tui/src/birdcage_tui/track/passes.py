@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING, cast
 from textual import events
 
 from birdcage_tui.canvas import Cells
+from birdcage_tui.cell_text import wrap
 from birdcage_tui.host import Host
 from birdcage_tui.pane import Pane
-from birdcage_tui.passes.words import EDGES, count_text, length_text
+from birdcage_tui.passes.words import EDGES, length_text, reasons_text
 from birdcage_tui.track.pursuing import plan_of
+from birdcage_tui.track.words import left_text, pass_words, reach_words
 from birdcage_tui.view import View
 
 if TYPE_CHECKING:
@@ -27,7 +29,11 @@ def _no_passes(view: View) -> str:
     """Return why there are none."""
     plan = plan_of(view)
     standing = "" if plan is None or plan.day is None else plan.day.standing
-    return f"{standing[0].upper()}{standing[1:]}: it makes no passes." if standing else "No passes soon."
+    if standing:
+        return f"{standing[0].upper()}{standing[1:]}: it makes no passes."
+    if plan is None or plan.passing is not None or not (told := pass_words(plan)):
+        return "No passes soon."
+    return f"{plan.aim.name} {told}, {reach_words(plan, 80)}."
 
 
 class TrackPasses(Pane):
@@ -55,9 +61,11 @@ class TrackPasses(Pane):
         rows = passes_of(view)
         if not rows:
             chosen = view.track is not None and view.track.choice is not None
-            cells.put(1, 0, _no_passes(view) if chosen else "No target selected.", "dim")
+            words = _no_passes(view) if chosen else "No target selected."
+            for y, line in enumerate(wrap(words, max(cells.width - 2, 10))):
+                cells.put(1, y, line, "dim")
             return
-        cells.put(2, 0, "AOS      from    max  to    in reach", "dim")
+        cells.put(2, 0, "AOS      from    max  to     reach  rises in", "dim")
         self.cursor = min(self.cursor, len(rows) - 1)
         room, plan = max(cells.height - 1, 1), plan_of(view)
         self._top = max(min(self._top, self.cursor, len(rows) - room), self.cursor - room + 1, 0)
@@ -71,11 +79,12 @@ class TrackPasses(Pane):
     def _row(cells: Cells, y: int, row: PassRow, view: View, here: bool, *, drawn: bool) -> None:
         passing = row.passing
         left_s = (passing.aos - view.utc).total_seconds()
-        when = "up now " if left_s <= 0 else f"{count_text(left_s):<7}"
+        when = "up now" if left_s <= 0 else left_text(left_s)
         length = length_text(row.reach.total_s) if row.reach.intervals else "none"
         losses = [reason for reason in row.reach.reasons if reason not in EDGES]
         words = (f"{passing.aos:%H:%M:%S} {passing.aos_azimuth_deg:3.0f}°  {passing.max_elevation_deg:4.0f}° "
-                 f"{passing.los_azimuth_deg:4.0f}°  {length:>6}  {when} {', '.join(losses)}")  # fmt: skip
+                 f"{passing.los_azimuth_deg:4.0f}°  {length:>6}  {when:<8} ")  # fmt: skip
+        words += reasons_text(", ".join(losses), max(cells.width - 2 - len(words), 0))
         ink = "accent-row" if here else "text" if row.reach.intervals else "dim"
         cells.put(0, y, f"{'●' if drawn else ' '} ", ink if here else "target")
         cells.put(2, y, words.ljust(cells.width - 2) if here else words, ink)

@@ -2,14 +2,22 @@
 
 from __future__ import annotations
 
+import re
+from dataclasses import replace
+
 from birdcage.pursuit.now import Scheduled
 
 from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import cut, fit, pad, wrap
+from birdcage_tui.cell_text import cell_len, cut, fit, pad, wrap
 from birdcage_tui.pane import Pane
 from birdcage_tui.passes.words import clock_text, length_text
+from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.track.words import DEMO, plain_name
 from birdcage_tui.view import View
 
+NAME = 24
+"""Columns of a name at most."""
+PRIORITY = re.compile(r" \(priority -?\d+\)")
 SPANS_S = (3600.0, 2 * 3600.0, 3 * 3600.0, 6 * 3600.0, 12 * 3600.0, 24 * 3600.0)
 EMPTY = "No favourite in reach soon. On page 7, * marks favourites; their passes show here."
 
@@ -25,12 +33,17 @@ class SchedulePane(Pane):
         """Write them."""
         desk = view.track
         on = desk is not None and desk.autotrack
-        x = self.button(cells, 0, 0, "track-autotrack", view, "● ON: switch off" if on else "○ off: switch on")
+        x = self.button(cells, 0, 0, "track-autotrack", view, "● autotrack on" if on else "○ autotrack off")
         now_s = view.utc.timestamp()
         rows = [] if desk is None else [one for one in desk.schedule if one.reach_end.timestamp() > now_s]
+        instead = _instead(view, rows) if on else None
+        if instead is not None:
+            rows = [_waiting(one, *instead) for one in rows]
         kept = sum(one.kept for one in rows)
         words = f"{kept} of {len(rows)} passes" if on else f"dry run: {kept} of {len(rows)} passes"
-        cells.put(x, 0, words[: max(cells.width - x, 0)] if rows else "", "dim")
+        if instead is not None:
+            words = "x goes on with it" if instead[1] is None else f"goes on at {clock_text(instead[1], seconds=False)}"
+        cells.put(x, 0, words if rows and len(words) <= cells.width - x else "", "dim")
         if not rows:
             for y, line in enumerate(wrap(EMPTY, max(cells.width - 2, 10)), 1):
                 cells.put(1, y, line, "dim")
@@ -39,9 +52,10 @@ class SchedulePane(Pane):
         if cells.height >= 4:
             self._line(cells, rows, now_s)
             y = 3
-        for row in rows[: cells.height - y]:
-            self._row(cells, y, row)
-            y += 1
+        shown = rows[: max(cells.height - y, 0)]
+        room = min(max((cell_len(plain_name(row.name)) for row in shown), default=0), NAME)
+        for below, row in enumerate(shown):
+            self._row(cells, y + below, row, room)
 
     @staticmethod
     def _line(cells: Cells, rows: list[Scheduled], now_s: float) -> None:
@@ -62,11 +76,47 @@ class SchedulePane(Pane):
             cells.put(1 + width * part // 4 - 2, 2, words, "dim")
 
     @staticmethod
-    def _row(cells: Cells, y: int, row: Scheduled) -> None:
-        when = f"{row.reach_start:%H:%M:%S} {length_text((row.reach_end - row.reach_start).total_seconds()):>5}"
-        x = cells.put(1, y, f"{'●' if row.kept else '○'} {when}  ", "text" if row.kept else "dim")
-        room = 24 if cells.width >= 76 else min(max(cells.width - x - 10, 10), 16)
-        name = fit(row.name.removeprefix("DEMO "), room)  # row 1 says that it is the demo
-        ink = "target" if row.kept else "dim"
-        x = cells.put(x, y, f"{pad(name, room)} {row.max_reach_elevation_deg:3.0f}°  ", ink)
-        cells.put(x, y, cut(row.why, max(cells.width - x, 1)), "dim")
+    def _row(cells: Cells, y: int, row: Scheduled, room: int) -> None:
+        """Write a pass; why it is left out or cut short gets the room of what matters less."""
+        ink = "text" if row.kept else "dim"
+        name = fit(plain_name(row.name), room)
+        when = f"{'●' if row.kept else '○'} {row.reach_start:%H:%M:%S}"
+        long = f" {length_text((row.reach_end - row.reach_start).total_seconds()):>5}  "
+        highest = f" {row.max_reach_elevation_deg:3.0f}°  "
+        whys = _whys(row.why)
+        layouts = ((long, pad(name, room), highest), (long, pad(name, room), "  "), ("  ", name, "  "))
+        spare = cells.width - 1 - len(when)
+        which, why = next(
+            ((one, why) for one in layouts for why in whys if sum(map(cell_len, (*one, why))) <= spare),
+            (layouts[-1], whys[-1]),
+        )
+        x = cells.put(1, y, when + which[0], ink)
+        x = cells.put(x, y, which[1] + which[2], "target" if row.kept else "dim")
+        cells.put(x, y, cut(why, max(cells.width - x, 1)), "dim")
+
+
+def _whys(why: str) -> tuple[str, ...]:
+    """Return why a pass is left out, the longest first: `joined after METOP-C (priority 2)`, `after METOP-C`."""
+    plain = why.replace(DEMO, "").replace(" (priority 0)", "")  # every pass has that one by itself
+    brief = PRIORITY.sub("", plain).partition(", ")[0].removeprefix("joined ")
+    return tuple(dict.fromkeys((plain, PRIORITY.sub("", plain), brief)))
+
+
+def _instead(view: View, rows: list[Scheduled]) -> tuple[str, float | None] | None:
+    """Return what a person follows while autotrack is on, and until when (None: until it is left); None for nothing."""
+    pursuit = pursuit_of(view)
+    if pursuit is None or not pursuit.plan.legs:
+        return None
+    plan, day = pursuit.plan, pursuit.plan.day
+    first_s, end_s = plan.legs[0].start_s, plan.legs[-1].end_s
+    for row in rows:
+        same = (row.name, row.norad_id) == (plan.aim.name, plan.aim.norad_id)
+        if same and row.reach_start.timestamp() <= end_s and row.reach_end.timestamp() >= first_s:
+            return None
+    return plan.aim.name, end_s if day is None else day.reach_end_s(view.utc.timestamp())
+
+
+def _waiting(row: Scheduled, name: str, until_s: float | None) -> Scheduled:
+    """Return a pass as one that is not followed, if it begins before what a person follows has ended."""
+    waits = row.kept and (until_s is None or row.reach_start.timestamp() < until_s)
+    return replace(row, kept=False, why=f"following {plain_name(name)}") if waits else row

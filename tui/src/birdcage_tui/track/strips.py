@@ -9,12 +9,12 @@ from birdcage.base.geometry import shortest_turn
 
 from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.pane import Pane
-from birdcage_tui.passes.words import clock_text, count_text
+from birdcage_tui.passes.words import clock_text
 from birdcage_tui.track.path import Points, Spot
 from birdcage_tui.track.pursuing import beam_of, plan_of, shown_is_followed, target_place
 from birdcage_tui.track.scale import error_top, shown_deg, window
 from birdcage_tui.track.still import draw_still
-from birdcage_tui.track.words import degrees, drifts
+from birdcage_tui.track.words import degrees, drifts, left_text
 from birdcage_tui.view import View
 
 if TYPE_CHECKING:
@@ -99,7 +99,7 @@ class TrackStrips(Pane):
         if span[0] <= now_s <= span[1]:
             cells.put(LEFT + min(at_now, width - 1), y, "▲", "strong")
         elif now_s < span[0]:
-            cells.put(1, y, f"◀ rises in {_left_text(span[0] - now_s)}", "strong")
+            cells.put(1, y, f"◀ rises in {left_text(span[0] - now_s)}", "strong")
         order = list(MARKS)
         coming = sorted((each for each in plan.incidents if each.what in MARKS), key=lambda one: order.index(one.what))
         for each in coming:
@@ -113,13 +113,6 @@ class TrackStrips(Pane):
             if _fits(cells, x, row, words):
                 cells.put(x, row, words, "dim")
             at_s += every
-
-
-def _left_text(span_s: float) -> str:
-    """Return how long is left, in words that no time of day looks like: `45 s`, `12 min`, `2h05`."""
-    if span_s < 60.0:
-        return f"{span_s:.0f} s"
-    return f"{span_s // 60.0:.0f} min" if span_s < 3600.0 else count_text(span_s)
 
 
 def _fits(cells: Cells, x: int, y: int, words: str) -> bool:
@@ -138,8 +131,8 @@ def _write(cells: Cells, y: int, what: Incident, x_of: Callable[[float], float],
     if not 0 <= column < width:
         return
     ink = "dim" if past else MARKS[what.what]
-    for words in dict.fromkeys((what.text, what.text.partition(",")[0], what.text.partition(": ")[2])):
-        for x in (LEFT + column - len(words) // 2, LEFT + column, LEFT + column - len(words) + 1) if words else ():
+    for words in dict.fromkeys((what.text, what.text.partition(",")[0], what.text.rpartition(" the ")[2])):
+        for x in (LEFT + column - len(words) // 2, LEFT + column, LEFT + column - len(words) + 1):
             if x >= 1 and _fits(cells, x, y, words):
                 cells.put(x, y, words, ink)
                 return

@@ -40,6 +40,8 @@ STATUS = {
 SHORT = {Phase.FOLLOWING: "FOLLOW", Phase.PREPOSITIONING: "TO MEET", Phase.REWINDING: "REWIND FOR",
          Phase.YIELDED: "YIELDED", Phase.INTERRUPTED: "CUT OFF", Phase.COUNTDOWN: "MOVES TO"}  # fmt: skip
 """The same where there is little room."""
+NEXT = {"reach": "in reach", "pre-position": "moves", "follow": "follows", "park": "parks"}
+"""What happens next (`Pursuit.next_what`), as a person says it before `in 02:43`."""
 
 DEMO = "DEMO "
 DRIFTS_DEG = 0.005
@@ -64,6 +66,13 @@ def decibels(value_db: float | None) -> str:
     if value_db is None:
         return "--.-- dB"
     return f"{-abs(value_db):.2f} dB" if abs(value_db) >= 0.005 else "0.00 dB"
+
+
+def left_text(span_s: float) -> str:
+    """Return how long is left, in words that no time of day looks like: `45 s`, `12 min`, `2h05`."""
+    if span_s < 60.0:
+        return f"{max(span_s, 0.0):.0f} s"
+    return f"{span_s // 60.0:.0f} min" if span_s < 3600.0 else count_text(span_s)
 
 
 def seconds_to(view: View, moment: datetime | None) -> float | None:
@@ -189,8 +198,7 @@ def next_words(view: View, room: int = 80) -> str:
             return _still_reached(coming, left_s, room) if coming.what == "unreach" else _soon(coming.text, left_s)
     if not pursuit.next_what:
         return ""
-    what = "in reach" if pursuit.next_what == "reach" else pursuit.next_what
-    return _soon(what, seconds_to(view, pursuit.next_at))
+    return _soon(NEXT.get(pursuit.next_what, pursuit.next_what), seconds_to(view, pursuit.next_at))
 
 
 def los_words(plan: Plan) -> str:
@@ -277,7 +285,7 @@ def _day_reach(day: Day, t_s: float, room: int) -> str:
 def expected_words(plan: Plan) -> tuple[str, tuple[str, ...]]:
     """Return ink and words of the error to believe, the longest first: with grade and age of the elements, and advice.
 
-    `error ±0.26° (90 %: 2.2°)  ◐ usable elements, 24 h old`, down to `◐ 24 h old ±0.26°`.
+    `expected error ±0.26° (90 %: 2.2°)  ◐ usable elements, 24 h old`, down to `◐ 24 h old ±0.26°`.
     """
     from birdcage.sky.age_words import REENTERED, age_words
     from birdcage.tracking.pointing_error import element_words, error_words
@@ -285,9 +293,10 @@ def expected_words(plan: Plan) -> tuple[str, tuple[str, ...]]:
     from birdcage_tui.sky_convert import GRADE_INKS
 
     pointing, elements = plan.pointing, plan.elements
-    error = "" if pointing is None else f"error {error_words(pointing)}"
+    words = "" if pointing is None else error_words(pointing)
+    error = words and f"{'expected ' if words.startswith('±') else ''}error {words}"
     if elements is None:
-        return "dim", (f"{error} over the pass" if plan.passing is not None else error,) if error else ()
+        return "dim", (error, error.removeprefix("expected ")) if error else ()
     closest = elements.closest
     age = f"{closest.glyph} {age_words(closest.age_s)}"
     whole = f"{error}  {element_words(elements)}".strip()
@@ -309,7 +318,7 @@ def live_deg(sample: Sample, plan: Plan) -> float | None:
 def followed_words(pursuit: Pursuit) -> tuple[str, str]:
     """Return the error of what was followed so far, elements and all, and the dish's own; the first may be empty.
 
-    `pass ±0.26° (90 %: 2.2°)` and `dish rms 0.02°  max 0.05°`; without elements `rms 0.02°  max 0.05°` alone.
+    `pass ±0.26° (90 %: 2.2°)` and `dish alone RMS 0.02°  max 0.05°`; without elements `RMS 0.02°  max 0.05°`.
     """
     from birdcage.sky.age_words import plus_minus
 
@@ -318,7 +327,7 @@ def followed_words(pursuit: Pursuit) -> tuple[str, str]:
     if pointing is None or pointing.elements is None:
         return "", dish
     what = "so far" if pursuit.plan.passing is None else "pass"
-    return f"{what} {plus_minus(*pointing.with_dish(pursuit.rms_error_deg))}", f"dish {dish}"
+    return f"{what} {plus_minus(*pointing.with_dish(pursuit.rms_error_deg))}", f"dish alone {dish}"
 
 
 def offset_words(view: View) -> str:

@@ -1,0 +1,66 @@
+"""Passes and autotrack on the Craft tab, and the words above the curves: whole sentences, and what is really done."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+import stand_in
+from birdcage.pursuit.now import Scheduled
+from track_plans import NOON, utc
+from track_stage import SIZES, read, run
+
+
+def test_what_to_do_about_a_held_dish_is_not_cut_by_the_curves():
+    rows = [row.rpartition("││")[2].strip("│ ") for row in run(read, "craft-held").splitlines()]
+    assert "In reach for 02:35: Enter releases the dish, then f and Enter follow it." in " ".join(rows)
+
+
+@pytest.mark.parametrize("size", [(100, 30), (120, 36)], ids=str)
+def test_why_a_pass_is_not_whole_is_told_whole_or_not_at_all(size):
+    rows = run(read, "craft-over", size=size).splitlines()
+    [heads] = [at for at, row in enumerate(rows) if "AOS      from" in row]
+    ends = [row.partition("││")[0].strip("│ ").split()[-1] for row in rows[heads + 1 : heads + 5]]
+    assert {each for each in ends if each.isalpha()} <= {"ceiling", "now"}
+
+
+def rows_with(*whys):
+    at = enumerate((NOON + 600.0 * number for number in range(len(whys))), 1)
+    return tuple(
+        Scheduled(f"DEMO LEO {number} station", 900 + number, utc(start_s), utc(start_s + 240.0), 62.0, 0, False, why)
+        for (number, start_s), why in zip(at, whys, strict=True)
+    )
+
+
+async def with_schedule(app, pilot, desk, rows=None, **changes):
+    desk.show(replace(desk.now, **({} if rows is None else {"schedule": rows}), **changes))
+    await pilot.pause()
+    app.paint()
+    await pilot.pause()
+    return stand_in.text_of(app)
+
+
+@pytest.mark.parametrize("size", [(100, 30), *SIZES[1:3]], ids=str)
+def test_autotrack_tells_whole_why_it_leaves_a_pass_out(size):
+    rows = rows_with("overlaps DEMO LEO 1 polar (priority 0)", "joined after DEMO LEO 5 weather (priority 0)")
+
+    async def shown(app, pilot, desk):
+        return await with_schedule(app, pilot, desk, rows)
+
+    text = run(shown, size=size, keys=("f2", "c", "v", "v"))
+    assert "overlaps LEO 1 polar" in text
+    assert "after LEO 5 weather" in text
+    assert "priority 0" not in text
+
+
+@pytest.mark.parametrize("size", SIZES[1:3], ids=str)
+def test_autotrack_keeps_no_pass_while_a_person_follows_something_else(size):
+    async def shown(app, pilot, desk):
+        return await with_schedule(app, pilot, desk, autotrack=True)
+
+    text = run(shown, "craft-moon", size=size)
+    assert "● autotrack on" in text
+    assert "goes on at 13:00" in text
+    assert "○ 11:58:00" in text
+    assert "following Moon" in text
+    assert "● 11:58:00" in run(shown, "craft-following", size=size)
