@@ -58,9 +58,9 @@ def test_the_scale_of_elevation_and_its_words_do_not_touch_at_80x24():
 
 def test_control_and_passes_fill_a_tall_terminal_with_what_comes_next():
     control = run(read, "slewing", (240, 70), key="f2", sky=sky_stand_in.make())
-    assert "Next in reach" in control
+    assert "In reach now and next" in control
     assert "NOAA 20 (JPSS-1)" in control
-    assert "Next in reach" not in run(read, "slewing", (80, 24), key="f2", sky=sky_stand_in.make())
+    assert "In reach now and next" not in run(read, "slewing", (80, 24), key="f2", sky=sky_stand_in.make())
     passes = run(read, "slewing", (240, 70), key="f7", sky=sky_stand_in.make())
     timeline = passes[passes.index("Timeline of favourites, then of what comes next") :]
     lanes = [row[1:20].strip() for row in timeline.splitlines()[2:]]

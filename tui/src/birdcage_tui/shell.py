@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Callable
 from concurrent.futures import Future
 from functools import partial
@@ -32,7 +31,9 @@ from birdcage_tui.esc_field import EscField
 from birdcage_tui.footer import KeyBar, PageBar
 from birdcage_tui.goto import GotoLine
 from birdcage_tui.key_queue import KeyQueue
+from birdcage_tui.link_book import LinkBook
 from birdcage_tui.messages import SkyChanged, StationEvent
+from birdcage_tui.notes import Notes
 from birdcage_tui.pages.dashboard import DashboardPage
 from birdcage_tui.pages.page import Page
 from birdcage_tui.paging import Paging
@@ -49,7 +50,7 @@ from birdcage_tui.stopping import focused_widget, is_stop_key, stop_first
 from birdcage_tui.surface import Surface
 from birdcage_tui.tour import Tour
 from birdcage_tui.track_feed import TrackFeed
-from birdcage_tui.view import YOU, Told, View
+from birdcage_tui.view import YOU, View
 from birdcage_tui.words import ended_text
 
 if TYPE_CHECKING:
@@ -104,9 +105,8 @@ class Shell(Surface):
         self.aim: tuple[float, float] | None = None
         """Where the go-to line would lead, while one types into it."""
         self.signals = SignalBook()
-        self._note = ""
-        self._told: deque[Told] = deque(maxlen=64)
-        """What the last commands did, the newest last."""
+        self.link_book = LinkBook()
+        self.notes = Notes()
         self._tour = Tour(self.track.set_autotrack)
         if not self.settings.tour:
             self._tour.end()
@@ -174,12 +174,8 @@ class Shell(Surface):
         self._start_objects.thaw()
 
     def note(self, words: str) -> None:
-        """Show what a command did, and keep it with the time; nothing shows nothing, and the same again is one."""
-        self._note = words
-        if self._told and self._told[-1].words == words:
-            self._told.pop()
-        if words:
-            self._told.append(Told(self.session.clock.utc(), words))
+        """Show what a command did, and keep it with the time; nothing shows nothing."""
+        self.notes.tell(words, self.session.clock.utc())
 
     def view(self) -> View:
         """Return what one frame shows, now."""
@@ -192,7 +188,7 @@ class Shell(Surface):
             self.signals.samples,
             self._tour.says,
             "" if crash is None else f"{type(crash).__name__}: {crash}",
-            self._note,
+            self.notes.last,
             self._watching is not None,
             tuple(scope.scope for scope in self.scopes()),
             self.step_deg,
@@ -200,13 +196,14 @@ class Shell(Surface):
             typing=isinstance(focused_widget(lambda: self.focused), Input),
             presets=self.presets.entries,
             aim=self.aim,
-            told=tuple(self._told),
+            told=self.notes.told,
             sky=self.sky.now,
             horizon=self.horizon.state,
             clock=self.clock_watch.now,
             track=self.track.now,
             followed=tuple(self.track.looks),
             heard=self.signals.heard,
+            trips=self.link_book.trips,
             calibrate=self.calibrate.now,
             ready=self.ready.now,
         )
@@ -262,6 +259,7 @@ class Shell(Surface):
     def _news(self) -> None:
         """Draw what was told; a tour that is still to begin waits for no frame."""
         self.signals.tell(self.track.now, self.session.clock.monotonic(), self.station.state)
+        self.link_book.hear(self.station.state.link)
         if self._tour.running:
             self._tour.step(self.view())
         self._changed()

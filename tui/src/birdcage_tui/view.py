@@ -46,6 +46,14 @@ class Sample:
     el_deg: float | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class Trip:
+    """The slowest answer of about a second, at a monotonic time in seconds."""
+
+    at: float
+    seconds: float
+
+
 TUNER, RECEIVER = "tuner", "receiver"
 
 
@@ -110,6 +118,8 @@ class View:
     """How well the dish has pointed in the pursuit under way, a look a second."""
     heard: Heard = field(default_factory=Heard)
     """Whose `signal` is."""
+    trips: Sequence[Trip] = ()
+    """How long the dish took to answer, over the last minutes."""
     calibrate: CalibrateNow | None = None
     """What the calibration shows; None before its tab was visited."""
     ready: tuple[Check, ...] | None = None

@@ -8,10 +8,10 @@ from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import cut, wrap
 from birdcage_tui.commands.table import can_move
 from birdcage_tui.pane import Pane
-from birdcage_tui.panes.sky_next import draw_next, next_rows
+from birdcage_tui.panes.sky_next import HEADING, draw_next, next_rows
 from birdcage_tui.stop_words import esc_text
 from birdcage_tui.track.pursuing import pursuit_of
-from birdcage_tui.view import View
+from birdcage_tui.view import Told, View
 
 TIME = 11
 """Columns that the time of a command takes, with the gap after it."""
@@ -59,6 +59,10 @@ TALL = 14
 """Rows from which the next passes stand under what was done."""
 
 
+def _rows_of(told: Told, cells: Cells) -> list[str]:
+    return wrap(told.words, max(cells.width - TIME - 2, 10))
+
+
 class LogPane(Pane):
     """What the commands before that one did, the latest first."""
 
@@ -69,29 +73,33 @@ class LogPane(Pane):
     def draw(self, cells: Cells, view: View) -> None:
         """Write as many as there is room for."""
         earlier = view.told[:-1] if view.note else view.told
-        if not earlier:
-            for y, row in enumerate(wrap(EMPTY, max(cells.width - 2, 10))):
-                cells.put(1, y, row, "dim")
-        bottom = self._passes(cells, view)
+        empty = [] if earlier else wrap(EMPTY, max(cells.width - 2, 10))
+        for y, row in enumerate(empty):
+            cells.put(1, y, row, "dim")
+        bottom = self._passes(cells, view, len(empty) + sum(len(_rows_of(told, cells)) for told in earlier))
         y = 0
         for told in reversed(earlier):
             if y >= bottom:
                 return
             cells.put(1, y, f"{told.utc:%H:%M:%S}Z", "dim")
-            for row in wrap(told.words, max(cells.width - TIME - 2, 10)):
+            for row in _rows_of(told, cells):
                 if y < bottom:
                     cells.put(1 + TIME, y, row, "text")
                 y += 1
             if y >= bottom:
                 return
 
-    def _passes(self, cells: Cells, view: View) -> int:
-        """Write at the bottom of a tall pane what comes into reach next; return the row where it begins."""
-        passes = next_rows(view)[: cells.height // 2 - 2] if cells.height >= TALL else []
+    def _passes(self, cells: Cells, view: View, told: int) -> int:
+        """Write in a tall pane what comes into reach next, in what `told` rows leave; return the row where it begins.
+
+        What was told never has less than half of the pane.
+        """
+        room = cells.height - 2 - min(told, cells.height - cells.height // 2)
+        passes = next_rows(view)[:room] if cells.height >= TALL else []
         if not passes:
             return cells.height
         top = cells.height - len(passes) - 1
-        cells.put(1, top, "Next in reach", "dim")
+        cells.put(1, top, HEADING, "dim")
         for y, row in enumerate(passes, top + 1):
             draw_next(cells, y, row, view.utc.timestamp())
             self.heat(0, y, cells.width, "page-passes")

@@ -11,6 +11,10 @@ ROOMY = (100, 24)
 """From this size on each part has a frame of its own, and the presets are always seen."""
 
 
+WITH_ARC = 5
+"""Rows of the third axis with its arc; below it a row is left free."""
+
+
 @dataclass(frozen=True, slots=True)
 class Sizes:
     """Widths of the columns; heights of what stands in the right one, and of the cable gauge."""
@@ -51,10 +55,11 @@ def sizes(width: int, height: int, *, with_skew: bool = False) -> Sizes:
     right = 57 if side >= 57 + 40 else 44
     readout = (8 if top >= 36 and right == 57 else 6) + FRAME
     digits, jog, actions = (4, 3, 4) if top >= 36 else (3, 2, 3) if top >= 25 else (3, 1, 2)
-    skew = 0 if not with_skew else 5 if top >= 36 and right == 57 else 2
+    skew = 0 if not with_skew else WITH_ARC if top >= 36 and right == 57 else 2
     if with_skew and top < 25:
         actions -= 1  # it has no speed setting
     horizon = 2 if top >= 25 else 1
-    upper = readout + digits + skew + jog + actions + horizon + FRAME
+    air = 1 if skew >= WITH_ARC else 0
+    upper = readout + digits + skew + air + jog + actions + horizon + FRAME
     log = side - right if side >= 80 else 0
     return Sizes(True, rose, side - right, readout, digits, jog, actions, cable, skew, upper, log, horizon)

@@ -15,6 +15,7 @@ from textual.widgets import Input
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import cell_len, cut, elide, pad, wrap
 from birdcage_tui.commands import BY_NAME
+from birdcage_tui.control.sky_directions import SkyDirection, sky_directions
 from birdcage_tui.esc_field import EscField
 from birdcage_tui.host import Host
 from birdcage_tui.pages.page import Page
@@ -25,6 +26,9 @@ KEYS = (("preset-go", "go"), ("preset-add", "add"), ("preset-edit", "edit"), ("p
         ("preset-filter", "find"), ("preset-undo", "undo"))  # fmt: skip
 LEAST_NAME, LEAST_NOTE = 4, 6
 """Columns that a name gets at least, and from which on a note is worth showing."""
+SKY = "In the sky now: Enter opens go-to"
+FOR_SKY, LEAST_SKY = 5, 4
+"""Rows for the words and keys around it, and how many directions are worth a heading."""
 EMPTY = "No presets. a saves this direction."
 
 
@@ -41,6 +45,7 @@ class PresetsPane(Pane, can_focus=True):
         self.filter = ""
         self.cursor = 0
         self._top = 0
+        self._sky: list[SkyDirection] = []
         self._rows: list[tuple[Region, int]] = []
 
     @property
@@ -61,18 +66,24 @@ class PresetsPane(Pane, can_focus=True):
         """Return the one under the cursor; None when there is none."""
         view = cast(Host, self.app).view()
         shown = self.shown(view)
-        return shown[min(self.cursor, len(shown) - 1)] if shown else None
+        return shown[min(self.cursor, len(shown) - 1)] if shown and self.chosen_sky() is None else None
+
+    def chosen_sky(self) -> SkyDirection | None:
+        """Return the direction of the sky under the cursor; None when that is on a preset."""
+        index = self.cursor - (0 if self.view is None else len(self.shown(self.view)))
+        return self._sky[index] if 0 <= index < len(self._sky) else None
 
     def move(self, by: int) -> None:
         """Move the cursor."""
         if self.view is not None:
-            self.cursor = min(max(self.cursor + by, 0), max(len(self.shown(self.view)) - 1, 0))
+            self.cursor = min(max(self.cursor + by, 0), max(len(self.shown(self.view)) + len(self._sky) - 1, 0))
             self.show(self.view)
 
     def draw(self, cells: Cells, view: View) -> None:
         """Write the rows around the cursor, what is wrong with the file, and the keys."""
         shown = self.shown(view)
-        self.cursor = min(self.cursor, max(len(shown) - 1, 0))
+        self._sky = self._sky_for(cells, view, len(shown))
+        self.cursor = min(self.cursor, max(len(shown) + len(self._sky) - 1, 0))
         self._rows = []
         problem = cast(Host, self.app).presets.problem
         if not view.presets:
@@ -82,9 +93,9 @@ class PresetsPane(Pane, can_focus=True):
                 self._words(cells, 0, words, "warn" if problem else "dim", cells.height)
                 self.heat(0, 0, cells.width, "preset-add")  # the sentence names the key, which has no row here
                 return
-            below = rows + 1
-            bottom = self._keys(cells, view, below)
+            bottom = self._keys(cells, view, cells.height if self._sky else rows + 1)
             self._words(cells, 0, words, "warn" if problem else "dim", bottom)
+            self._draw_sky(cells, rows + 1, 0)
             return
         bottom, y = self._keys(cells, view, cells.height), 0
         if problem:
@@ -92,10 +103,36 @@ class PresetsPane(Pane, can_focus=True):
         if not shown:
             self._words(cells, 0, f'No preset matches "{self.filter}". / changes the filter.', "dim", bottom)
         room = max(bottom - y, 0)
-        self._top = min(max(self._top, self.cursor - room + 1), self.cursor)
+        last = min(self.cursor, max(len(shown) - 1, 0))
+        self._top = min(max(self._top, last - room + 1), last)
         for index in range(len(shown))[self._top : self._top + room]:
             self._row(cells, y, shown, index)
             y += 1
+        self._draw_sky(cells, y + 1, len(shown))
+
+    def _sky_for(self, cells: Cells, view: View, above: int) -> list[SkyDirection]:
+        """Return those that a tall list has room for under the presets, and that the filter lets through."""
+        room = cells.height - above - FOR_SKY
+        if room < LEAST_SKY:
+            return []
+        wanted = self.filter.casefold()
+        return [one for one in sky_directions(view) if wanted in one.name.casefold()][:room]
+
+    def _draw_sky(self, cells: Cells, y: int, first: int) -> None:
+        if self._sky:
+            cells.put(1, y, SKY, "dim")
+        width = max((cell_len(one.name) for one in self._sky), default=0)
+        width = max(min(width, cells.width - 17), LEAST_NAME)
+        for index, one in enumerate(self._sky, first):
+            y += 1
+            here = index == self.cursor
+            mark = "▶" if here else " "
+            line = f"{mark} {pad(elide(one.name, width), width)} {one.az_deg:6.2f}° {one.el_deg:5.2f}°"
+            ink = "accent-row" if here and self.has_focus else "text"
+            cells.put(0, y, pad(line, cells.width), ink)
+            if ink == "text":
+                cells.put(0, y, mark, "accent-strong")
+            self._rows.append((Region(0, y, cells.width, 1), index))
 
     def _row(self, cells: Cells, y: int, shown: Sequence[Preset], index: int) -> None:
         preset, here = shown[index], index == self.cursor

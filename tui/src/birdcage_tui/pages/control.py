@@ -20,7 +20,7 @@ from birdcage_tui.control.horizon_hands import HorizonHands
 from birdcage_tui.control.horizon_pane import HorizonPane
 from birdcage_tui.control.jog import JogPane
 from birdcage_tui.control.last import LastLine, LogPane
-from birdcage_tui.control.layout import sizes
+from birdcage_tui.control.layout import WITH_ARC, sizes
 from birdcage_tui.control.nudge import DigitsPane
 from birdcage_tui.control.presets import PresetsBox, PresetsPane
 from birdcage_tui.control.readout import ReadoutPane
@@ -111,7 +111,8 @@ class ControlPage(Tabbed):
             ("#turn-skew", found.skew), ("#horizon", found.horizon), ("#cable", found.cable),
         ):  # fmt: skip
             self.query_one(name).styles.height = height
-        self.query_one(SkewPane).display = found.skew > 0
+        turn = self.query_one(SkewPane)
+        turn.display, turn.styles.margin = found.skew > 0, (0, 0, int(found.skew >= WITH_ARC), 0)
         self.query_one(CablePane).framed = found.roomy
         self.query_one("#control-upper").styles.height = found.upper or "1fr"
         log = self.query_one(LogPane)
@@ -213,7 +214,7 @@ class ControlPage(Tabbed):
         if command == "preset-go" and can_release(self.host.view()) is None:
             self.host.action_command("release")
         elif preset is None:
-            self.host.say("No preset selected. a: save the current direction.")
+            self._with_sky(command)
         elif command == "preset-go":
             self.host.say(f'To "{preset.name}", {preset.az_deg:.2f}°/{preset.el_deg:.2f}°.')
             self.host.ask(Goto(preset.az_deg, preset.el_deg, YOU))
@@ -221,6 +222,15 @@ class ControlPage(Tabbed):
             self._tell(lambda: self.host.presets.delete(preset.name))
         else:
             self._edit(preset)
+
+    def _with_sky(self, command: str) -> None:
+        sky = self.query_one(PresetsPane).chosen_sky()
+        if sky is None:
+            self.host.say("No preset selected. a: save the current direction.")
+        elif command == "preset-go":
+            self.host.open_goto(sky.typed)  # it says where that stands by then, and what forbids it
+        else:
+            self.host.say(f"{sky.name} is no preset. a: save the current direction.")
 
     def _tell(self, change: ask.Change) -> None:
         """Change the presets, and say what was done or why not."""

@@ -17,6 +17,8 @@ from birdcage_tui.view import TUNER, View
 
 LEAST_FOR_HEALTH = 31
 """Rows from which there is one for everything."""
+ROOMY, VAST = 54, 62
+"""Rows from which more passes are worth more than a taller chart; from which the link has its last minutes, too."""
 
 
 class DashboardPage(Page):
@@ -57,3 +59,5 @@ class DashboardPage(Page):
         sky = 40 if width < 100 or height < 27 else max(min(round_width, width - 50), 40)
         self.query_one(SkyPane).styles.width = sky
         self.set_class(height < LEAST_FOR_HEALTH, "-short")
+        self.set_class(width >= 150 and height >= ROOMY, "-roomy")
+        self.set_class(width >= 150 and height >= VAST, "-vast")

@@ -8,6 +8,7 @@ from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import cell_len, cut
 from birdcage_tui.commands.everywhere import can_end_search
 from birdcage_tui.pane import Pane
+from birdcage_tui.panes.link_strip import ROWS, draw_link_strip
 from birdcage_tui.view import View
 from birdcage_tui.words import LINK, SEARCH, age_text
 
@@ -38,6 +39,8 @@ class HealthPane(Pane):
     def draw(self, cells: Cells, view: View) -> None:
         """Write the facts in order of weight."""
         facts = self.facts(view)
+        if cells.height >= len(facts) + ROWS:
+            draw_link_strip(cells, cells.height - ROWS, view)
         columns = 2 if cells.width >= 64 and len(facts) > cells.height else 1
         if columns == 1 and len(facts) > cells.height:
             facts = facts[: cells.height]

@@ -9,7 +9,7 @@ from birdcage.station.pursuit import Phase
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import wrap
 from birdcage_tui.pane import Pane
-from birdcage_tui.panes.sky_next import draw_next, next_rows, troubled
+from birdcage_tui.panes.sky_next import HEADING, WITH_AZIMUTHS, draw_next, next_rows, troubled
 from birdcage_tui.track.pursuing import pursuit_of
 from birdcage_tui.track.words import plain_name
 from birdcage_tui.unready import worst
@@ -18,9 +18,12 @@ from birdcage_tui.words import next_steps
 
 if TYPE_CHECKING:
     from birdcage_tui.passes.model import Row
+    from birdcage_tui.passes.spark import Sparks
 
+WITH_HEADING = 4
+"""Passes from which on their list has a heading, where it is wide."""
 FOR_WORDS = 9
-"""Rows of a tall pane that the sentences keep; the others are for passes."""
+"""Rows of a tall pane that the sentences keep at most; the others are for passes."""
 
 
 def _wrapped(words: str, width: int) -> list[str]:
@@ -44,6 +47,7 @@ class NextPane(Pane):
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
         self.border_title = "What next"
+        self._sparks: Sparks | None = None
 
     def draw(self, cells: Cells, view: View) -> None:
         """Wrap the sentences; in a tall pane a blank row parts them. Passes stand below, where nothing is wrong."""
@@ -53,7 +57,15 @@ class NextPane(Pane):
         passes, finding = [row for row in next_rows(view) if not _followed(row, view)], worst(view)
         first = steps[: 2 if finding is not None and finding.words in [words for _, words, _ in steps[:2]] else 1]
         spare = cells.height - (rows if troubled(view) else sum(len(lines) for *_, lines in first))
-        kept = max(min(len(passes), spare, max(cells.height // 2, cells.height - FOR_WORDS, 2)), 0)
+        heading = cells.width >= WITH_AZIMUTHS and len(passes) >= WITH_HEADING
+        kept = max(
+            min(
+                len(passes) + heading,
+                spare,
+                max(cells.height // 2, cells.height - min(FOR_WORDS, rows + len(steps)), 2),
+            ),
+            0,
+        )
         height = cells.height - kept
         air = 1 if height >= rows + len(steps) - 1 + bool(kept) else 0
         y = 0
@@ -67,6 +79,13 @@ class NextPane(Pane):
                     self.heat(0, y, cells.width, finding.command)
                 y += 1
             y += air
+        if heading and kept > WITH_HEADING:
+            cells.put(1, y, HEADING, "dim")
+            y, kept = y + 1, kept - 1
+        if kept and self._sparks is None and cells.width >= WITH_AZIMUTHS:
+            from birdcage_tui.passes.spark import Sparks  # rows are there, so what it needs is loaded
+
+            self._sparks = Sparks()
         for below, row in enumerate(passes[:kept], max(y, 0)):
-            draw_next(cells, below, row, view.utc.timestamp())
+            draw_next(cells, below, row, view.utc.timestamp(), sparks=self._sparks)
             self.heat(0, below, cells.width, "pocket-passes" if "pocket" in view.scopes else "page-passes")

@@ -120,8 +120,10 @@ class PointingPane(Pane):
             note, note_ink = "", "dim"
         state = view.state
         known = state.az_offset_deg == 0 and state.el_offset_deg == 0 and state.alignment.model is None
-        cells.put(left, y, "azimuth" if known or note else "azimuth true", "dim")
-        cells.put(start_el, y, "elevation", "dim")
+        blank = len(az) - len(az.lstrip(" ")) if position is not None and not note else 0
+        under = left + width_of(" " * blank, large=large)  # the first digit, not the room for a hundred
+        cells.put(under, y, "azimuth" if known or note else "azimuth true", "dim")
+        cells.put(start_el + width_of(" " * (len(el) - len(el.lstrip(" "))), large=large), y, "elevation", "dim")
         cells.put(left + 9, y, note, note_ink)
         return y + 1
 

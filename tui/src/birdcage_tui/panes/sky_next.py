@@ -12,6 +12,7 @@ from birdcage_tui.view import View
 
 if TYPE_CHECKING:
     from birdcage_tui.passes.model import Row
+    from birdcage_tui.passes.spark import Sparks
 
 EVENTS = {"reach": "reach in", "out": "leaves in", "AOS": "rises in", "LOS": "sets in"}
 """What comes next, before the time until it does."""
@@ -20,6 +21,11 @@ CROWD = 100
 MOST = 40
 WITH_WORDS = 46
 """Columns from which a row says what the time is that it ends with."""
+LEAST_NAME = 14
+"""Columns of the name that count for more than the words behind the figures."""
+HEADING = "In reach now and next"
+CURVE, WITH_CURVE = 12, 32
+"""Columns of the curve of elevation, and how many the name has where it is drawn, curve included."""
 WITH_AZIMUTHS = 76
 """Columns from which a row tells where the satellite rises and sets."""
 
@@ -50,10 +56,11 @@ def next_rows(view: View) -> list[Row]:
     return [row for _, row in heapq.nsmallest(MOST, found, key=lambda one: (crowd and not one[1].favourite, one[0]))]
 
 
-def draw_next(cells: Cells, y: int, row: Row, now_s: float, ink: str = "") -> None:
+def draw_next(cells: Cells, y: int, row: Row, now_s: float, ink: str = "", sparks: Sparks | None = None) -> None:
     """Write what comes next and when, the name, the highest elevation and how long all of it is in reach.
 
-    Of a pass that is in reach now only the countdown tells how long; `ink`: all in one.
+    Of a pass that is in reach now only the countdown tells how long; `ink`: all in one. `sparks` draws the elevation
+    from AOS to LOS where there is room, louder where the dish can follow.
     """
     event = row.next_event(now_s)
     if event is None:
@@ -69,5 +76,11 @@ def draw_next(cells: Cells, y: int, row: Row, now_s: float, ink: str = "") -> No
     if cells.width >= WITH_AZIMUTHS:
         tail = f"{row.aos_az_deg:3.0f}° to {row.los_az_deg:3.0f}°   {tail}"
     room = cells.width - 17 - len(tail) - 2
+    if room < LEAST_NAME:
+        tail = tail.removesuffix(" in reach" if length else " " * len(" in reach"))
+        room = cells.width - 17 - len(tail) - 2
+    if sparks is not None and room >= WITH_CURVE:
+        room -= CURVE + 2
+        sparks.draw(cells, 17 + room + 1, y, CURVE, row, "dim", "accent")
     cells.put(17, y, fit(row.name, room), text)
     cells.right(cells.width - 1, y, tail, dim)

@@ -1,0 +1,56 @@
+"""How fast the dish has answered lately: a heading in figures, and a braille strip, newest at the right."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from birdcage_tui.canvas import Braille, Cells
+from birdcage_tui.cell_text import cut
+from birdcage_tui.view import Trip, View
+from birdcage_tui.words import age_text
+
+COLUMN_S = 5.0
+"""Seconds that a column of cells stands for."""
+GAP_S = 15.0
+"""A longer silence is a gap, not a slope."""
+LEAST_TOP_MS = 20.0
+AXIS = 7
+ROWS = 6
+"""Rows that heading and strip take: a page gives them, or none."""
+
+
+def strip_words(view: View, shown: list[Trip]) -> str:
+    """Return since when the link is up, how slow the slowest answer was, and the noise since then."""
+    link = view.state.link
+    noise = f"{link.stray_bytes} stray bytes" if link.stray_bytes else "no stray bytes"
+    up = f"Link up for {age_text(view.now - link.since)}, {noise}"
+    if not shown:
+        return up
+    slowest = max(trip.seconds for trip in shown) * 1000
+    return f"{up}. Slowest reply {slowest:.0f} ms in the last {age_text(view.now - shown[0].at)}"
+
+
+def draw_link_strip(cells: Cells, y: int, view: View) -> None:
+    """Draw heading and strip from row `y` to the bottom; nothing while the link is down: there is nothing to time."""
+    width, height = cells.width - 2 - AXIS, cells.height - y - 1
+    if not view.link_up or width < 20 or height < 2:
+        return
+    shown = [trip for trip in view.trips if view.now - trip.at <= width * COLUMN_S]
+    cells.put(1, y, cut(strip_words(view, shown), cells.width - 2), "dim")
+    if not shown:
+        return
+    top_ms = max(LEAST_TOP_MS, max(trip.seconds for trip in shown) * 1200)
+    canvas, dots = Braille(width, height), height * 4 - 1
+
+    def at(trip: Trip) -> tuple[float, float]:
+        left = width * 2 - 1 - (view.now - trip.at) / COLUMN_S * 2
+        return left, dots * (1 - trip.seconds * 1000 / top_ms)
+
+    canvas.line(0, dots, width * 2 - 1, dots, "line", every=4)
+    for one, other in pairwise(shown):
+        if other.at - one.at <= GAP_S:
+            canvas.line(*at(one), *at(other), "accent")
+    canvas.dot(*at(shown[-1]), "accent")
+    cells.right(AXIS, y + 1, f"{top_ms:.0f} ms", "dim")
+    cells.right(AXIS, y + height, "0 ms", "dim")
+    canvas.onto(cells, 1 + AXIS, y + 1)
