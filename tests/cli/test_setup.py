@@ -175,7 +175,7 @@ def test_ctrl_c_while_it_moves_stops_the_dish_and_keeps_what_is_done(person, pty
     me.answers("pitch (deg", "1")
     me.answers("roll (deg", "0")
     me.sees("8 Level: done.")
-    me.answers("9 Place and clock> ", "s")
+    me.answers("9 Location, clock> ", "s")
     me.sees("Move it a little")
     me.answers("10 North> ", "j")
     me.answers("Is its area clear", "y")

@@ -47,7 +47,7 @@ STEPS = (
              (Choice("typed", "enter", "Type pitch and roll", fields=(
                  Field("pitch_deg", "pitch", "deg", "front of the base up is +"),
                  Field("roll_deg", "roll", "deg", "right side down is +"))),)),
-    StepView(9, "place", "Place and clock", TODO, "", ("Where does the dish stand?",),
+    StepView(9, "place", "Location, clock", TODO, "", ("Where does the dish stand?",),
              (Choice("locator", "enter", "Use this locator", fields=(Field("locator", "locator", hint="JO21JV"),)),
               Choice("degrees", "d", "Use these degrees", fields=(
                   Field("latitude_deg", "latitude", "deg", "north is +"),
@@ -128,8 +128,8 @@ def mute():
     causes = find_causes(Case("/dev/ttyUSB0", link, FINDINGS, system, ports, 115200))
     engine = Engine("link", causes=causes)
     engine.change(
-        "link", mark=FAILED, evidence="/dev/ttyUSB0 opens, and at 57600 baud no dish answers",
-        words=(link.detail, "Choose the port that the RS-422 adapter has. Nothing is sent to the others.",
+        "link", mark=FAILED, evidence="/dev/ttyUSB0 opens. No dish answers at 57600 baud.",
+        words=(link.detail, "Choose the port of the RS-422 adapter. Nothing is sent to the others.",
                "Seen: 57600: 34 bytes, garbage; 115200: silence; 9600: own echo.",
                *(f"{cause.title}: {cause.what_to_do}" for cause in causes[:3])),
         choices=(Choice("probe", "p", "Look at other speeds"), Choice("port-1", "1", "/dev/ttyUSB0, FTDI"),

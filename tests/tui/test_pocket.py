@@ -17,6 +17,7 @@ from birdcage_tui.pocket.reading import PocketReading
 from birdcage_tui.status import StatusLine
 from birdcage_tui.words import bad_day
 from stage import read
+from textual.widgets import OptionList
 
 SIZES = [(40, 12), (40, 23), (50, 20), (60, 40), (79, 23), (79, 12), (120, 20), (160, 12), (43, 60)]
 
@@ -313,3 +314,32 @@ def test_every_row_is_shared_out_at_every_size(wrong, heard):
         if layout.beside:
             assert layout.column >= 40
             assert width - layout.column >= 24
+
+
+def test_the_words_name_no_key_that_does_nothing_here_and_say_once_that_it_is_not_homed():
+    text = run(read, "not-homed", (60, 20)).casefold()
+    assert "pages" not in text
+    assert "is not homed" not in text, "the row that is wrong says so"
+    assert text.count("h homes it") == 1
+    assert "end stops" in text
+
+
+@pytest.mark.parametrize("size", [(40, 12), (60, 20), (66, 20)], ids=str)
+def test_row_1_has_both_angles_or_none(size):
+    for name in ("idle", "not-homed"):
+        row = run(read, name, size).splitlines()[0]
+        assert ("AZ" in row) == ("EL" in row), row
+
+
+@pytest.mark.parametrize("size", [(40, 12), (60, 20), (80, 24)], ids=str)
+def test_no_line_of_the_help_is_broken_by_its_frame(size):
+    async def look(app, pilot):
+        await press(app, pilot, "question_mark")
+        rows = app.screen.query_one(OptionList)
+        room = rows.scrollable_content_region.width - 2
+        options = [rows.get_option_at_index(index) for index in range(rows.option_count)]
+        return room, [line for each in options if each.id for line in str(each.prompt).splitlines()]
+
+    room, lines = run(look, "slewing", size)
+    assert lines
+    assert [line for line in lines if len(line) > room] == []

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 import pytest
+import stand_in
 from birdcage.base.paths import Paths
 from birdcage.sky.catalogue import Catalogue
 from birdcage.station.pursuit import Phase
@@ -130,3 +131,21 @@ def test_what_was_left_by_a_person_or_is_followed_is_not_offered(tmp_path, keys)
     text, asked = play(tmp_path, leave)
     assert "U resume" not in text
     assert asked == []
+
+
+def test_the_pocket_view_has_a_button_that_resumes(tmp_path):
+    async def stop(house):
+        await follow(house)
+        await house.press("space")
+        await house.look(3.0)
+        await house.pilot.resize_terminal(40, 12)
+        await house.look(1.0)
+        row = stand_in.text_of(house.app).splitlines()[10]
+        await house.pilot.click(offset=(row.index("U resume"), 10))
+        for _ in range(8):
+            await house.look(1.0)
+        return row, sent(house)
+
+    row, asked = play(tmp_path, stop, (80, 24))
+    assert "Enter release" in row
+    assert asked == [Release, Pursue]

@@ -216,7 +216,7 @@ def test_the_page_follows_the_engine_to_its_next_step():
         assert engine.ticks > ticks, "each frame lets the engine go on"
         text = stand_in.text_of(app)
         assert "✓ 4  Home" in text
-        assert "▶ 5  Feed" in text
+        assert "▶ ○ 5  Feed" in text
         assert "Which feed is fitted?" in text
 
     run(follow, size=(120, 36))

@@ -182,7 +182,7 @@ async def test_from_wires_to_a_dish_that_points_and_resumed_half_way(tmp_path):
         await garden.press("f8")
         await garden.step(8)
         assert garden.setup.current == "limits"
-        assert "▶ 6  Limits" in garden.text()
+        assert "▶ ○ 6  Limits" in garden.text()
         assert "backup nvs-g2-" in garden.text()
         before = len(garden.moves())
         await garden.answer("enter")

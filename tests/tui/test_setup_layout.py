@@ -1,9 +1,13 @@
 """F8: what is seen of the setup lies inside the screen at every size, and says what it should."""
 
+from dataclasses import replace
+
 import pytest
 import setup_stand_in
 import stand_in
 from birdcage.setup.step import Choice, Field
+from birdcage.setup.wiring import CONNECTORS
+from birdcage_tui.setup import wiring
 from birdcage_tui.setup.fold import fold
 from birdcage_tui.setup.form import AnswerForm
 from setup_stage import inside, press, read, run, settle
@@ -17,7 +21,7 @@ def test_the_eleven_steps_are_told_with_mark_title_and_evidence(size):
     text = run(read, size=size)
     for step in setup_stand_in.STEPS:
         assert f"{step.number:<2} {step.title}" in text
-    for words in ("✓ 1  Link", "▶ 4  Home", "– 8  Level", "… 11 First", "ttyUSB0, FTDI, 115200 8N1"):
+    for words in ("✓ 1  Link", "▶ ○ 4  Home", "– 8  Level", "… 11 First", "ttyUSB0, FTDI, 115200 8N1"):
         assert words in text
     assert "Homing can't be stopped" in text
     assert "Area is clear: home" in text
@@ -92,7 +96,7 @@ def test_w_draws_the_plug_and_w_puts_it_away(size):
         for _ in range(20):
             await press(app, pilot, "down")
             seen += stand_in.text_of(app)
-        for words in ("Source", "four signal wires", "SH-U11", "560 ohm"):
+        for words in ("four signal wires", "SH-U11", "560 ohm"):
             assert words in seen, f"{words}: it scrolls to its end"
         await press(app, pilot, "escape")
         return stand_in.text_of(app)
@@ -164,3 +168,48 @@ def test_the_form_has_a_row_for_all_it_asks():
 
     wanted, made = run(rows, "feed")
     assert wanted == made >= 4
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_the_step_to_answer_keeps_the_mark_of_how_far_it_is(size):
+    async def look(app, pilot, engine):
+        engine.current = "link"
+        app.page.follow()
+        await settle(app, pilot)
+        return stand_in.text_of(app)
+
+    text = run(look, size=size)
+    assert "▶ ✓ 1  Link" in text
+    assert text.count("▶ ✓") == 1
+
+
+def test_the_wiring_beside_the_link_ends_with_a_whole_sentence_and_names_the_key_for_the_rest():
+    async def look(app, pilot, engine):
+        engine.current = "link"
+        app.station.state = replace(app.station.state, port="/dev/ttyUSB0")
+        app.page.follow()
+        await settle(app, pilot)
+        extra = app.page.query_one("#setup-extra")
+        return ["".join(row).strip() for row in extra._cells._chars]
+
+    rows = [row for row in run(look, size=(120, 36)) if row]
+    assert "w: all" in rows[0]
+    assert rows[-1].endswith(".")
+
+
+def test_a_simulated_dish_has_no_plug_beside_its_link():
+    async def look(app, pilot, engine):
+        engine.current = "link"
+        app.page.follow()
+        await settle(app, pilot)
+        return stand_in.text_of(app)
+
+    assert "RJ-12" not in run(look, size=(120, 36))
+
+
+def test_the_wiring_on_the_screen_tells_what_to_do_and_not_who_said_so():
+    text = "\n".join("".join(part for _, part in line) for line in wiring.lines(CONNECTORS, 76))
+    for word in ("README", "Source", "earlier project", "winegard-sky-scan"):
+        assert word not in text, word
+    assert text.count("silence") == 1, "one heading for all that it may mean"
+    assert "Swap the two wires of the TX pair." in text

@@ -47,7 +47,7 @@ def test_the_engine_going_on_does_not_pull_away_who_looks_at_another_step():
         engine.current = "feed"
         await settle(app, pilot)
         assert app.page.step.name == "place"
-        assert "▶ 5  Feed" in stand_in.text_of(app)
+        assert "▶ ○ 5  Feed" in stand_in.text_of(app)
         await press(app, pilot, "escape")
         assert app.page.step.name == "feed"
 

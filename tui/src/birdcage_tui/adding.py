@@ -70,5 +70,5 @@ def ask_place(app: BirdcageApp) -> None:
         app.say(f"Location set: {where}{found.latitude_deg:.4f}°, {found.longitude_deg:.4f}°.")
 
     words = "Type a city, a locator, or latitude and longitude. Passes are recomputed at once."
-    app.push_screen(FieldsScreen("Set location", words, (Field("place", "", "Rotterdam, JO21jv, 51.9 4.8"),), check),
+    app.push_screen(FieldsScreen("Set location", words, (Field("location", "", "Rotterdam, JO21jv, 51.9 4.8"),), check),
                     answered)  # fmt: skip

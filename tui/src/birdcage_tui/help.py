@@ -66,7 +66,7 @@ class HelpScreen(Dialog[str | None]):
 
     def _options(self) -> list[Option]:
         options: list[Option] = []
-        width = min(WIDTH, self.app.size.width - 6)
+        width = min(WIDTH, self.app.size.width - 10)
         gap = "\n" if self.app.size.height >= 24 else ""
         if self._words:
             options.append(Option(Text(self._words), disabled=True))

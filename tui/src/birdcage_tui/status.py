@@ -47,9 +47,9 @@ class StatusLine(Pane):
         if cells.width < NARROW:
             # The big digits below say where it points; who has control stands nowhere else.
             link, az, el, activity, holder, *_ = fields
-            fields = [link, holder, activity, az, el]
-        first = sum(cell_len(text) for text, _ in fields[:MUST])
-        gap = 2 if x + first + 2 * (MUST - 1) <= end else 1
+            fields = [link, holder, activity, (f"{az[0]} {el[0]}", az[1])]  # both or neither
+        must = fields[:MUST]
+        gap = 2 if x + sum(cell_len(text) for text, _ in must) + 2 * (len(must) - 1) <= end else 1
         for field, ink in fields:
             text = field if x + cell_len(field) <= end else field.rstrip()
             if x + cell_len(text) > end:

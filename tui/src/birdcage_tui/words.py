@@ -280,7 +280,9 @@ def next_steps(view: View) -> list[tuple[str, str]]:
             ("text", f"Check the cable, then the dish's {power_switch(view).removesuffix(' switch')}. {back}"),
             ("dim", "It stays held until you press Enter." if state.held else "birdcage sends no motion meanwhile."),
         ]
-    steps = [_doing(view)]
+    in_pocket = "pocket" in view.scopes
+    unhomed = state.homed is False and state.activity is not Activity.HOMING and state.held is None
+    steps = [] if in_pocket and unhomed else [_doing(view)]  # the row above says the same there
     pursuit = pursuit_of(view)
     if view.moving and pursuit is None:  # what STOP does stands under the digits, which say whom it pursues
         steps.append(("text", f"Space: {stop_text(view)}."))
@@ -296,17 +298,18 @@ def next_steps(view: View) -> list[tuple[str, str]]:
         if dish is not None and dish.homing_s is None:
             steps.append(("text", "Next: switch the dish off and on. It homes by itself."))
         else:
-            steps.append(("text", "Next: H homes it. It turns through its whole range and runs into its end stops."))
+            way = "turns through its whole range and runs into its end stops."
+            steps.append(("text", f"To home, it {way}" if in_pocket else f"Next: H homes it. It {way}"))
     elif searching(view):
         steps.append(("text", "The search starts again at each power-up."))
     elif state.motion_refused_because:
         steps.append(
             ("text", "birdcage sends no motion. Fix the file, or press Enter to accept the dish's own limits.")
         )
-    elif view.tour:
-        steps.append(("text", "2, c: details."))  # the row under the status tells the other keys
+    elif view.tour:  # the row under the status tells the other keys
+        steps += [] if in_pocket else [("text", "2, c: details.")]
     elif pursuit is not None:
-        steps.append(("text", "2, c: details. x there: end it. Arrows: take over."))
+        steps.append(("text", f"{'' if in_pocket else '2, c: details. x there: end it. '}Arrows: take over."))
     elif not view.moving:
         steps += lack
         lack = []

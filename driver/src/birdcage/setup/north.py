@@ -36,7 +36,7 @@ def sun_now(bench: Bench) -> tuple[float, float]:
     """Return the Sun's true azimuth and elevation now. NotYet while the place is unknown."""
     place = bench.settings.place
     if place.latitude_deg is None or place.longitude_deg is None:
-        raise NotYet("No place is set. Set it in step 9.")
+        raise NotYet("No location set. Set it in step 9.")
     return sun(bench.utc, place.latitude_deg, place.longitude_deg)
 
 

@@ -1,7 +1,7 @@
-"""Which wire goes where: plugs, adapters, cautions and symptoms as data (reference section 1.1), with who says so.
+"""Which wire goes where, as data (reference section 1.1): plugs, adapters, cautions, symptoms.
 
 TX is from the computer to the dish, RX from the dish to the computer; TA, TB, RA and RB are the terminals of an RS-422
-adapter, A being plus.
+adapter, A being plus. docs/wiring.md names the sources.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ class Adapter:
 
     name: str
     used_with: str
-    """Which dish, and who says so."""
+    """With which dish it was used."""
     notes: str
 
 
@@ -71,16 +71,6 @@ class Symptom:
     remedy: str
     supported_by: str
 
-
-_G2_DISAGREEMENT = (
-    "Sources disagree: an earlier project lists pin 2 as TX+ and 3 as TX-, 4 as RX+ and 5 as RX-. It took the rows of "
-    "a README's table for pins, and the drawing speaks against it. If your dish stays silent with the order above, "
-    "swap the TX pair; if what it says is garbled, swap the RX pair."
-)
-_TRAVLER_DISAGREEMENT = (
-    "Sources disagree: an earlier project has it that pins 2 and 3 are enough (half duplex). Both READMEs wire five "
-    "contacts, the T/R pair and the RXD pair: use a 4-wire adapter and connect both."
-)
 
 CONNECTORS = (
     Connector(
@@ -100,8 +90,7 @@ CONNECTORS = (
         "The drawing of Chris Davidson, who runs a G2 with it (winegard-sky-scan, docs/wiring_guide.png). The Trav'ler "
         "has the same order.",
         (
-            "Supply: read the label of yours; no source here gives its voltage.",
-            _G2_DISAGREEMENT,
+            "Supply: read its label. The voltage is not documented.",
             "At 9600, 19200, 38400 and 57600 baud a G2 is silent.",
         ),
         ("g2",),
@@ -123,7 +112,7 @@ CONNECTORS = (
         "The READMEs of Gabe Emerson KL1FI for both dishes (Travler_Rotor, Carryout-Rotor), which agree.",
         (
             "Supply: 12 V DC (RP-SK87) or about 50 V DC for the Trav'ler, 12 V for the Carryout. Read its label.",
-            _TRAVLER_DISAGREEMENT,
+            "Connect both pairs, T/R and RXD, to a 4-wire adapter.",
             "The Carryout's socket is on the control board, under the radome.",
         ),
         ("hal205",),
@@ -145,7 +134,7 @@ CONNECTORS = (
 )
 
 CAUTIONS = (
-    "Level: if the converter can be set to several TTL levels, set 5 V (the READMEs).",
+    "Level: if the converter can be set to several TTL levels, set 5 V.",
     "TX is from the computer to the dish, RX from the dish to the computer.",
     "Count contacts, not colours: cables differ. A meter tells which contact is which.",
     "A is plus here, and B minus. Not every adapter agrees: either pair may need its two wires swapped.",
@@ -162,11 +151,11 @@ LINES = (
 """What tells the two kinds of line apart."""
 
 ADAPTERS = (
-    Adapter("DSD TECH SH-U11, USB to RS-422 (FTDI FT232R)", "Carryout G2, by an earlier project",
+    Adapter("DSD TECH SH-U11, USB to RS-422 (FTDI FT232R)", "Carryout G2",
             "Five wires, ground included. FTDI chips carry a serial number: birdcage finds the port again by it."),
-    Adapter("USB to RS-232, then DTECH RS-232 to RS-485/422", "Trav'ler, Carryout of 2003, by their owner",
+    Adapter("USB to RS-232, then DTECH RS-232 to RS-485/422", "Trav'ler, Carryout of 2003",
             "Connect the T/R pair and the RXD pair. If it has several TTL levels, set 5 V."),
-    Adapter("ESP32 with DIYables RS-422 module (MAX490)", "Carryout G2, by an earlier project",
+    Adapter("ESP32 with DIYables RS-422 module (MAX490)", "Carryout G2",
             "A bridge to Wi-Fi. The module speaks 5 V, the ESP32 takes 3.3 V: divide what goes into RX2. "
             "docs/wiring.md tells how."),
 )  # fmt: skip

@@ -27,6 +27,8 @@ LISTED = (
 OFFERED = (*LISTED[:2], ("offer-follow", "Enter follow"), LISTED[3])
 SKEWED = tuple(("skew", "S skew") if name == "home" else (name, words) for name, words in MORE)
 """The same for a dish with a third axis, which homes by itself."""
+ROOMY = 44
+"""Columns from which the row of commands keeps off the edges."""
 STEP_WIDTH = 13
 """Columns of `[-] 0.05° [+]`."""
 
@@ -64,7 +66,8 @@ class PocketKeys(Pane):
         if can_release(view) is None:
             again = (("resume", "U resume"),) if resume_words(view) else ()
             more = (("release", _release_words(view)), *again, *more[3:])
-        self._row(cells, Region(0, tall, cells.width, 1), more, view)
+        edge = 1 if cells.width >= ROOMY else 0  # in line with the jog buttons
+        self._row(cells, Region(edge, tall, cells.width - 2 * edge, 1), more, view)
 
     def _row(self, cells: Cells, place: Region, keys: Sequence[tuple[str, str]], view: View) -> None:
         """Share a row out among buttons, by the lengths of their words."""
@@ -73,7 +76,7 @@ class PocketKeys(Pane):
         for (command, words), part in zip(keys, parts, strict=True):
             x, taken = place.width * taken // sum(parts), taken + part
             end = place.width * taken // sum(parts)
-            self._key(cells, Region(x, place.y, end - x, place.height), command, words, view)
+            self._key(cells, Region(place.x + x, place.y, end - x, place.height), command, words, view)
 
     def _jog(self, cells: Cells, tall: int, view: View) -> None:
         room = max(cells.width - 2 - STEP_WIDTH - 1, 3 * len(JOG))

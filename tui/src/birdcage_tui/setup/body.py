@@ -212,7 +212,8 @@ class SetupBody(SetupLayout):
             self._busy = None
         elif self._busy is None or self._busy[0] != step.name:
             self._busy = (step.name, view.now)
-        kind = kind_for(step.name, mute=bool(self.causes), wiring_asked=self.wiring, wide=self.wide)
+        kind = kind_for(step.name, mute=bool(self.causes), wiring_asked=self.wiring, wide=self.wide,
+                        simulated=view.state.port.startswith("sim:"))  # fmt: skip
         extra = self.query_one("#setup-extra", ExtraPane)
         told = step
         if kind is not Kind.CAUSES:

@@ -71,7 +71,12 @@ class ExtraPane(Pane):
             return
         if self.kind is Kind.POINTING:
             return
-        for y, line in enumerate(self._lines(width, cells.height - 1), 1):
+        lines = self._lines(width, cells.height - 1)
+        if len(lines) >= cells.height and not self.alone:
+            lines = lines[: wiring.whole_items(lines, cells.height - 1)]
+            self.heat(x + 1, 0, 8, "setup-wiring")
+            cells.put(x + 1, 0, " w: all ", "text")
+        for y, line in enumerate(lines, 1):
             x = 1
             for ink, text in line:
                 x = cells.put(x, y, text, ink)
@@ -89,14 +94,14 @@ class ExtraPane(Pane):
         return told
 
 
-def kind_for(step: str, *, mute: bool, wiring_asked: bool, wide: bool) -> Kind:
-    """Return what stands under a step."""
+def kind_for(step: str, *, mute: bool, wiring_asked: bool, wide: bool, simulated: bool) -> Kind:
+    """Return what stands under a step; a simulated dish has no wires."""
     if wiring_asked:
         return Kind.WIRING
     if mute and step == "link":
         return Kind.CAUSES
     if not wide:
         return Kind.NOTHING
-    if step in WIRED_STEPS:
+    if step in WIRED_STEPS and not simulated:
         return Kind.WIRING
     return Kind.COMPASS if step in COMPASS_STEPS else Kind.POINTING

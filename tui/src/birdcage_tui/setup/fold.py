@@ -15,6 +15,7 @@ GLYPHS = {
     Mark.LATER: ("…", "dim"),
 }
 PRESENT = ("▶", "accent-strong")
+"""Stands before the mark of the step that is answered."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,6 +56,6 @@ def folded_text(steps: Sequence[StepView]) -> str:
     return f"{steps[0].number}–{steps[-1].number}  {titles}"
 
 
-def glyph_of(step: StepView, *, present: bool) -> tuple[str, str]:
-    """Return the mark of a step and its ink; the present one keeps ✕ when it failed."""
-    return PRESENT if present and step.mark is not Mark.FAILED else GLYPHS[step.mark]
+def glyph_of(step: StepView) -> tuple[str, str]:
+    """Return the mark of a step and its ink."""
+    return GLYPHS[step.mark]

@@ -128,16 +128,20 @@ class AnswerForm(Vertical):
         """How many rows it takes."""
         return len(self._rows)
 
-    def fill(self, step: str, choices: Sequence[Choice], later: Sequence[Choice], width: int, room: int) -> None:
+    def fill(self, step: str, choices: Sequence[Choice], later: Sequence[Choice], width: int, room: int, *,
+             apart: bool) -> None:  # fmt: skip
         """Show `choices`, and dim those that can be taken `later`; what was typed stays.
 
-        Fields fold where `room` rows do not hold them all.
+        Fields fold where `room` rows do not hold them all. `apart`: a row for each choice, where they hold that.
         """
         every = (*choices, *later)
         if step != self._step:
             self._opened = ""
         self.folded = fold_to(every, width, room, self._opened)
-        rows = [*arrange(choices, width, self.folded), *arrange(later, width, self.folded)]
+        for spread in (apart, False):
+            rows = [row for each in (choices, later) for row in arrange(each, width, self.folded, apart=spread)]
+            if len(rows) <= room:
+                break
         made = (step, width, len(choices), self.folded, _shape(rows))
         self._choices = tuple(choices)
         if made == self._made:

@@ -53,13 +53,16 @@ def button_width(choice: Choice) -> int:
     return len(key_text(choice)) + 3 + cell_len(choice.label) + (len(MOVES) + 2 if choice.moves else 0)
 
 
-def arrange(choices: Sequence[Choice], width: int, folded: Collection[str] = ()) -> list[Row]:
-    """Return the rows. Choices without fields share a row where they fit; `folded` ones show no fields."""
+def arrange(choices: Sequence[Choice], width: int, folded: Collection[str] = (), *, apart: bool = False) -> list[Row]:
+    """Return the rows. Choices without fields share a row where they fit, unless `apart`.
+
+    The `folded` ones show no fields.
+    """
     rows: list[Row] = []
     free = 0
     for choice in choices:
         needs = button_width(choice) + GAP
-        if choice.fields or needs > free:
+        if apart or choice.fields or needs > free:
             rows.append([])
             free = width
         rows[-1].append((choice, None))

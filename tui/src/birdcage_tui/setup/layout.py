@@ -21,7 +21,7 @@ LEAST_BELOW = 14
 """Rows from which a compass is worth drawing under the readings."""
 LEAST_LIST = 3
 """Rows that the list keeps, whatever the present step needs."""
-LEAST_CAUSES = 11
+LEAST_CAUSES = 12
 """Rows that the walk through the causes gets before fields do."""
 POINTING_ROWS = 13
 """What the readings take when there is room."""
@@ -83,7 +83,7 @@ def lay_out(page: SetupLayout) -> object:
     told = 0 if fills else words.rows(width)
     height = scroll.size.height if wide else page.room.height - LEAST_LIST
     kept = (2 if wide else 0) + (LEAST_CAUSES if extra.kind is Kind.CAUSES else 0)
-    form.fill(page.step.name, page.answers(), page.later(), width, height - told - kept)
+    form.fill(page.step.name, page.answers(), page.later(), width, height - told - kept, apart=wide)
     asked = 0 if fills else form.rows
     # A row of air above and below the answers, where the list does not need it.
     spare = extra.kind is Kind.NOTHING and page.room.height - told - asked - len(page.views) >= 2

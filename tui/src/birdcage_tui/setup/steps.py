@@ -11,11 +11,11 @@ from textual.message import Message
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import cut, wrap
 from birdcage_tui.pane import Pane
-from birdcage_tui.setup.fold import Row, folded_text, glyph_of
+from birdcage_tui.setup.fold import PRESENT, Row, folded_text, glyph_of
 from birdcage_tui.view import View
 
 TITLE_WIDTH = 15
-LABEL_WIDTH = 7 + TITLE_WIDTH
+LABEL_WIDTH = 8 + TITLE_WIDTH
 """Of a row, before its evidence."""
 ROOMY = 50
 """Rows from which two blank ones stand between the steps."""
@@ -65,7 +65,7 @@ class StepsPane(Pane):
             self._head(cells, y, row.first)
             ink = self._ink(self._steps[row.first])
             for line, text in enumerate(block, 1):
-                cells.put(6, y + line, text, ink)
+                cells.put(7, y + line, text, ink)
             self._at += [row.first] * (1 + len(block) + gap)
 
     def _blocks(self, width: int, height: int) -> list[list[str]] | None:
@@ -74,7 +74,7 @@ class StepsPane(Pane):
             return None
         for most in (3, 2, 1):
             blocks = [
-                wrap(self._words(self._steps[row.first]), max(width - 8, 10), most=most) for row in self._rows
+                wrap(self._words(self._steps[row.first]), max(width - 9, 10), most=most) for row in self._rows
             ]  # fmt: skip
             if sum(1 + len(block) for block in blocks) <= height:
                 return blocks
@@ -105,9 +105,9 @@ class StepsPane(Pane):
         if not row.single:
             folded = self._steps[row.first : row.last + 1]
             marks = {each.mark for each in folded}
-            glyph, ink = glyph_of(step, present=False) if len(marks) == 1 else ("·", "dim")
-            cells.put(1, y, glyph, ink)
-            cells.put(3, y, cut(folded_text(folded), cells.width - 4), "dim")
+            glyph, ink = glyph_of(step) if len(marks) == 1 else ("·", "dim")
+            cells.put(2, y, glyph, ink)
+            cells.put(4, y, cut(folded_text(folded), cells.width - 5), "dim")
             return
         self._head(cells, y, row.first)
         cells.put(LABEL_WIDTH, y, cut(self._words(step), cells.width - LABEL_WIDTH - 1), self._ink(step))
@@ -115,13 +115,15 @@ class StepsPane(Pane):
     def _head(self, cells: Cells, y: int, index: int) -> None:
         step = self._steps[index]
         present = step.name == self._present
-        glyph, ink = glyph_of(step, present=present)
+        glyph, ink = glyph_of(step)
         looked = index == self._looked
         if looked:
             cells.put(0, y, " " * min(LABEL_WIDTH - 1, cells.width), "bar")
             ink = "key"
-        cells.put(1, y, glyph, ink)
-        cells.put(3, y, f"{step.number:<2} {step.title}"[: LABEL_WIDTH - 4],
+        if present:
+            cells.put(0, y, PRESENT[0], "key" if looked else PRESENT[1])
+        cells.put(2, y, glyph, ink)
+        cells.put(4, y, f"{step.number:<2} {step.title}"[: TITLE_WIDTH + 3],
                   "key" if looked else "strong" if present else "text")  # fmt: skip
 
     def on_click(self, event: events.Click) -> None:

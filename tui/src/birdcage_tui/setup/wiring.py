@@ -4,14 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from birdcage.setup.wiring import ADAPTERS, BIAS, CAUTIONS, CONNECTORS, FOUR_WIRES, LINES, SYMPTOMS, Connector, Pin
+from birdcage.setup.wiring import (
+    ADAPTERS,
+    BIAS,
+    CAUTIONS,
+    CONNECTORS,
+    FOUR_WIRES,
+    LINES,
+    SYMPTOMS,
+    Connector,
+    Pin,
+    Symptom,
+)  # fmt: skip
 
 from birdcage_tui.cell_text import wrap
 
 Line = tuple[tuple[str, str], ...]
 """One row, as (ink, text) from the left."""
+BEGUN, CONTINUED = ("dim", "· "), ("dim", "  ")
+"""Before the first row of an item, and before its others."""
 _WAYS = {"T": "◀──", "R": "──▶"}
 """From the computer to the dish, which is at the left, and back."""
+_SAWS = tuple(dict.fromkeys(each.saw for each in SYMPTOMS))
 
 
 def connectors_for(firmware: str | None) -> tuple[Connector, ...]:
@@ -27,10 +41,10 @@ def lines(connectors: Sequence[Connector], width: int) -> list[Line]:
         found += [*drawing(each, width), _blank()]
     for heading, texts in (
         ("Beware", CAUTIONS),
-        ("What you see, and what it means", [f"{each.saw.value}: {each.cause}: {each.remedy}." for each in SYMPTOMS]),
-        ("Notes", [note for each in connectors for note in (*each.notes, f"Source: {each.supported_by}")]),
+        *[(f"You see {saw.value}", [_symptom(each) for each in SYMPTOMS if each.saw is saw]) for saw in _SAWS],
+        ("Notes", [note for each in connectors for note in each.notes]),
         ("RS-422 and RS-485", [FOUR_WIRES, *LINES]),
-        ("Adapters", [f"{each.name}: {each.used_with}. {each.notes}" for each in ADAPTERS]),
+        ("Adapters", [f"{each.name}, for {each.used_with}. {each.notes}" for each in ADAPTERS]),
         ("Termination and bias", BIAS),
     ):
         found.append((("strong", heading),))
@@ -38,6 +52,16 @@ def lines(connectors: Sequence[Connector], width: int) -> list[Line]:
             found += _item(text, width)
         found.append(_blank())
     return found[:-1]
+
+
+def whole_items(found: Sequence[Line], room: int) -> int:
+    """Return how many of the first `room` lines hold whole items: none is cut in mid-sentence, no heading is bare."""
+    end = min(room, len(found))
+    while end and end < len(found) and found[end][:1] == (CONTINUED,):
+        end -= 1
+    while end and (not found[end - 1] or found[end - 1][0][0] == "strong" or found[end - 1] == _blank()):
+        end -= 1
+    return end
 
 
 def drawing(connector: Connector, width: int) -> list[Line]:
@@ -78,9 +102,13 @@ def _contact(pin: Pin, *, colours: bool) -> Line:
     )
 
 
+def _symptom(symptom: Symptom) -> str:
+    return f"{symptom.cause[:1].upper()}{symptom.cause[1:]}? {symptom.remedy[:1].upper()}{symptom.remedy[1:]}."
+
+
 def _item(text: str, width: int) -> list[Line]:
     rows = _wrap(text, width - 2)
-    return [(("dim", "· " if not index else "  "), ("text", row)) for index, row in enumerate(rows)]
+    return [(BEGUN if not index else CONTINUED, ("text", row)) for index, row in enumerate(rows)]
 
 
 def _wrap(text: str, width: int) -> list[str]:

@@ -52,7 +52,7 @@ class FirstStep(Step):
         """Say what is there, and what is not yet."""
         place = self.bench.settings.place
         if place.latitude_deg is None:
-            where = "Set the place in step 9 first: directions need it."
+            where = "Set the location in step 9 first: directions need it."
         elif self._pointed:
             where = f"The dish {self._pointed}."
         elif self._slot() is None:

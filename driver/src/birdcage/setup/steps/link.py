@@ -89,7 +89,7 @@ class LinkStep(Step):
         if self._another:
             return state.link.detail
         if state.link.state is Link.SILENT:
-            return f"{_short(state.port)} opens, and at {self._rate} baud no dish answers"
+            return f"{_short(state.port)} opens. No dish answers at {self._rate} baud."
         if not state.port:
             return "No port set."
         if state.link.state in (Link.LOST, Link.OPENING):

@@ -21,7 +21,7 @@ class PlaceStep(Step):
     """Done when both are known."""
 
     name = "place"
-    title = "Place and clock"
+    title = "Location, clock"
 
     @property
     def proven(self) -> bool | None:
@@ -41,7 +41,7 @@ class PlaceStep(Step):
         place = self.bench.settings.place
         lat, lon = place.latitude_deg, place.longitude_deg
         if lat is None or lon is None:
-            return "place unknown"
+            return "location unknown"
         halves = f"{abs(lat):.4f} {'N' if lat >= 0 else 'S'} {abs(lon):.4f} {'E' if lon >= 0 else 'W'}"
         return f"{encode(lat, lon)}, {halves}, {place.height_m:.0f} m"
 
@@ -58,7 +58,7 @@ class PlaceStep(Step):
         """Ask for both."""
         return (
             "Where does the dish stand? 0.1° is plenty for pointing.",
-            "GPS tells place and clock: type gpsd, or the port of the receiver.",
+            "GPS tells location and clock: type gpsd, or the port of the receiver.",
             f"Clock: {self.bench.utc:%H:%M:%S} UTC. Compare it with an exact watch, or trust it.",
         )
 
@@ -130,7 +130,7 @@ class PlaceStep(Step):
         self._keep(changes)
         if verdict is not None and (verdict.offset_s is None or abs(verdict.offset_s) > WRONG_CLOCK_S):
             self.bench.completed.discard(self.name)
-            raise BirdcageError(f"The place is kept. {verdict.doubt}")
+            raise BirdcageError(f"Location saved. {verdict.doubt}")
 
     def _compare(self, text: str) -> None:
         """Compare now: what was typed is taken for this moment."""
