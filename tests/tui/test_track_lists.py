@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 import stand_in
-from birdcage.pursuit.now import Scheduled
+from birdcage.pursuit.now import Scheduled, Unfinished
 from track_plans import NOON, utc
 from track_stage import SIZES, read, run
 
@@ -64,3 +64,13 @@ def test_autotrack_keeps_no_pass_while_a_person_follows_something_else(size):
     assert "○ 11:58:00" in text
     assert "following Moon" in text
     assert "● 11:58:00" in run(shown, "craft-following", size=size)
+
+
+def test_hours_that_are_left_of_what_can_be_resumed_are_no_count_of_minutes():
+    async def left(app, pilot, desk):
+        return await with_schedule(
+            app, pilot, desk, unfinished=Unfinished("Moon", "moon", utc(NOON), utc(NOON + 34669))
+        )
+
+    text = run(left, "craft-over", size=(120, 36))
+    assert "U resume Moon (9h37 left)" in text.splitlines()[1]

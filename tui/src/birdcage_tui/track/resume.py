@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from birdcage_tui.cell_text import fit
 from birdcage_tui.commands.resume import KEY, can_resume
+from birdcage_tui.passes.words import count_text
 from birdcage_tui.view import View
 
 
@@ -26,7 +27,7 @@ def resume_words(view: View, *, sentence: bool = False) -> str:
         words += " + autotrack"
     if end is not None:
         seconds = max(int((end - view.utc).total_seconds()), 0)
-        words += f" ({seconds // 60}:{seconds % 60:02} left)"
+        words += f" ({f'{seconds // 60}:{seconds % 60:02}' if seconds < 3600 else count_text(seconds)} left)"
     elif left is not None or plan is not None:
         words += " (always up)"
     if plan is None:

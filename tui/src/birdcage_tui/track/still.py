@@ -76,8 +76,10 @@ def _signal(cells: Cells, view: View, day: Day, box: tuple[int, int, int], *, fo
     unit, series = view.heard.unit, _on_target(view, day)
     cells.put(0, y + (height - 1) // 2, "sig", "strong")
     if not series:
-        for row, line in enumerate(wrap(_nothing(view, followed=followed), width + RIGHT - 1)[:height]):
-            cells.put(LEFT, y + row, line, "dim")
+        first = y + (height - 1) // 2  # beside the name
+        for row, line in enumerate(wrap(_nothing(view, followed=followed), width + RIGHT - 1)):
+            if first + row < y + height:
+                cells.put(LEFT, first + row, line, "dim")
         return
     low, high = min(value for _, value in series), max(value for _, value in series)
     spare = max(LEAST_SPAN[unit] - (high - low), (high - low) * 0.1) / 2.0

@@ -231,5 +231,5 @@ def _errors(cells: Cells, view: View, plan: Plan, box: tuple[int, int, int], x_o
 
 
 def _decibels(lost_db: float) -> str:
-    """Return what is lost, as a level: `-0.04 dB`, `-44 dB`; what is less than a hundredth is nothing."""
-    return f"-{lost_db:.0f} dB" if lost_db >= 9.995 else f"-{lost_db:.2f} dB" if lost_db >= 0.005 else "0.00 dB"
+    """Return what is lost, as a level: `-0.04 dB`, `-44 dB`; the least that shows is a hundredth."""
+    return f"-{lost_db:.0f} dB" if lost_db >= 9.995 else f"-{lost_db:.2f} dB" if lost_db >= 0.005 else "<0.01 dB"
