@@ -142,6 +142,42 @@ def test_the_picture_holds_each_peak_by_its_number_and_its_ring():
     assert f"{reach_of(calibrate_stand_in.SCENES['five'].guide.fit):g}° up" in text
 
 
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_no_peak_hides_behind_another_one(size):
+    async def look(app, _pilot, _source):
+        return pane_text(app.page.query_one(ScatterPane))
+
+    text = run(look, "odd", size).replace("2° up", "").replace("2° right", "")
+    assert [number for number in "12345" if text.count(number) != 1] == []
+    assert not re.search(r"\d\d", text), "two of them would read as one number"
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_columns_and_counts_say_what_they_are(size):
+    async def look(app, _pilot, _source):
+        panes = {kind: app.page.query_one(kind) for kind in (ObjectsPane, PeaksPane, SetsPane)}
+        return {kind: (pane_text(pane), pane.border_subtitle) for kind, pane in panes.items() if pane.display}
+
+    heads = {ObjectsPane: ("az el error", "4 objects"), PeaksPane: ("error left out", "5 peaks"),
+             SetsPane: ("RMS", "2 sets")}  # fmt: skip
+    for kind, (text, count) in run(look, "five", size).items():
+        assert heads[kind][0] in text
+        assert count == heads[kind][1]
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_one_peak_fits_itself_and_is_not_called_good(size):
+    async def look(app, _pilot, _source):
+        return pane_text(app.page.query_one(FiguresPane)), pane_text(app.page.query_one(AimPane))
+
+    figures, aim = run(look, "one", size)
+    assert "one peak nothing to judge yet" in figures
+    assert "spread" not in figures
+    assert "after" not in figures
+    assert "→" not in figures
+    assert "signal waiting" in aim, "nothing was heard on this object yet"
+
+
 def test_a_peak_lies_where_its_residual_says():
     """Right of the middle and above it, as far as the scale says."""
     fit = calibrate_stand_in.SCENES["five"].guide.fit
@@ -200,7 +236,7 @@ def test_another_object_is_chosen_in_the_list_and_gone_to():
 def test_a_click_chooses_an_object_and_a_button_goes_there():
     async def play(app, pilot, source):
         pane = app.screen.query_one(ObjectsPane)
-        await pilot.click(pane, offset=(10, 2))
+        await pilot.click(pane, offset=(10, 3))  # below the frame and the names of the columns
         await settle(app, pilot)
         assert pane.at == 1
         aim = app.screen.query_one(AimPane)

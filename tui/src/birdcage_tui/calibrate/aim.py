@@ -109,7 +109,7 @@ class AimPane(Pane, can_focus=True):
         rows.append(("signal", "text", _signal(view, self._since, cells.width - LABEL - 2)))
         for y, (label, ink, words) in enumerate(rows, 1):
             cells.put(1, y, label, "dim")
-            cells.put(1 + LABEL, y, cut(words, cells.width - LABEL - 1), "dim" if words == "--" else ink)
+            cells.put(1 + LABEL, y, cut(words, cells.width - LABEL - 1), "dim" if words in ("--", "waiting") else ink)
         return 1 + len(rows)
 
     @staticmethod
@@ -140,7 +140,7 @@ def _signal(view: View, since: float, width: int) -> str:
     recent = [sample for sample in view.signal if sample.at >= max(since, view.now - HEARD_S)]
     if not recent:
         dish = view.state.dish
-        return "use your own meter" if dish is not None and not dish.has_rssi else "--"
+        return "use your own meter" if dish is not None and not dish.has_rssi else "waiting"
     unit = view.heard.unit
     digits = 0 if unit == COUNTS else 1
     best = max(recent, key=lambda sample: sample.value)

@@ -48,7 +48,7 @@ def _roomy(width: int, height: int, picture: str, fit_rows: Callable[[int], int]
     lower = min(max(height // 3, 9, needs), 13)
     upper = height - lower
     left = min(max(upper * 2 + 4, 44), width - 56)
-    sets = 30 if width < 116 else 36
+    sets = 26 if width < 116 else 32
     return {
         picture: Region(0, 0, left, upper),
         "aim": Region(left, 0, width - left, AIM),

@@ -8,7 +8,7 @@ from textual import events
 
 from birdcage_tui.calibrate.words import maybe, put_wrapped
 from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import cut, pad
+from birdcage_tui.cell_text import cut, pad, wrap
 from birdcage_tui.host import Host
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 DIRECTION_FROM = 48
 """Columns of a row from which there is room for where the object of a peak stood."""
+HEADED = 3
+"""Rows from which the columns have names above them."""
 OFFSETS_FROM = 36
 """Columns of a row from which there is room for the offsets of a set."""
 
@@ -28,7 +30,7 @@ OFFSETS_FROM = 36
 class ListPane(Pane):
     """Rows with a cursor; a click chooses. What a row means is the subclass's."""
 
-    TITLE = EMPTY = ""
+    TITLE = EMPTY = NOUN = ""
     scope = ""
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
@@ -37,6 +39,8 @@ class ListPane(Pane):
         self.at = 0
         """The row of the cursor."""
         self._top = 0
+        self._headed = 0
+        """Rows of the names of the columns."""
 
     def rows(self, now: CalibrateNow) -> list[tuple[str, str]]:
         """Return ink and words of each row."""
@@ -45,6 +49,10 @@ class ListPane(Pane):
     def empty(self, now: CalibrateNow) -> str:
         """Return what stands where there is no row."""
         return "" if now.searching else self.EMPTY
+
+    def head(self) -> str:
+        """Return the names of the columns, above their right ends."""
+        raise NotImplementedError
 
     def foot(self, now: CalibrateNow) -> str:  # noqa: ARG002 - not every list has one
         """Return a sentence about the chosen row, where there is room."""
@@ -58,21 +66,25 @@ class ListPane(Pane):
         """Write the rows around the cursor."""
         now = view.calibrate
         rows = [] if now is None or now.guide is None else self.rows(now)
-        told = f"{len(rows)}" if rows else ""
+        told = f"{len(rows)} {self.NOUN}{'' if len(rows) == 1 else 's'}" if rows else ""
         if told != (self.border_subtitle or ""):
             self.border_subtitle = told
         if now is None or not rows:
             put_wrapped(cells, 0, "" if now is None else self.empty(now), "dim")
             return
         self.at = min(max(self.at, 0), len(rows) - 1)
-        foot = self.foot(now) if cells.height >= 6 else ""
-        room = cells.height - (2 if foot else 0)
+        self._headed = int(cells.height >= HEADED)
+        if self._headed:
+            cells.put(0, 0, f"   {self.head()}", "dim")
+        foot = wrap(self.foot(now), max(cells.width - 2, 10)) if cells.height >= 6 else []
+        room = cells.height - self._headed - len(foot)
         self._top = max(min(self._top, self.at, len(rows) - room), self.at - room + 1, 0)
-        for y, (ink, words) in enumerate(rows[self._top : self._top + room]):
-            here = self._top + y == self.at
+        for y, (ink, words) in enumerate(rows[self._top : self._top + room], self._headed):
+            here = self._top + y - self._headed == self.at
             row = f" {'▶' if here and self.has_focus else '›' if here else ' '} {words}"
             cells.put(0, y, pad(row, cells.width), ("key" if self.has_focus else "strong") if here else ink)
-        put_wrapped(cells, cells.height - 2, foot, "dim")
+        for y, words in enumerate(foot, cells.height - len(foot)):
+            cells.put(1, y, words, "dim")
 
     def move(self, by: int) -> None:
         """Move the cursor."""
@@ -88,7 +100,7 @@ class ListPane(Pane):
         offset = event.get_content_offset(self)
         if offset is not None:
             event.stop()
-            self.at = self._top + offset.y
+            self.at = self._top + max(offset.y - self._headed, 0)
             cast(Host, self.app).paint()
 
     def do(self, command: str) -> bool:
@@ -105,7 +117,7 @@ class ObjectsPane(ListPane, can_focus=True):
     The present object is always among them.
     """
 
-    TITLE = "Objects: error after"
+    TITLE, NOUN = "Objects: sky error after a peak", "object"
     EMPTY = "This dish can hear nothing that is in reach now. r: look again."
     HELP = (
         "Objects that you can peak on now, the best first. The last column is the error to expect over the sky after "
@@ -120,7 +132,7 @@ class ObjectsPane(ListPane, can_focus=True):
     def rows(self, now: CalibrateNow) -> list[tuple[str, str]]:
         """Name, direction, and the error then."""
         assert now.guide is not None
-        name = max(self.width() - 20, 8)
+        name = self._name_width()
         found = [(each.candidate, error_text(each.error_then_deg)) for each in now.guide.proposals]
         rows = [
             ("text", f"{pad(cut(one.name, name), name)} {one.az_deg:4.0f}° {one.el_deg:2.0f}° {then:>6}")
@@ -132,17 +144,22 @@ class ObjectsPane(ListPane, can_focus=True):
             rows.append(("target", f"{pad(cut(now.guide.target, name), name)} {where} {'here':>6}"))
         return rows
 
+    def _name_width(self) -> int:
+        return max(self.width() - 20, 8)
+
+    def head(self) -> str:
+        """Name the columns."""
+        return f"{'':{self._name_width()}}   az  el   error"
+
     def foot(self, now: CalibrateNow) -> str:
-        """Say what the chosen one is worth, and how well it can be found."""
+        """Say what is known without the chosen one, and how well it can be found."""
         assert now.guide is not None
         chosen = now.guide.proposals[self.at : self.at + 1]
         if not chosen:
             return "The present object. Enter returns to where it stands now."
         one = chosen[0]
-        falls = f"{error_text(one.error_now_deg)} to {error_text(one.error_then_deg)}"
         rise = "" if one.candidate.rise_db is None else f", {one.candidate.rise_db:.1f} dB over the sky"
-        found = f"Centre accuracy {one.candidate.sigma_deg:.2f}°{rise}."
-        return f"Sky error: {falls}. {found}"
+        return f"Sky error now {error_text(one.error_now_deg)}. Peak to ±{one.candidate.sigma_deg:.2f}°{rise}."
 
 
 def present_row(guide: GuideView) -> int | None:
@@ -156,11 +173,11 @@ def present_row(guide: GuideView) -> int | None:
 class PeaksPane(ListPane, can_focus=True):
     """Peaks with what is left of each, and what the others alone say of it."""
 
-    TITLE = "Peaks: residual, leave-one-out"
+    TITLE, NOUN = "Peaks", "peak"
     EMPTY = "No peaks yet. Each peak is saved at once."
     HELP = (
-        "Saved peaks: direction of the object, residual of the fit, and residual of a fit to the others. d deletes a "
-        "peak, u restores it. After you move the base press X to start anew."
+        "Saved peaks: direction of the object, error left by the fit, and error left by a fit to the others (left "
+        "out). d deletes a peak, u restores it. After you move the base press X to start anew."
     )
     scope = "calibrate-peaks"
 
@@ -169,6 +186,11 @@ class PeaksPane(ListPane, can_focus=True):
         guide = now.guide
         assert guide is not None
         return [self._row(guide, index, self.width()) for index in range(len(guide.peaks))]
+
+    def head(self) -> str:
+        """Name the columns."""
+        where = "   az  el " if self.width() >= DIRECTION_FROM else ""
+        return f"{where}  error left out".rjust(self.width() - 1)
 
     @staticmethod
     def _row(guide: GuideView, index: int, width: int) -> tuple[str, str]:
@@ -180,7 +202,7 @@ class PeaksPane(ListPane, can_focus=True):
             if each.alone_right_deg is not None and each.alone_up_deg is not None:
                 alone = (each.alone_right_deg**2 + each.alone_up_deg**2) ** 0.5
         where = f" {peak.true_az_deg:4.0f}° {peak.true_el_deg:2.0f}°" if width >= DIRECTION_FROM else ""
-        last = f"{where} {maybe(left):>6} {maybe(alone):>6}"
+        last = f"{where} {maybe(left):>6} {maybe(alone):>8}"
         name = max(width - len(last) - 4, 6)
         odd = fit is not None and fit.warning.startswith(f"Peak {peak.number} ")
         return "warn" if odd else "text", f"{peak.number:>2} {pad(cut(peak.target, name), name)}{last}"
@@ -199,7 +221,7 @@ class PeaksPane(ListPane, can_focus=True):
 class SetsPane(ListPane, can_focus=True):
     """Alignments with names, the one in force marked."""
 
-    TITLE = "Sets"
+    TITLE, NOUN = "Sets", "set"
     EMPTY = "No saved sets. Press a to save the fit under a name, one for each setup of the dish."
     HELP = "Saved alignments. Enter uses the one under the cursor. Nothing moves."
     scope = "calibrate-sets"
@@ -208,10 +230,15 @@ class SetsPane(ListPane, can_focus=True):
         """Name, whether in force, its offsets, and how good it was."""
         return [self._row(each, self.width()) for each in now.sets]
 
+    def head(self) -> str:
+        """Name the columns."""
+        offsets = "az offset el offset" if self.width() >= OFFSETS_FROM else ""
+        return f"{offsets}    RMS".rjust(self.width() - 1)
+
     @staticmethod
     def _row(kept: KeptSet, width: int) -> tuple[str, str]:
         entry = kept.entry
-        offsets = f" {entry.az_offset_deg:+7.2f}° {entry.el_offset_deg:+6.2f}°" if width >= OFFSETS_FROM else ""
+        offsets = f" {entry.az_offset_deg:+8.2f}° {entry.el_offset_deg:+8.2f}°" if width >= OFFSETS_FROM else ""
         last = f"{offsets} {maybe(entry.rms_deg):>6}"
         name = max(width - len(last) - 3, 6)
         sign = "●" if kept.in_force else " "

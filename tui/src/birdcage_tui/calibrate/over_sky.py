@@ -64,7 +64,7 @@ class OverSkyPane(Pane):
         if fit is not None:
             most = max(each.off_deg for each in fit.residuals)
             top = next((nice for nice in NICE_DEG if nice >= most), NICE_DEG[-1])
-            words = f"20° of line = {top:g}°"
+            words = f"scale: 20° = {top:g}° of error"
             for each in fit.residuals:
                 az, el = each.peak.true_az_deg, each.peak.true_el_deg
                 x0, y0 = polar.dot(az, el)

@@ -32,6 +32,14 @@ def reach_of(fit: Fit) -> float:
     return next((nice for nice in NICE_DEG if nice >= wanted), NICE_DEG[-1])
 
 
+LEGEND = "numbers: peaks  ○ left out"
+BESIDE = ((0, 0), (2, 0), (-2, 0), (0, -1), (0, 1), (2, -1), (-2, -1), (2, 1), (-2, 1))
+"""Where the number of a peak stands whose cell holds another number: as near as there is room.
+
+Two in adjacent cells would read as one number.
+"""
+
+
 class ScatterPane(Pane):
     """Right of and above the middle, each peak by its number; a ring where it lies by the others alone."""
 
@@ -46,7 +54,7 @@ class ScatterPane(Pane):
         now = view.calibrate
         guide = None if now is None else now.guide
         fit = None if guide is None else guide.fit
-        self._told(*(("Calibrate", "") if fit is None else ("Residuals", f"half width {reach_of(fit):g}°")))
+        self._told(*(("Calibrate", "") if fit is None else ("Residuals", LEGEND)))
         if fit is None:
             y = 0
             for ink, words in BEGIN:
@@ -84,14 +92,20 @@ class ScatterPane(Pane):
             if each.alone_right_deg is not None and each.alone_up_deg is not None:
                 canvas.line(*dot(each.right_deg, each.up_deg), *dot(each.alone_right_deg, each.alone_up_deg), "dim", 3)
         canvas.onto(cells, 0, 0)
-        for word, right, up in ((f"{reach:g}° up", 0.0, reach), (f"{reach:g}°", reach, 0.0)):
+        for word, right, up in ((f"{reach:g}° up", 0.0, reach), (f"{reach:g}° right", reach, 0.0)):
             x, y = dot(right, up)
             cells.put(min(int(x / 2) + 2, width - len(word)), max(int(y / 4) - (0 if up else 1), 0), word, "dim")
         for each in fit.residuals:
             if each.alone_right_deg is not None and each.alone_up_deg is not None:
                 x, y = dot(each.alone_right_deg, each.alone_up_deg)
                 cells.put(int(x / 2), int(y / 4), "○", "dim")
-        for each in sorted(fit.residuals, key=lambda one: math.hypot(one.right_deg, one.up_deg)):
-            x, y = dot(each.right_deg, each.up_deg)
+        taken: set[tuple[int, int]] = set()
+        for each in sorted(fit.residuals, key=lambda one: -math.hypot(one.right_deg, one.up_deg)):
+            at_x, at_y = dot(each.right_deg, each.up_deg)
             number = str(each.peak.number)
-            cells.put(min(int(x / 2), width - len(number)), int(y / 4), number, "accent-strong")
+            for right, down in BESIDE:
+                x, y = min(max(int(at_x / 2) + right, 0), width - len(number)), int(at_y / 4) + down
+                if 0 <= y < height and taken.isdisjoint((x + index, y) for index in range(-1, len(number) + 1)):
+                    taken |= {(x + index, y) for index in range(len(number))}
+                    cells.put(x, y, number, "accent-strong")
+                    break

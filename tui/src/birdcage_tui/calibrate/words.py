@@ -78,6 +78,9 @@ def figure_rows(guide: GuideView, *, short: bool) -> list[tuple[str, str, str]]:
         return []
     ink, words = condition_words(fit)
     sky = guide.sky_error_deg
+    if len(fit.residuals) == 1:  # one peak fits itself
+        return [("RMS", "text", f"{maybe(fit.rms_before_deg)} before"), ("whole sky", "text", f"{maybe(sky)} expected"),
+                ("one peak", "dim", "nothing to judge yet")]  # fmt: skip
     if short:
         return [
             ("RMS", "text", f"{maybe(fit.rms_before_deg)} → {maybe(fit.rms_deg)}"),
@@ -87,7 +90,7 @@ def figure_rows(guide: GuideView, *, short: bool) -> list[tuple[str, str, str]]:
     return [
         ("fitted to", "text", fitted_words(fit)),
         ("RMS", "text", f"{maybe(fit.rms_before_deg)} before, {maybe(fit.rms_deg)} after"),
-        ("left out", "text", f"{maybe(fit.leave_one_out_rms_deg)} (leave-one-out)"),
+        ("left out", "text", f"{maybe(fit.leave_one_out_rms_deg)} RMS"),
         ("whole sky", "text", f"{maybe(sky)} expected"),
         ("condition", ink, words),
     ]
