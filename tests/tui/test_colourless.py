@@ -81,9 +81,10 @@ def test_what_is_wrong_stands_out_without_colour(size, theme):
 @pytest.mark.usefixtures("no_color")
 @pytest.mark.parametrize("theme", LOOKS)
 def test_keys_that_hold_and_keys_that_do_not_look_different(theme):
-    held, idle = rows("held", theme=theme)[-1:], rows("idle", theme=theme)[-1:]
-    assert style_of(held, " H ").dim
-    assert not style_of(held, " H ").bold
+    lost, idle = rows("lost", theme=theme)[-1:], rows("idle", theme=theme)[-1:]
+    assert style_of(lost, " g ").dim
+    assert style_of(lost, " H ").dim
+    assert not style_of(lost, " H ").bold
     assert style_of(idle, " H ").bold
     assert not style_of(idle, " H ").dim
 
@@ -91,7 +92,7 @@ def test_keys_that_hold_and_keys_that_do_not_look_different(theme):
 @pytest.mark.usefixtures("no_color")
 @pytest.mark.parametrize("theme", LOOKS)
 def test_cursors_and_labels_are_reversed_and_frames_quiet(theme):
-    assert style_of(rows("idle", "question_mark", theme=theme), "Stop everything now").reverse
+    assert style_of(rows("idle", "question_mark", "down", theme=theme), "Stop everything now").reverse
     assert style_of(rows("idle", "semicolon", theme=theme), " s ").reverse
     page = rows("idle", theme=theme)
     assert style_of(page, "╭").dim

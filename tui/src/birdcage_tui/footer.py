@@ -6,7 +6,7 @@ from textual.widgets import ContentSwitcher
 
 from birdcage_tui.canvas import Cells
 from birdcage_tui.commands import PAGES, in_force
-from birdcage_tui.commands.mending import offered
+from birdcage_tui.commands.mending import held_up, offered
 from birdcage_tui.commands.table import can_move
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
@@ -68,7 +68,7 @@ class KeyBar(Pane):
                 word = command.footer_still
             if view.typing and name == "stop":
                 shown = "Ctrl+C"
-            dim = command.refused(view) is not None
+            dim = held_up(command, view) is not None
             mend = offered(command, view)
             if mend is not None and mend.words not in told:
                 name, shown, word, dim = mend.command, mend.shown or shown, mend.words, not mend.command

@@ -274,15 +274,15 @@ def next_steps(view: View) -> list[tuple[str, str]]:
     if link is Link.LOST and not state.port:
         return [("warn-strong", "No port set."), ("text", state.link.detail), *lack]
     if link in (Link.LOST, Link.SILENT):
-        back = "birdcage looks for the port again by itself." if link is Link.LOST else "birdcage asks again by itself."
+        check = f"Check the cable, then the dish's {power_switch(view).removesuffix(' switch')}."
         return [
             *_unconfirmed_stop(view),
-            ("text", f"Check the cable, then the dish's {power_switch(view).removesuffix(' switch')}. {back}"),
+            ("text", check if link is Link.LOST else f"{check} birdcage asks again by itself."),
             ("dim", "It stays held until you press Enter." if state.held else "birdcage sends no motion meanwhile."),
         ]
     in_pocket = "pocket" in view.scopes
-    unhomed = state.homed is False and state.activity is not Activity.HOMING and state.held is None
-    steps = [] if in_pocket and unhomed else [_doing(view)]  # the row above says the same there
+    doing = _doing(view)
+    steps = [doing] if doing[1] else []
     pursuit = pursuit_of(view)
     if view.moving and pursuit is None:  # what STOP does stands under the digits, which say whom it pursues
         steps.append(("text", f"Space: {stop_text(view)}."))
@@ -373,7 +373,7 @@ def _unplanned(view: View) -> str | None:
     if state.raw_motion:
         return "A raw line may move the dish. Its position is read when the console is idle."
     if state.homed is False:
-        return "The dish is not homed."
+        return ""  # row 2 says so, and what comes next is all there is to say
     return "Nothing read yet." if activity is Activity.UNKNOWN else None
 
 

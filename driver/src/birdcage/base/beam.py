@@ -127,11 +127,11 @@ class Beam:
 
     @property
     def brief(self) -> str:
-        """The same in a narrow place: `5.5° x 5.5° theory, at most 6.4° x 6.3°`."""
+        """The same in a narrow place: `5.5° x 5.5° theory (up to 6.4° x 6.3°)`."""
         told = f"{self.size} {self.origin.brief}"
         if self.bound_deg is None or self.origin is BeamOrigin.COUNTS:
             return told
-        return f"{told}, at most {_size(*self.bound_deg)}"
+        return f"{told} (up to {_size(*self.bound_deg)})"
 
     def values(self) -> dict[str, float | str | None]:
         """Return it for JSON: widths in degrees, az x el, and where they come from."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from birdcage.station.known import SearchSwitch
 from birdcage.station.state import Search
 
-from birdcage_tui.commands.table import Command, can_home, can_move, can_release
+from birdcage_tui.commands.table import Command, can_home, can_release
 from birdcage_tui.view import View
 
 
@@ -63,7 +63,6 @@ MOTION = (
         "Go to …",
         "Type where to: 180 45, moon, 28.2E, a satellite; Enter sends the dish there.",
         "Motion",
-        can_move,
         footer="go to",
     ),
     Command(

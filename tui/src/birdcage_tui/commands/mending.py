@@ -56,6 +56,14 @@ def motion_mend(view: View) -> Mend | None:
     return Mend("home", "H", "home first", "H homes the dish first")
 
 
+def held_up(command: Command, view: View) -> str | None:
+    """Return why a command would come to nothing now; None if it would not.
+
+    The go-to line opens in any case, so that what is typed blindly is no key, and says why nothing is sent.
+    """
+    return can_move(view) if command.name == "goto" else command.refused(view)
+
+
 def offered(command: Command, view: View) -> Mend | None:
     """Return what comes before what a command offers; None if nothing does.
 
@@ -65,10 +73,10 @@ def offered(command: Command, view: View) -> Mend | None:
     if mend is not None and command.name == "setup-do" and view.state.fault is None and view.state.held is None:
         mend = None  # there it asks about the limits only once
     if mend is None:
-        reason = command.refused(view)
+        reason = held_up(command, view)
         mend = motion_mend(view) if reason is not None and reason == can_move(view) else None
-    if mend is not None and not mend.command and command.name == "home":
-        return None  # it mends, where anything does
+    if mend is not None and not mend.command and command.name in ("home", "goto"):
+        return None  # dim in their places: one mends, where anything does, and one is known by its word
     return mend
 
 

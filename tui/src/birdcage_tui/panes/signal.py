@@ -9,7 +9,7 @@ from birdcage.station.pursuit import Phase
 from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.cell_text import wrap
 from birdcage_tui.pane import Pane
-from birdcage_tui.view import STALE_S, Sample, View
+from birdcage_tui.view import STALE_S, TUNER, Sample, View
 from birdcage_tui.words import age_text
 
 LEAST_SPAN = {"counts": 100.0, "dB": 10.0}
@@ -47,7 +47,7 @@ class SignalPane(Pane):
         """Write reading, peak and where that was heard; at the right who hears, or how long ago that was."""
         last, unit = view.signal[-1], view.heard.unit
         age_s = view.now - last.at
-        old = age_s > STALE_S
+        old = age_s > STALE_S or (view.heard.by == TUNER and not view.link_up)
         by = f"{age_text(age_s)} old" if old else view.heard.by
         x = cells.put(1, 0, f"{_text(last.value, unit):>5}", "dim" if old else "strong")
         x = cells.put(x, 0, f" {unit}", "dim")

@@ -19,8 +19,8 @@ EVENTS = {"reach": "reach in", "out": "leaves in", "AOS": "rises in", "LOS": "se
 CROWD = 100
 """With more passes than this some piece of debris would always come first."""
 MOST = 40
-WITH_WORDS = 46
-"""Columns from which a row says what the time is that it ends with."""
+WITH_REACH, WITH_WORDS = 40, 46
+"""Columns from which a row tells how long it is in reach; from which it says that this is what it tells."""
 LEAST_NAME = 14
 """Columns of the name that count for more than the words behind the figures."""
 HEADING = "In reach now and next"
@@ -56,11 +56,13 @@ def next_rows(view: View) -> list[Row]:
     return [row for _, row in heapq.nsmallest(MOST, found, key=lambda one: (crowd and not one[1].favourite, one[0]))]
 
 
-def draw_next(cells: Cells, y: int, row: Row, now_s: float, ink: str = "", sparks: Sparks | None = None) -> None:
+def draw_next(
+    cells: Cells, y: int, row: Row, now_s: float, ink: str = "", sparks: Sparks | None = None, *, headed: bool = False
+) -> None:
     """Write what comes next and when, the name, the highest elevation and how long all of it is in reach.
 
-    Of a pass that is in reach now only the countdown tells how long; `ink`: all in one. `sparks` draws the elevation
-    from AOS to LOS where there is room, louder where the dish can follow.
+    Without headings only the countdown tells how long of a pass that is in reach now. `ink`: all in one. `sparks` draws
+    the elevation from AOS to LOS where there is room, louder where the dish can follow.
     """
     event = row.next_event(now_s)
     if event is None:
@@ -69,8 +71,10 @@ def draw_next(cells: Cells, y: int, row: Row, now_s: float, ink: str = "", spark
     dim, text = ink or "dim", ink or ("strong" if inside else "text")
     cells.put(1, y, EVENTS.get(event[1], event[1]), dim)
     cells.right(16, y, count_text(event[0] - now_s), text)
-    length = "" if inside else length_text(row.reach_s)
-    tail = f"{row.max_el_deg:2.0f}° {length:>4}"
+    length = "" if inside and not headed else length_text(row.reach_s)
+    tail = f"{row.max_el_deg:2.0f}°"
+    if cells.width >= WITH_REACH:
+        tail = f"{tail} {length:>4}"
     if cells.width >= WITH_WORDS:
         tail = f"max {tail}" + (" in reach" if length else " " * len(" in reach"))
     if cells.width >= WITH_AZIMUTHS:

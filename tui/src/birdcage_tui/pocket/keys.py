@@ -8,6 +8,7 @@ from textual.geometry import Region
 
 from birdcage_tui.canvas import Cells
 from birdcage_tui.commands import BY_NAME
+from birdcage_tui.commands.mending import held_up
 from birdcage_tui.commands.table import can_release
 from birdcage_tui.pane import Pane
 from birdcage_tui.skew import has_skew
@@ -90,7 +91,7 @@ class PocketKeys(Pane):
 
     def _key(self, cells: Cells, place: Region, command: str, words: str, view: View) -> None:
         """Draw one button and make it press: in brackets; in round ones, and dim, while it is refused."""
-        refused = BY_NAME[command].refused(view) is not None
+        refused = held_up(BY_NAME[command], view) is not None
         ink = "dim" if refused else "key"
         middle = place.y + place.height // 2
         left, right = "()" if refused else "[]"

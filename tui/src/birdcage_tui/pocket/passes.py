@@ -61,9 +61,9 @@ class NextList(Pane, can_focus=True):
         at = self.at
         self._head = len(wrong)
         if cells.height - len(wrong) >= HEAD_FROM:
-            cells.put(1, self._head, "next       in  name", "dim")
+            cells.put(1, self._head, "next         in name", "dim")
             cells.right(
-                cells.width - 1, self._head, "max  reach" if cells.width < WITH_WORDS else f"max   for{'':9}", "dim"
+                cells.width - 1, self._head, "max reach" if cells.width < WITH_WORDS else f"max   for{'':9}", "dim"
             )
             self._head += 1
         room = max(cells.height - self._head, 1)
@@ -72,7 +72,7 @@ class NextList(Pane, can_focus=True):
             here = y - self._head + self._top == at
             if here:
                 cells.put(0, y, pad("▶", cells.width), "key")
-            draw_next(cells, y, row, view.utc.timestamp(), "key" if here else "")
+            draw_next(cells, y, row, view.utc.timestamp(), "key" if here else "", headed=True)
 
     @property
     def at(self) -> int:
