@@ -18,7 +18,7 @@ SELECTOR = (("track-watch", Mode.WATCH, "Watch"), ("track-aim", Mode.AIM, "Aim o
             ("track-follow", Mode.FOLLOW, "Follow"))  # fmt: skip
 NO_TARGET = "No target selected. Enter selects the row under the cursor; / searches."
 
-FIND = "/ finds names and numbers; 19.2E selects the geostationary slot."
+FIND = "/ finds names, numbers and slots (19.2E)."
 HOW = f"Then f and Enter follow it. {FIND}"
 
 
