@@ -1,6 +1,7 @@
 """F2, what is seen: everything lies inside the screen, and says what it should."""
 
 import itertools
+import re
 from dataclasses import replace
 from functools import partial
 
@@ -103,7 +104,7 @@ def test_a_bad_day_has_a_word_and_no_invented_number(size):
         for word in BAD_DAYS[name]:
             assert word in text, (name, text)
         if name in ("not-homed", "opening"):
-            assert "189" not in text, name
+            assert not re.search(r"\b189(?!\.22°)", text), name  # 101°W stands there, in the list of the sky
             assert "◉" not in text, name
 
 

@@ -13,6 +13,7 @@ from birdcage_tui.panes.health import HealthPane
 from birdcage_tui.panes.next import NextPane
 from stage import read, run
 from textual.widgets import Input
+from track_stage import run as run_track
 
 LARGE = [(200, 60), (240, 70)]
 
@@ -173,3 +174,29 @@ def test_the_third_axis_leaves_air_above_the_arrows(size):
     skew, jog, last, around = run(regions, "travler", size, key="f2")
     assert jog.y == skew.bottom + 1
     assert last.bottom < around.bottom
+
+
+def test_the_error_of_the_last_minute_stands_beside_the_digits_while_the_dish_follows():
+    async def pointing(app, _pilot, _desk):
+        return ["".join(row) for row in app.query_one("#pointing")._cells._chars]
+
+    rows = run_track(pointing, size=(240, 70), keys=("f1",))
+    assert "error  max 0.0" in rows[0]
+    assert sum("\u2800" < char <= "\u28ff" for row in rows[1:6] for char in row) > 20
+    assert not any("error  max" in row for row in run_track(pointing, "craft-waiting", (240, 70), ("f1",)))
+    assert not any("error  max" in row for row in run_track(pointing, size=(120, 36), keys=("f1",)))
+
+
+def test_what_is_not_known_has_no_degree_sign_on_f2():
+    async def digits(app, pilot):
+        return ["".join(row) for row in app.query_one("#readout")._cells._chars]
+
+    assert "°" not in "".join(run(digits, "not-homed", (240, 70), key="f2")[:5])
+
+
+def test_the_keys_of_the_horizon_begin_where_the_others_do():
+    text = run(read, size=(100, 30), key="f2")
+    columns = {
+        next(row for row in text.splitlines() if key in row).index(key) for key in ("H home", "v speed", "m mark  M")
+    }
+    assert len(columns) == 1

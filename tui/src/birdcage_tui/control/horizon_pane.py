@@ -49,7 +49,7 @@ class HorizonPane(Pane):
         words = {command: "end" if command == "horizon-record" and recording else name for command, name in KEYS}
         # Without gaps, if only so all of them find room.
         gap = 1 if left + sum(len(word) + 5 for word in words.values()) - 1 <= cells.width else 0
-        x = left * gap
+        x = left
         for command, word in words.items():
             length = len(word) + 4
             if x + length <= cells.width:

@@ -23,8 +23,8 @@ class ReadoutPane(Pane):
         """Digits first; words as rows are left."""
         position = view.state.position
         ink = "dim" if view.stale else "big"
-        az = "---.--" if position is None else angle_text(position.az_deg, 3)
-        el = "--.--" if position is None else angle_text(position.el_deg, 2)
+        az = " --.--" if position is None else angle_text(position.az_deg, 3) + "°"
+        el = "--.--" if position is None else angle_text(position.el_deg, 2) + "°"
         whole = width_of("000.00°00.00°")
         beside = cells.width >= whole + 4
         large = cells.width >= width_of("000.00°00.00°", large=True) + 4 and cells.height >= 8
@@ -33,8 +33,8 @@ class ReadoutPane(Pane):
             return
         rows = 5 if large else 3
         start_el = 1 + width_of("000.00°", large=large) + 3
-        put_big(cells, 1, 0, az + "°", ink, large=large)
-        put_big(cells, start_el, 0, el + "°", ink, large=large)
+        put_big(cells, 1, 0, az, ink, large=large)
+        put_big(cells, start_el, 0, el, ink, large=large)
         y = rows
         if cells.height >= rows + 3:
             true = view.state.az_offset_deg or view.state.el_offset_deg or view.state.alignment.model is not None
@@ -55,8 +55,8 @@ class ReadoutPane(Pane):
 
     def _stacked(self, cells: Cells, view: View, az: str, el: str, ink: str) -> None:
         right = 1 + width_of("000.00°")
-        put_big(cells, 1, 0, az + "°", ink)
-        put_big(cells, 1 + width_of("0"), 3, el + "°", ink)
+        put_big(cells, 1, 0, az, ink)
+        put_big(cells, 1 + width_of("0"), 3, el, ink)
         cells.put(right + 1, 0, "az", "dim")
         cells.put(right + 1, 3, "el", "dim")
         age_s, position = view.position_age_s, view.state.position

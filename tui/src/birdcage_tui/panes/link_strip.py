@@ -41,16 +41,16 @@ def draw_link_strip(cells: Cells, y: int, view: View) -> None:
         return
     top_ms = max(LEAST_TOP_MS, max(trip.seconds for trip in shown) * 1200)
     canvas, dots = Braille(width, height), height * 4 - 1
-
-    def at(trip: Trip) -> tuple[float, float]:
-        left = width * 2 - 1 - (view.now - trip.at) / COLUMN_S * 2
-        return left, dots * (1 - trip.seconds * 1000 / top_ms)
-
+    slowest: dict[int, float] = {}  # of each column of dots
+    for trip in shown:
+        column = width * 2 - 1 - int(view.now / COLUMN_S * 2) + int(trip.at / COLUMN_S * 2)
+        slowest[column] = max(slowest.get(column, 0.0), trip.seconds)
+    points = [(column, dots * (1 - seconds * 1000 / top_ms)) for column, seconds in sorted(slowest.items())]
     canvas.line(0, dots, width * 2 - 1, dots, "line", every=4)
-    for one, other in pairwise(shown):
-        if other.at - one.at <= GAP_S:
-            canvas.line(*at(one), *at(other), "accent")
-    canvas.dot(*at(shown[-1]), "accent")
+    for one, other in pairwise(points):
+        if other[0] - one[0] <= GAP_S / COLUMN_S * 2:
+            canvas.line(*one, *other, "accent")
+    canvas.dot(*points[-1], "accent")
     cells.right(AXIS, y + 1, f"{top_ms:.0f} ms", "dim")
     cells.right(AXIS, y + height, "0 ms", "dim")
     canvas.onto(cells, 1 + AXIS, y + 1)

@@ -8,6 +8,7 @@ from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import cell_len, cut, fit, pad
 from birdcage_tui.digits import angle_text, put_big, width_of
 from birdcage_tui.pane import Pane
+from birdcage_tui.panes.error_strip import draw_error_strip
 from birdcage_tui.panes.sky_ground import UNKNOWN_SIGN
 from birdcage_tui.skew import has_skew, skew_row
 from birdcage_tui.stop_words import stop_text
@@ -104,6 +105,7 @@ class PointingPane(Pane):
         start_el = left + width_of("000.00°", large=large) + gap
         put_big(cells, start_el, 0, el, ink, large=large)
         y = 5 if large else 3
+        draw_error_strip(cells, start_el + width_of("00.00°", large=large) + 3, y + 1, view)
         age_s = view.position_age_s
         if position is not None and position.modelled:
             for x in (left, start_el):
