@@ -162,7 +162,7 @@ def test_a_running_search_says_which_key_ends_it_and_that_asks_first():
 
     before, asked, sent = run(end, "travler-search")
     assert "▲ TV SEARCH RUNNING" in before
-    assert "K: end it until the next power-up" in before
+    assert "K ends it until the next power-up" in before
     assert "starts again at each" in asked
     assert sent == [SetSearch("you", disabled=True)]
 

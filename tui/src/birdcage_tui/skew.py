@@ -148,7 +148,7 @@ def _word(view: View) -> str:
     position = view.state.position
     if position is None or position.skew_deg is None:
         return "unknown"
-    return "modelled, not read" if position.modelled else "about the beam"
+    return "modelled, not read" if position.modelled else "around the beam"
 
 
 def draw_arc(cells: Cells, x: int, y: int, width: int, height: int, view: View) -> None:

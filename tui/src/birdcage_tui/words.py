@@ -148,7 +148,7 @@ def bad_day(view: View) -> tuple[str, str] | None:
     if pursued is not None:
         return pursued
     if searching(view):
-        return "warn-row", "▲ TV SEARCH RUNNING  It moves the dish.  K: end it until the next power-up"
+        return "warn-row", "▲ TV SEARCH RUNNING  It moves the dish.  K ends it until the next power-up"
     if view.late:
         return (
             "warn",

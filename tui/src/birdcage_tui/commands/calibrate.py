@@ -122,7 +122,7 @@ CALIBRATE = (
     Command("tab-calibrate", ("C",), "C", "Calibrate", "Measure the alignment of the dish with peaks on known objects.",
             "Tabs", where=("setup",), page=PAGE),
     _at("take", ("enter",), "Enter", "Save peak",
-        "The signal is highest here. Save the direction of dish and object.", refused=can_take, footer="peaked"),
+        "The signal is highest here. Save the direction of dish and object.", refused=can_take, footer="save peak"),
     _at("next", ("n",), "n", "Next object", "Select the next best object. Nothing moves until you press Enter.",
         refused=can_select, footer="next"),
     _at("again", ("m",), "m", "Present object",

@@ -85,7 +85,7 @@ class HealthPane(Pane):
             (
                 {"off": ok, "off until power-up": ok, "RUNNING": _NO}.get(search, _UNKNOWN),
                 "TV search",
-                search + (f" (NVS 20 {nvs.value})" if nvs is not None else _search_hint(view)),
+                search + (" (NVS 20)" if nvs is not None else _search_hint(view)),
             ),
             told,
             (ok if state.el_min_deg is not None else _UNKNOWN, "limits", limits),
