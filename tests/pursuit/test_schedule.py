@@ -182,3 +182,12 @@ def test_the_followed_pass_ends_where_it_was_to_be_cut_short():
 def test_a_present_pass_that_is_no_candidate_any_more_counts_for_nothing():
     present = kept("A", [one("A", -100, 600)], following=True)
     assert told(schedule([one("B", 100, 500)], RULES, 20.0, NOW, present)) == [("B", True, "")]
+
+
+def test_a_gap_counts_neither_for_how_long_a_pass_is_in_reach_nor_for_its_maximum():
+    candidate = one("GAP", 100, 500, gap=(200, 280))
+    candidate = replace(candidate, passing=replace(candidate.passing, max_elevation_deg=80.0))
+    (row,) = schedule([candidate], RULES, 20.0, NOW)
+    assert (row.reach_s, row.max_elevation_deg, row.max_reach_elevation_deg) == (320.0, 80.0, 50.0)
+    (begun,) = schedule([candidate], RULES, 20.0, at(150))
+    assert begun.reach_s == 320.0

@@ -52,6 +52,14 @@ def test_drift_within_a_day_is_drawn_where_there_is_any():
     assert "drifts 0.80° az, 4.00° el a day" in text
     assert re.search(r"EL\s.*4\.00°", text)
     assert "+24 h" in text
+    assert "drift over 24 h" in text
+
+
+def test_no_error_is_drawn_of_the_time_before_the_dish_followed():
+    text = run(read, "craft-geo-chosen", size=(120, 36))
+    (row,) = [row.partition("err ")[2] for row in text.splitlines() if "err  " in row]
+    assert "expected ±0.0" in row
+    assert re.findall(r"[\u2801-\u28ff]", row) == []
 
 
 def geo_row(**changes):

@@ -4,10 +4,15 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 import stand_in
 from birdcage.pursuit.now import Scheduled, Unfinished
-from track_plans import NOON, utc
+from birdcage.sky.reach_model import Lost, Reach, Stretch
+from birdcage.tracking.curve import Curve
+from birdcage.tracking.day import Day
+from birdcage_tui.track.words import reach_words
+from track_plans import NOON, moon, utc
 from track_stage import SIZES, read, run
 
 
@@ -27,7 +32,18 @@ def test_why_a_pass_is_not_whole_is_told_whole_or_not_at_all(size):
 def rows_with(*whys):
     at = enumerate((NOON + 600.0 * number for number in range(len(whys))), 1)
     return tuple(
-        Scheduled(f"DEMO LEO {number} station", 900 + number, utc(start_s), utc(start_s + 240.0), 62.0, 0, False, why)
+        Scheduled(
+            f"DEMO LEO {number} station",
+            900 + number,
+            utc(start_s),
+            utc(start_s + 240.0),
+            240.0,
+            62.0,
+            62.0,
+            0,
+            False,
+            why,
+        )
         for (number, start_s), why in zip(at, whys, strict=True)
     )
 
@@ -74,3 +90,32 @@ def test_hours_that_are_left_of_what_can_be_resumed_are_no_count_of_minutes():
 
     text = run(left, "craft-over", size=(120, 36))
     assert "U resume Moon (9h37 left)" in text.splitlines()[1]
+
+
+@pytest.mark.parametrize("size", SIZES[1:3], ids=str)
+def test_autotrack_tells_reach_and_maximum_of_a_pass_as_the_page_of_passes_does(size):
+    (row,) = rows_with("")
+
+    async def shown(app, pilot, desk):
+        return await with_schedule(app, pilot, desk, (replace(row, reach_s=180.0, max_elevation_deg=80.0),))
+
+    assert "12:00:00  3m00  LEO 1 station max 80°" in run(shown, size=size)
+
+
+def moon_day():
+    """In reach at noon, and again from three hours before the end of the day on."""
+    times = np.linspace(NOON, NOON + 86400.0, 145)
+    sky = Curve(times, times * 0.0 + 180.0, 10.0 + 40.0 * np.cos((times - NOON) / 86400.0 * 2.0 * np.pi))
+    spans = (Stretch(utc(NOON), utc(NOON + 11000.0), 0), Stretch(utc(NOON + 75600.0), utc(NOON + 86400.0), 0))
+    return replace(moon(), day=Day(sky, Reach(spans, (Lost(utc(NOON + 11000.0), utc(NOON + 75600.0), "floor"),), 50.0)))
+
+
+@pytest.mark.parametrize("size", SIZES[1:3], ids=str)
+def test_reach_of_a_body_is_told_once_and_in_order_of_time(size):
+    async def shown(app, pilot, desk):
+        return await with_schedule(app, pilot, desk, plan=moon_day())
+
+    text = run(shown, "craft-slot", size=size)
+    assert text.count("in reach until 15:03, again tomorrow 09:00") == 1
+    assert "Moon needs no pass to be followed" in text
+    assert reach_words(moon_day(), 80, NOON + 12000.0) == "in reach tomorrow from 09:00"

@@ -24,7 +24,7 @@ def test_no_name_of_a_strip_is_written_on_a_figure_of_its_scale(size):
 def test_ends_of_the_scale_of_azimuth_are_those_of_the_pass(size):
     text = "\n".join(chart_of(run(read, size=size)))
     assert re.search(r"(^|\s)158°", text)
-    assert re.search(r"(^|\s)341°", text)
+    assert re.search(r"(^|\s)-19°", text)
 
 
 @pytest.mark.parametrize("size", SIZES, ids=str)

@@ -58,7 +58,8 @@ def schedule():
         if favourite:
             start = NOON + (minutes + 2) * 60
             clash = name == "ISS (ZARYA)" and minutes > 60
-            rows.append(Scheduled(name, number, utc(start), utc(start + (length - 4) * 60), float(min(top, 65)), 0,
+            rows.append(Scheduled(name, number, utc(start), utc(start + (length - 4) * 60), (length - 4) * 60.0,
+                                  float(top), float(min(top, 65)), 0,
                                   not clash, "overlaps METEOR-M2 4 (priority 2)" if clash else ""))  # fmt: skip
     return tuple(rows)
 

@@ -31,7 +31,7 @@ def tell_schedule(rows: Sequence[Scheduled], begin: datetime, hours: float, widt
     for line in timeline(rows, begin, hours, width or WIDTH):
         tell(line)
     kept = [row for row in rows if row.kept]
-    lasts = minutes(sum((row.reach_end - row.reach_start).total_seconds() for row in kept))
+    lasts = minutes(sum(row.reach_s for row in kept))
     say(f"{len(kept)} of {len(rows)} passes would be followed, {lasts} in all. BEST is without refraction.")
 
 
@@ -78,7 +78,7 @@ def _cells(row: Scheduled, begin: datetime) -> tuple[str, ...]:
         row.name or str(row.norad_id),
         str(row.priority),
         f"{row.max_reach_elevation_deg:.1f}°",
-        minutes((row.reach_end - row.reach_start).total_seconds()),
+        minutes(row.reach_s),
         row.why,
     )
 

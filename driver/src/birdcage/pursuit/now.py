@@ -72,6 +72,10 @@ class Scheduled:
     norad_id: int
     reach_start: datetime
     reach_end: datetime
+    reach_s: float
+    """How much of that is in reach: without gaps, as above the ceiling."""
+    max_elevation_deg: float
+    """Of the whole pass."""
     max_reach_elevation_deg: float
     priority: int
     kept: bool

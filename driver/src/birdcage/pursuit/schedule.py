@@ -133,5 +133,6 @@ def _row(piece: Piece, why: str = "", *, kept: bool = True) -> Scheduled:
     if reach.best_el_deg is not None and not piece.late and not piece.short:
         best_el_deg = reach.best_el_deg
     return Scheduled(
-        passing.name, passing.norad_id, piece.told_start, piece.end, best_el_deg, piece.candidate.priority, kept, why
+        passing.name, passing.norad_id, piece.told_start, piece.end, piece.told.total_seconds(),
+        passing.max_elevation_deg, best_el_deg, piece.candidate.priority, kept, why,
     )  # fmt: skip

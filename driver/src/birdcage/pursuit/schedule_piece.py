@@ -42,6 +42,13 @@ class Piece:
         return next(each.start for each in self.candidate.reach.intervals if each.start <= self.start < each.end)
 
     @property
+    def told(self) -> timedelta:
+        """How much is within reach from `told_start` to its end."""
+        start = self.told_start
+        inside = ((max(each.start, start), min(each.end, self.end)) for each in self.candidate.reach.intervals)
+        return sum((high - low for low, high in inside if low < high), timedelta())
+
+    @property
     def late(self) -> bool:
         """Whether something keeps the dish from its beginning."""
         return not self.begun and self.start > self.candidate.reach.intervals[0].start

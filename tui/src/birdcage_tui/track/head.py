@@ -40,7 +40,9 @@ class TrackHead(Pane):
             ink, shapes = expected_words(plan)
             beside = cells.height < 4 and bool(shapes)
             room = cells.width - 2 - (len(shapes[-1]) + 3 if beside else 0)
-            x = cells.put(1, 1, reach_words(plan, room), "text" if plan.reach.intervals else "warn")
+            x = cells.put(
+                1, 1, reach_words(plan, room, view.utc.timestamp()), "text" if plan.reach.intervals else "warn"
+            )
             x, y = (x + 3, 1) if beside else (1, 2)
             if cells.height >= 4 or beside:
                 cells.put(x, y, next((each for each in shapes if x + len(each) < cells.width), ""), ink)

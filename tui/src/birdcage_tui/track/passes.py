@@ -33,7 +33,9 @@ def _no_passes(view: View) -> str:
         return f"{standing[0].upper()}{standing[1:]}: it makes no passes."
     if plan is None or plan.passing is not None or not (told := pass_words(plan)):
         return "No passes soon."
-    return f"{plan.aim.name} {told}, {reach_words(plan, 80)}."
+    if plan.day is not None:  # its rising, setting and reach stand in the first rows of the tab
+        return f"{plan.aim.name} needs no pass to be followed: its times are in the rows at the top."
+    return f"{plan.aim.name} {told}, {reach_words(plan, 80, view.utc.timestamp())}."
 
 
 class TrackPasses(Pane):

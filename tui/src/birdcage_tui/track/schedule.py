@@ -17,6 +17,7 @@ from birdcage_tui.view import View
 
 NAME = 24
 """Columns of a name at most."""
+MAX = "max "
 PRIORITY = re.compile(r" \(priority -?\d+\)")
 SPANS_S = (3600.0, 2 * 3600.0, 3 * 3600.0, 6 * 3600.0, 12 * 3600.0, 24 * 3600.0)
 EMPTY = "No favourite in reach soon. On page 7, * marks favourites; their passes show here."
@@ -54,8 +55,9 @@ class SchedulePane(Pane):
             y = 3
         shown = rows[: max(cells.height - y, 0)]
         room = min(max((cell_len(plain_name(row.name)) for row in shown), default=0), NAME)
+        labelled = all(_spare(cells, row, room) >= 0 for row in shown)
         for below, row in enumerate(shown):
-            self._row(cells, y + below, row, room)
+            self._row(cells, y + below, row, room, labelled=labelled)
 
     @staticmethod
     def _line(cells: Cells, rows: list[Scheduled], now_s: float) -> None:
@@ -76,13 +78,13 @@ class SchedulePane(Pane):
             cells.put(1 + width * part // 4 - 2, 2, words, "dim")
 
     @staticmethod
-    def _row(cells: Cells, y: int, row: Scheduled, room: int) -> None:
+    def _row(cells: Cells, y: int, row: Scheduled, room: int, *, labelled: bool) -> None:
         """Write a pass; why it is left out or cut short gets the room of what matters less."""
         ink = "text" if row.kept else "dim"
         name = fit(plain_name(row.name), room)
         when = f"{'●' if row.kept else '○'} {row.reach_start:%H:%M:%S}"
-        long = f" {length_text((row.reach_end - row.reach_start).total_seconds()):>5}  "
-        highest = f" {row.max_reach_elevation_deg:3.0f}°  "
+        long = f" {length_text(row.reach_s):>5}  "
+        highest = f" {MAX if labelled else ''}{row.max_elevation_deg:2.0f}°  "
         whys = _whys(row.why)
         layouts = ((long, pad(name, room), highest), (long, pad(name, room), "  "), ("  ", name, "  "))
         spare = cells.width - 1 - len(when)
@@ -93,6 +95,11 @@ class SchedulePane(Pane):
         x = cells.put(1, y, when + which[0], ink)
         x = cells.put(x, y, which[1] + which[2], "target" if row.kept else "dim")
         cells.put(x, y, cut(why, max(cells.width - x, 1)), "dim")
+
+
+def _spare(cells: Cells, row: Scheduled, room: int) -> int:
+    """Return how many columns a row leaves that names its maximum and tells all of why it is left out."""
+    return cells.width - len(f"  00:00:00 00m00   {MAX}90°  ") - 1 - room - cell_len(_whys(row.why)[0])
 
 
 def _whys(why: str) -> tuple[str, ...]:

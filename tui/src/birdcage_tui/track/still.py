@@ -30,6 +30,8 @@ NEAR_DEG = 1.0
 """So near counts as on the target while the beam is not known."""
 DAY_ROWS = 4
 """Rows of a day's drift: two curves, and their times."""
+DRIFT = "drift over 24 h"
+"""What the curves of a day and the figures beside them are."""
 LEAST_DRIFT_DEG = 0.05
 """The least that a scale of drift spans: what is less must look like it."""
 
@@ -101,7 +103,7 @@ def _nothing(view: View, *, followed: bool) -> str:
 
 
 def _errors(cells: Cells, view: View, plan: Plan, box: tuple[int, int, int], *, followed: bool) -> None:
-    """Draw how far off the dish was; without a past, what the plan expects."""
+    """Draw how far off the dish was since it follows; what the plan expects stands in words, where there is room."""
     y, height, _ = box
     looks = [each for each in view.followed if view.now - each.at <= BACK_S] if followed else []
     series = [(view.now - each.at, shown_deg(each)) for each in looks]
@@ -109,15 +111,14 @@ def _errors(cells: Cells, view: View, plan: Plan, box: tuple[int, int, int], *, 
     worst = max([0.0 if expected is None else expected, *(value for _, value in series)])
     top = next((step for step in STEPS_DEG if step >= worst * 1.05), STEPS_DEG[-1])
     cells.put(0, y + (height - 1) // 2, "err", "strong")
-    if expected is not None:
-        _curve(cells, [(BACK_S, expected), (0.0, expected)], (0.0, top), box, "dim", gap_s=2 * BACK_S)
     _curve(cells, series, (0.0, top), box, "accent", of=max)
     _scale(cells, box, degrees(top), "0")
     if series:
         stale = series[-1][0] > 2 * STALE_S
         cells.right(cells.width, y + (height - 1) // 2, degrees(series[-1][1]), "dim" if stale else "strong")
-    elif expected is not None:
-        cells.right(cells.width, y + (height - 1) // 2, f"±{degrees(expected)}", "dim")
+    words = "" if expected is None else f"expected ±{degrees(expected)}"
+    if words and cells.free(LEFT, y + (height - 1) // 2, len(words) + 2):
+        cells.put(LEFT, y + (height - 1) // 2, words, "dim")
 
 
 def _scale(cells: Cells, box: tuple[int, int, int], high: str, low: str) -> None:
@@ -139,7 +140,7 @@ def _by_column(series: Series, width: int, of: Callable[[list[float]], float]) -
 
 def _curve(
     cells: Cells, series: Series, span: tuple[float, float], box: tuple[int, int, int], ink: str,
-    gap_s: float = SILENT_S, of: Callable[[list[float]], float] = fmean,
+    of: Callable[[list[float]], float] = fmean,
 ) -> None:  # fmt: skip
     """Draw values over the past, now at the right edge."""
     y, height, width = box
@@ -152,7 +153,7 @@ def _curve(
 
     series = _by_column(series, width, of)
     for one, other in itertools.pairwise(series):
-        if one[0] - other[0] <= gap_s + BACK_S / width:
+        if one[0] - other[0] <= SILENT_S + BACK_S / width:
             canvas.line(*at(*one), *at(*other), ink)
     if series:
         canvas.dot(*at(*series[-1]), ink)
@@ -187,7 +188,7 @@ def _drift(cells: Cells, day: Day, now_s: float, box: tuple[int, int]) -> None:
         cells.right(cells.width, y, f"{high - low:.2f}°", "target")
         y += height
     for hours in (0, 24, 12, 6, 18):
-        words = f"+{hours} h" if hours else "now"
+        words = DRIFT if hours == 12 and width >= 2 * len(DRIFT) else f"+{hours} h" if hours else "now"
         x = LEFT + int((width - 1) * hours / 24.0) - (0 if not hours else len(words) // 2)
         if cells.free(x - 1, y, len(words) + 2):
             cells.put(x, y, words, "dim")

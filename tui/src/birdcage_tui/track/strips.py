@@ -170,10 +170,14 @@ def _angles(cells: Cells, view: View, spots: Sequence[Spot], axis: int, box: tup
     _curve(canvas, planned, x_of, up, "accent", lambda _: True, beside=target)
     _curve(canvas, was, x_of, up, "accent", lambda _: False)
     canvas.onto(cells, LEFT, y)
-    top, bottom = ((f"{deg % 360.0:.0f}°" if axis == 0 else f"{deg:.0f}°") for deg in (high, low))
+    # Over north the lower end is negative: a scale from 351° up to 154° is none.
+    north = high // 360.0 * 360.0 if axis == 0 else 0.0
     if height > 1:
-        cells.right(LEFT - 1, y, top, "dim")
-        cells.right(LEFT - 1, y + height - 1, bottom, "dim")
+        cells.right(LEFT - 1, y, f"{high - north:.0f}°", "dim")
+        cells.right(LEFT - 1, y + height - 1, f"{low - north:.0f}°", "dim")
+    at_north = y + int(up(north)) // 4
+    if axis == 0 and low < north < high and y < at_north < y + height - 1:
+        cells.right(LEFT - 1, at_north, "N", "dim")
     cells.put(0, y + (height - 1) // 2 if height > 2 else y, name, "strong")
     place = target_place(view)
     if place is not None and spots[0].t_s <= now_s <= spots[-1].t_s:

@@ -44,6 +44,7 @@ NEXT = {"reach": "in reach", "pre-position": "moves", "follow": "follows", "park
 """What happens next (`Pursuit.next_what`), as a person says it before `in 02:43`."""
 
 DEMO = "DEMO "
+DAY_S = 86400.0
 DRIFTS_DEG = 0.005
 """What moves less in a day stands still."""
 
@@ -245,13 +246,13 @@ def ahead_words(plan: Plan) -> str:
     return f"{(plan.sky.end_s - plan.sky.start_s) / 60.0:.0f} min"
 
 
-def reach_words(plan: Plan, room: int) -> str:
-    """Return when it is in reach: as many intervals as there is room for, then how long in all."""
+def reach_words(plan: Plan, room: int, at_s: float) -> str:
+    """Return when it is in reach, as of a time: as many intervals as there is room for, then how long in all."""
     day, intervals = plan.day, plan.reach.intervals
     if day is not None and day.standing:
         return day.standing
     if day is not None and not day.never_in_reach:
-        return _day_reach(day, plan.sky.start_s, room)
+        return _day_reach(day, at_s, room)
     if not intervals and plan.legs:
         return "always behind the horizon mask"
     if not intervals:
@@ -268,18 +269,26 @@ def reach_words(plan: Plan, room: int) -> str:
     return f"in reach {total}"
 
 
-def _day_reach(day: Day, t_s: float, room: int) -> str:
-    """Return when it is in reach within the day: `in reach until 16:20`, `always up, in reach 12:00-15:40, …`."""
+def _day_reach(day: Day, at_s: float, room: int) -> str:
+    """Return when it is in reach in the hours to come: `in reach until 16:20, again tomorrow 12:03`."""
     up = "always up, " if day.always_up else ""
-    end_s = day.reach_end_s(t_s)
-    if end_s is not None and len(day.reach.intervals) == 1:
-        return f"{up}in reach until {clock_text(end_s, seconds=False)}"
     spans = []
     for one in day.reach.intervals:
-        open_end = one.end.timestamp() >= day.sky.end_s - 1.0
-        spans.append(f"{one.start:%H:%M}-" + ("" if open_end else f"{one.end:%H:%M}"))
+        start_s, end_s = one.start.timestamp(), one.end.timestamp()
+        if end_s <= at_s:
+            continue
+        end = "" if end_s >= day.sky.end_s - 1.0 else clock_text(end_s, seconds=False)
+        if start_s - 1.0 <= at_s:
+            spans.append(f"until {end}" if end else "from now on")
+            continue
+        again = "again " if spans else ""
+        tomorrow = "" if start_s // DAY_S == at_s // DAY_S else "tomorrow "
+        start = clock_text(start_s, seconds=False)
+        spans.append(again + tomorrow + (f"{start}-{end}" if end else start if again else f"from {start}"))
+    if not spans:
+        return f"{up}not in reach again within the day"
     words = f"{up}in reach {', '.join(spans)}"
-    return words if len(words) <= room else f"{up}in reach {spans[0]} +{len(spans) - 1}"
+    return words if len(words) <= room else f"{up}in reach {spans[0]}" + (f" +{len(spans) - 1}" if spans[1:] else "")
 
 
 def expected_words(plan: Plan) -> tuple[str, tuple[str, ...]]:
@@ -306,7 +315,8 @@ def expected_words(plan: Plan) -> tuple[str, tuple[str, ...]]:
     if closest.reentry is not None:
         shapes[-1] = f"{age}, {REENTERED}"
     elif pointing is not None and pointing.median is not None:
-        shapes.append(f"{age} ±{degrees(pointing.median.rms_deg)}")
+        about = f"±{degrees(pointing.median.rms_deg)}"
+        shapes += [f"{closest.glyph} elements {age_words(closest.age_s)}, {about}", f"{age} {about}"]
     return GRADE_INKS[closest.grade], tuple(shapes)
 
 
