@@ -221,7 +221,7 @@ def test_a_horizon_mask_refuses_no_target(make, points):
     bench.until(lambda: bench.phase() is Phase.FOLLOWING)
     bench.step(5.0)
     assert bench.moves()
-    heard = [one for one in bench.desk.now.plan.notes if "behind the horizon mask" in one]
+    heard = [one for one in bench.desk.now.plan.notes if "behind the horizon mask" in one.lower()]
     assert len(heard) == (points == WALL)
 
 

@@ -89,6 +89,6 @@ def test_the_way_that_the_dish_takes_by_itself_counts_not_another_that_would_fit
 @pytest.mark.parametrize(("limits", "az_deg"), [("cable_min_deg = -420", 298), ("cable_max_deg = 10", 20)])
 def test_an_unknown_turn_is_refused_where_one_of_them_leads_beyond(from_file, limits, az_deg):
     dish = from_file(f"[motion]\n{limits}\n")
-    with pytest.raises(MotionRefused, match=r"its turn is not known.*Home the dish"):
+    with pytest.raises(MotionRefused, match=r"its turn is unknown.*Home the dish"):
         dish.do(Goto(az_deg, 45, "you"))
     assert [line for line in dish.moves() if line != "a"] == []
