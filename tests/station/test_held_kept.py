@@ -6,7 +6,7 @@ import threading
 
 import pytest
 from birdcage.base.errors import Held
-from birdcage.base.held import HeldFile
+from birdcage.base.held import HeldFile, HeldNote
 from birdcage.station.held_keeper import HeldKeeper
 from birdcage.station.requests import Connect, Goto, Release
 
@@ -191,6 +191,23 @@ def test_a_release_at_another_dish_leaves_the_first_one_held(desk):
     bench.do(Release("you"))
     assert len(desk.latches()) == 1
     assert desk.start().state.held.by == "anna"
+
+
+def test_a_slow_disk_loses_no_latch_to_a_release_at_another_dish(desk, tmp_path):
+    note, keeper, disk = HeldNote("anna", None), HeldKeeper(tmp_path / "slow", desk.dishes.get), threading.Event()
+    keeper.on_trouble = lambda _sentence: disk.wait(10)
+    desk.dishes |= {"first": "usb:0403:6001:A1", "other": "usb:0403:6001:B7"}
+    keeper.meet("other")
+    keeper.latch(note)  # this keeps the writer busy
+    keeper.release()
+    keeper.meet("first")
+    keeper.latch(note)
+    keeper.expect_another_dish()
+    keeper.meet("other")
+    keeper.release()
+    disk.set()
+    keeper.close(10)
+    assert [path.read_text() for path in (tmp_path / "slow").rglob("held.json")]
 
 
 def test_a_simulator_of_the_program_itself_is_held_by_nobody_afterwards(desk):

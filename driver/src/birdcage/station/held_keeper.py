@@ -14,9 +14,9 @@ from birdcage.link.identity import dish_folder, dish_identity, forget_reused
 
 @dataclass(frozen=True, slots=True)
 class _Wish:
-    """What is to be on disk: a note, or none."""
+    """What is to be on disk, in each of these files: a note, or none."""
 
-    file: HeldFile
+    files: tuple[HeldFile, ...]
     note: HeldNote | None
 
 
@@ -51,7 +51,7 @@ class HeldKeeper:
             self._under[self._file.path] = self._file
             self._note = self._note or found
         elif self._note is not None:
-            self._writer.offer(_Wish(self._file, self._note))
+            self._put(self._file, self._note)
         return found
 
     def expect_another_dish(self) -> None:
@@ -62,13 +62,19 @@ class HeldKeeper:
         """Latch. Any thread; never waits."""
         self._note = note
         if self._file is not None:
-            self._writer.offer(_Wish(self._file, note))
+            self._put(self._file, note)
+
+    def _put(self, file: HeldFile, note: HeldNote) -> None:
+        # Before it is written: whoever expects another dish meanwhile must leave this one held.
+        self._under[file.path] = file
+        self._writer.offer(_Wish((file,), note))
 
     def release(self) -> None:
         """Release, wherever it was latched by this program. Any thread; never waits."""
         self._note = None
         if self._file is not None:
-            self._writer.offer(_Wish(self._file, None))
+            under, self._under = self._under, {}
+            self._writer.offer(_Wish((*under.values(), self._file), None))
 
     def flush(self, timeout_s: float) -> bool:
         """Wait until all is on disk; False if that took too long."""
@@ -79,22 +85,13 @@ class HeldKeeper:
         self._writer.close(timeout_s)
 
     def _write(self, wishes: list[_Wish], _dropped: int) -> None:
-        for wish in {each.file.path: each for each in wishes}.values():
+        for file, note in {file.path: (file, wish.note) for wish in wishes for file in wish.files}.values():
             trouble = ""
             try:
-                self._carry_out(wish)
+                file.remove() if note is None else file.write(note)
             except OSError as error:
-                so = "The next program finds it HELD" if wish.note is None else "HELD ends with this program"
-                what = "removed" if wish.note is None else "written"
-                trouble = f"{so}: {wish.file.path} cannot be {what} ({error.strerror or error})."
+                so = "The next program finds it HELD" if note is None else "HELD ends with this program"
+                what = "removed" if note is None else "written"
+                trouble = f"{so}: {file.path} cannot be {what} ({error.strerror or error})."
             with contextlib.suppress(Exception):  # a listener that fails must not end the writing
                 self.on_trouble(trouble)
-
-    def _carry_out(self, wish: _Wish) -> None:
-        if wish.note is not None:
-            self._under[wish.file.path] = wish.file
-            wish.file.write(wish.note)
-            return
-        for file in {**self._under, wish.file.path: wish.file}.values():
-            file.remove()
-        self._under.clear()
