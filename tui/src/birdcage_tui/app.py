@@ -28,6 +28,7 @@ from birdcage.station.requests import (
 from birdcage_tui.adding import ask_elements, ask_place
 from birdcage_tui.commands import BY_NAME, for_key
 from birdcage_tui.commands.jog import DIRECTIONS, SKEW_DIRECTIONS, STEPS_DEG
+from birdcage_tui.control.reach import refusal_of
 from birdcage_tui.dialogs import QuestionScreen
 from birdcage_tui.goto import GotoLine
 from birdcage_tui.help import HelpScreen, help_words
@@ -129,8 +130,8 @@ class BirdcageApp(Shell):
             if error is not None and self._loop is not None and not self._loop.is_closed():
                 self._loop.call_soon_threadsafe(self.say, str(error))
 
-        if isinstance(request, MOTIONS):
-            self._take_back()
+        if isinstance(request, MOTIONS) and not self._take_back_for(request):
+            return
         future = self.station.submit(request)
         if isinstance(request, MOTIONS):
             self.end_tour()
@@ -148,10 +149,23 @@ class BirdcageApp(Shell):
         way.add_done_callback(self.under_way.discard)
         return way
 
+    def _take_back_for(self, request: Request) -> bool:
+        """Take control from your own pursuit for a motion; say why not, and return False, where it would be refused."""
+        reason = refusal_of(request, self.station.state) if self._pursuit_leads else None
+        if reason is not None:
+            self.say(f"Refused: {reason}")
+            return False
+        self._take_back()
+        return True
+
+    @property
+    def _pursuit_leads(self) -> bool:
+        pursuit = pursuit_of(self.view())
+        return pursuit is not None and self.station.state.holder == pursuit.holder != YOU
+
     def _take_back(self) -> None:
         """Take control from your own pursuit: a key that moves by hand is word enough that you want it back."""
-        pursuit = pursuit_of(self.view())
-        if pursuit is not None and self.station.state.holder == pursuit.holder != YOU:
+        if self._pursuit_leads:
             self.station.submit(AcquireLease(YOU, take_over=True))
 
     def open_goto(self, text: str = "") -> None:

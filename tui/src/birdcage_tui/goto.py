@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import cast
 
+from birdcage.station.requests import Goto, TurnSkew
 from textual import events, on
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
@@ -15,7 +16,7 @@ from birdcage_tui.cancel import CancelButton
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import wrap
 from birdcage_tui.commands.table import can_move
-from birdcage_tui.control.reach import forbidden, way_words
+from birdcage_tui.control.reach import refusal_of, way_words
 from birdcage_tui.esc_field import EscField
 from birdcage_tui.goto_skew import is_skew, skew_of, skew_way
 from birdcage_tui.goto_target import StillLooking, aim_of, asks_for, located_of
@@ -23,7 +24,7 @@ from birdcage_tui.goto_text import EXAMPLES
 from birdcage_tui.host import Host
 from birdcage_tui.pane import Pane
 from birdcage_tui.skew import has_skew
-from birdcage_tui.view import View
+from birdcage_tui.view import YOU, View
 
 
 def held_back(view: View) -> str | None:
@@ -48,7 +49,7 @@ def foretell(text: str, view: View) -> tuple[str, str]:
         return "dim", str(wait)
     except ValueError as wrong:
         return "warn", f"▲ {wrong}"
-    reason = held_back(view) or forbidden(view.state, aim.az_deg, aim.el_deg)
+    reason = held_back(view) or refusal_of(Goto(aim.az_deg, aim.el_deg, YOU), view.state)
     if reason is not None:
         return "warn", f"▲ Refused: {reason}"
     return "text", f"✕ {way_words(view, aim)}{f'   {aim.skew}' if aim.skew else ''}"
@@ -56,10 +57,10 @@ def foretell(text: str, view: View) -> tuple[str, str]:
 
 def _foretell_skew(text: str, view: View) -> tuple[str, str]:
     try:
-        words = skew_way(text, view)
+        words, deg = skew_way(text, view), skew_of(text, view)
     except ValueError as wrong:
         return "warn", f"▲ {wrong}"
-    reason = held_back(view)
+    reason = held_back(view) or refusal_of(TurnSkew(deg, YOU), view.state)
     return ("text", f"✕ {words}") if reason is None else ("warn", f"▲ Refused: {reason}")
 
 
@@ -205,7 +206,8 @@ class GotoLine(Vertical):
         except ValueError:
             self._foretell(text)
             return
-        if held_back(view) is not None:
+        request = Goto(sent.az_deg, sent.el_deg, YOU) if isinstance(sent, self.Sent) else TurnSkew(sent.deg, YOU)
+        if (held_back(view) or refusal_of(request, view.state)) is not None:
             self._foretell(text)
             return
         self.close()

@@ -8,7 +8,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from birdcage.kinematics import plan_slew
-from birdcage.station.state import StationState
+from birdcage.station.requests import Goto, Jog, Request, TurnSkew
+from birdcage.station.state import Activity, StationState
 from birdcage.station.turning import AzimuthWay, cable_limits, is_safe_at_any_turn
 from birdcage.station.turning import way_to as azimuth_way_to
 
@@ -58,6 +59,24 @@ def _seconds(state: StationState, az_way: float, el_way: float) -> float | None:
         else:
             spans.append(plan_slew(0.0, way, speed, axis.acceleration_deg_s2).duration_s if speed > 0 else 0.0)
     return max(spans) if dish.axes_together else sum(spans)
+
+
+def refusal_of(request: Request, state: StationState) -> str | None:
+    """Return why the station would refuse a motion, as far as is known; a pass that is followed is not left for it."""
+    match request:
+        case Goto():
+            return forbidden(state, request.az_deg, request.el_deg)
+        case Jog(d_az_deg, d_el_deg):
+            here, az_deg, el_deg = state.position, state.target_az_deg, state.target_el_deg
+            if here is not None:
+                az_deg = here.az_deg if az_deg is None else az_deg
+                el_deg = here.el_deg if el_deg is None else el_deg
+            if az_deg is None or el_deg is None:
+                return "The position is unknown, so no step is sent. Wait until it is read."
+            return forbidden(state, (az_deg + d_az_deg) % 360.0, el_deg + d_el_deg)
+        case TurnSkew(_, holder) if state.activity is Activity.SLEWING and state.holder != holder:
+            return "The skew turns only while the dish rests. Wait until it rests, or stop it first."
+    return None
 
 
 def forbidden(state: StationState, az_deg: float, el_deg: float) -> str | None:

@@ -23,6 +23,7 @@ from birdcage_tui.control.last import LastLine, LogPane
 from birdcage_tui.control.layout import WITH_ARC, sizes
 from birdcage_tui.control.nudge import DigitsPane
 from birdcage_tui.control.presets import PresetsBox, PresetsPane
+from birdcage_tui.control.reach import refusal_of
 from birdcage_tui.control.readout import ReadoutPane
 from birdcage_tui.control.rose import RosePane
 from birdcage_tui.control.tabbing import Tabbed
@@ -216,8 +217,13 @@ class ControlPage(Tabbed):
         elif preset is None:
             self._with_sky(command)
         elif command == "preset-go":
+            goto = Goto(preset.az_deg, preset.el_deg, YOU)
+            reason = refusal_of(goto, self.host.view().state)
+            if reason is not None:
+                self.host.say(f"Refused: {reason}")
+                return
             self.host.say(f'To "{preset.name}", {preset.az_deg:.2f}°/{preset.el_deg:.2f}°.')
-            self.host.ask(Goto(preset.az_deg, preset.el_deg, YOU))
+            self.host.ask(goto)
         elif command == "preset-delete":
             self._tell(lambda: self.host.presets.delete(preset.name))
         else:
