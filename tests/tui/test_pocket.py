@@ -1,5 +1,6 @@
 """Below 80x24: everything a person at the dish needs, at every size from 40x12 up; status and STOP even below that."""
 
+import asyncio
 import itertools
 from dataclasses import replace
 
@@ -343,3 +344,18 @@ def test_no_line_of_the_help_is_broken_by_its_frame(size):
     room, lines = run(look, "slewing", size)
     assert lines
     assert [line for line in lines if len(line) > room] == []
+
+
+@pytest.mark.parametrize("size", [(40, 12), (60, 20)], ids=str)
+def test_a_frame_painted_while_the_terminal_is_made_small_draws_what_is_there(size):
+    """A tick or a reply of the dish paints at any turn of the loop, also while the pocket view is being mounted."""
+
+    async def shrink(app, pilot):
+        resized = asyncio.create_task(pilot.resize_terminal(*size))
+        for _ in range(20):
+            await asyncio.sleep(0)
+            app.paint()
+        await resized
+        return stand_in.text_of(app)
+
+    assert "■  S T O P" in run(shrink, size=(120, 36))

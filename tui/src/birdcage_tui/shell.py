@@ -283,7 +283,8 @@ class Shell(Surface):
         self.clock_watch.now = told
         self._changed()
 
-    def on_resize(self, event: events.Resize) -> None:
+    @on(events.Resize)
+    async def _lay_out(self, event: events.Resize) -> None:
         """Choose the layout."""
         width, height = event.size  # `self.size` may still be the old one
         screen = self.screen_stack[0]
@@ -291,16 +292,16 @@ class Shell(Surface):
         for name, holds in classes.items():
             screen.set_class(holds, name)
         self.set_class(classes["-tiny"], "-tiny")
-        self._fold(classes["-tiny"])
+        await self._fold(classes["-tiny"])
         self.call_after_refresh(self.paint)
 
-    def _fold(self, tiny: bool) -> None:
-        """Below 80x24 the pocket view stands in for every page; it is made when it is first needed."""
+    async def _fold(self, tiny: bool) -> None:
+        """Below 80x24 the pocket view stands in for every page; once all of it is mounted, at its first use."""
         if tiny and self._pocket is None:
             from birdcage_tui.pages.pocket import PocketPage
 
             self._pocket = PocketPage()
-            self.screen_stack[0].mount(self._pocket, before="#stage")
+            await self.screen_stack[0].mount(self._pocket, before="#stage")
         if tiny != self.folded:
             self.folded = tiny
             self.screen_stack[0].set_focus(None)
