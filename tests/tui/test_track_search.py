@@ -7,6 +7,7 @@ import pytest
 import stand_in
 from birdcage.station.requests import Release
 from birdcage.station.state import HeldState
+from test_track_lists import with_schedule
 from track_stage import run
 
 
@@ -62,3 +63,15 @@ def test_enter_in_the_field_chooses_while_the_dish_is_held_and_row_2_names_no_ke
     assert "Enter choose" in text.splitlines()[-1] or size == (80, 24)
     assert any(each[0] == "choose" for each in asked)
     assert not any(isinstance(each, Release) for each in of_dish)
+
+
+def test_a_row_without_room_for_number_and_age_tells_what_comes_next():
+    async def long(app, pilot, desk):
+        await typed(app, pilot, desk)
+        found = tuple(replace(one, detail="999000001 · elements 44 min old") for one in desk.now.found)
+        return await with_schedule(app, pilot, desk, found=found)
+
+    text = run(long, "craft-idle", size=(80, 24))
+    assert re.search(r"name +next event +max", text), text
+    assert re.search(r"METEOR-M2 4 .*out +01:29 +71°", text), text
+    assert "999000001" not in text

@@ -116,7 +116,7 @@ def _following(of, clock, **more):
     state = replace(
         state, position=position, activity=Activity.FOLLOWING, holder="tracker", target_az_deg=last.target_az_deg,
         target_el_deg=last.target_el_deg,
-        pursuit=pursuit(of, Phase.FOLLOWING, "Following, by the present position.", "ceiling", 60.0, clock,
+        pursuit=pursuit(of, Phase.FOLLOWING, "On the target.", "ceiling", 60.0, clock,
                         latency_s=0.061, sample=last, rms_error_deg=rms, max_error_deg=max(errors)),
     )  # fmt: skip
     return state, desk(of, mode=Mode.FOLLOW, radio=TUNED, **more), seen

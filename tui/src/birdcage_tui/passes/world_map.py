@@ -11,6 +11,7 @@ from birdcage_tui.cell_text import cell_len, elide
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.sky_ground import QUIET
 from birdcage_tui.passes.world_map_chart import Chart, Layers
+from birdcage_tui.track.pursuing import pursuit_of
 from birdcage_tui.view import View
 
 OVER = (*QUIET, "target", "text", "accent")
@@ -21,6 +22,8 @@ LONGEST = 16
 """Letters of a name."""
 CELLS_A_NAME = 90
 """A name for so many cells of the map, at most."""
+FOLLOWED = "following "
+"""Before the name of the satellite that the dish follows: ink alone tells nothing without colours."""
 NOTHING = "No pass selected, or no position for its satellite."
 EMPTY = "Loading the map …"
 
@@ -36,15 +39,16 @@ class WorldMapPane(Pane, can_focus=True):
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
-        self.border_title = "World  ━ ahead  ┄ behind  ○ footprint  · night  ☼ Sun overhead"
+        self.border_title = "World  solid ahead  dotted behind  ○ footprint  · night  ☼ Sun overhead"
         self.world: WorldView | None = None
         self._layers = Layers()
-        self._drawn: tuple[WorldView | None, str] | None = None
-        """The world that stands there, and the sign of the dish on it."""
+        self._drawn: tuple[WorldView | None, str, str | None] | None = None
+        """The world that stands there, the sign of the dish on it, and what it follows."""
 
     def show(self, view: View) -> None:
         """Draw the world, unless that one stands there already: it changes once a second, and frames are many."""
-        now = (self.world, view.pointer)
+        pursuit = pursuit_of(view)
+        now = (self.world, view.pointer, None if pursuit is None else pursuit.plan.aim.name)
         if self._cells is not None and self._drawn == now:
             self.view = view
             return
@@ -76,9 +80,9 @@ class WorldMapPane(Pane, can_focus=True):
         _marks(cells, chart, left, top, world, view)
         _figures(cells, world, self.seen())
 
-    def seen(self) -> str:
-        """Return when the chosen satellite is in view of the observer, where that is known: nothing here."""
-        return ""
+    def seen(self) -> tuple[str, ...]:
+        """Return when the chosen satellite is in reach and in view of the observer, where known: nothing here."""
+        return ()
 
     def on_mouse_move(self, event: events.MouseMove) -> None:
         """Read out the place under the mouse, and whether it is day there."""
@@ -116,6 +120,11 @@ def _marks(cells: Cells, chart: Chart, left: int, top: int, world: WorldView, vi
         x, y = chart.cell(latitude_deg, longitude_deg)
         return left + x, top + y
 
+    def is_followed(one: Ground) -> bool:
+        return aim is not None and (one.norad_id == aim.norad_id if aim.norad_id else one.name == aim.name)
+
+    pursuit = pursuit_of(view)
+    aim = None if pursuit is None else pursuit.plan.aim
     cells.put(*at(world.sun.latitude_deg, world.sun.longitude_deg), "☼", "strong")
     for one in world.satellites:
         spot = at(one.latitude_deg, one.longitude_deg)
@@ -128,9 +137,15 @@ def _marks(cells: Cells, chart: Chart, left: int, top: int, world: WorldView, vi
     if world.chosen is not None:
         spot = at(world.chosen.latitude_deg, world.chosen.longitude_deg)
         cells.put(*spot, "•", "target-strong")
-        _name(cells, chart, left, world.chosen.name, *spot, "target-strong", CALM, QUIET, OVER)
+        which = FOLLOWED if is_followed(world.chosen) else ""
+        _name(cells, chart, left, world.chosen.name, *spot, "target-strong", CALM, QUIET, OVER, before=which)
+    for one in filter(is_followed, world.satellites):
+        spot = at(one.latitude_deg, one.longitude_deg)
+        cells.put(*spot, "•", "accent-strong")
+        _name(cells, chart, left, one.name, *spot, "accent-strong", CALM, QUIET, OVER, before=FOLLOWED)
     room = chart.width * chart.height // CELLS_A_NAME
-    for one in sorted(world.satellites, key=lambda one: (not one.favourite, one.name))[:room]:
+    others = [one for one in world.satellites if not is_followed(one)]
+    for one in sorted(others, key=lambda one: (not one.favourite, one.name))[:room]:
         spot = at(one.latitude_deg, one.longitude_deg)
         if one.favourite:
             _name(cells, chart, left, one.name, *spot, "text", CALM, rows=1)
@@ -139,13 +154,14 @@ def _marks(cells: Cells, chart: Chart, left: int, top: int, world: WorldView, vi
 
 
 def _name(
-    cells: Cells, chart: Chart, left: int, name: str, x: int, y: int, ink: str, *over: tuple[str, ...], rows: int = 3
-) -> None:
+    cells: Cells, chart: Chart, left: int, name: str, x: int, y: int, ink: str, *over: tuple[str, ...], rows: int = 3,
+    before: str = "",
+) -> None:  # fmt: skip
     """Write a name beside its mark, away from the nearer side, on dots in the first of those inks that leave room.
 
     `rows`: 3 for a name that may also stand a row above or below, 1 for one that then would be taken for another's.
     """
-    name = elide(name, LONGEST)
+    name = before + elide(name, LONGEST)
     sides = (x + 2, x - 1 - cell_len(name))
     for inks in over:
         for start in sides if x < left + chart.width // 2 else sides[::-1]:
@@ -157,7 +173,7 @@ def _name(
                     return
 
 
-def _figures(cells: Cells, world: WorldView, seen: str) -> None:
+def _figures(cells: Cells, world: WorldView, seen: tuple[str, ...]) -> None:
     """Write the last row: when, where the chosen satellite is, and when it is in view; what has no room is left out."""
     y = cells.height - 1
     x = cells.put(1, y, f"{world.utc:%H:%M:%S}Z  ", "dim")
@@ -165,7 +181,12 @@ def _figures(cells: Cells, world: WorldView, seen: str) -> None:
     if chosen is None:
         cells.put(x, y, NOTHING[: cells.width - x], "dim")
         return
-    told = [("target-strong", chosen.name), ("target", seen), ("text", _where(chosen)), ("dim", _wide(chosen))]
+    told = [
+        ("target-strong", chosen.name),
+        *(("target", words) for words in seen),
+        ("text", _where(chosen)),
+        ("dim", _wide(chosen)),
+    ]
     for ink, words in told:
         if words and x + cell_len(words) <= cells.width:
             x = cells.put(x, y, words, ink) + 2

@@ -15,6 +15,7 @@ from birdcage_tui.passes.desk import Desk
 from birdcage_tui.passes.model import Row
 from birdcage_tui.passes.words import clock_text
 from birdcage_tui.passes.world_map import WorldMapPane
+from birdcage_tui.track.pursuing import pursuit_of
 from birdcage_tui.view import View
 
 if TYPE_CHECKING:
@@ -37,6 +38,12 @@ def ask_of(desk: Desk, view: View) -> Ask:
     """Return what the page shows now."""
     chosen = desk.chosen(view)
     found: dict[tuple[int, str], Row] = {}
+    pursuit = pursuit_of(view)
+    if pursuit is not None and view.sky is not None:  # also where the filter of the list leaves it out
+        aim = pursuit.plan.aim
+        same = (row for row in view.sky.rows if row.norad_id == aim.norad_id and (row.norad_id or row.name == aim.name))
+        for row in same:
+            found.setdefault((row.norad_id, row.name), row)
     for row in sorted(desk.rows(view), key=lambda row: not row.favourite):
         found.setdefault((row.norad_id, row.name), row)
     if chosen is not None:
@@ -73,6 +80,20 @@ def seen_text(row: Row, t_s: float) -> str:
     return f"in view here{since}{until}"
 
 
+def reach_span_text(row: Row, t_s: float) -> str:
+    """Return when the dish can follow a pass: `in reach 15:33-15:37`; empty when that is over or not known."""
+    if row.stays or row.reach is None or t_s > row.los_s:
+        return ""
+    if not row.reach.intervals:
+        return "never in reach"
+    left = [(start, end) for start, end in row.reach.intervals if end > t_s]
+    if not left:
+        return "no longer in reach"
+    start, end = left[0]
+    until = clock_text(end, seconds=False)
+    return f"in reach to {until}" if start <= t_s else f"in reach {clock_text(start, seconds=False)}-{until}"
+
+
 class PassWorld(WorldMapPane):
     """The map with the chosen pass of the page's desk."""
 
@@ -100,10 +121,13 @@ class PassWorld(WorldMapPane):
             self._asked = ask
             self._waits = cast(Host, self.app).sky.look_down(ask, lambda world: self.post_message(self.Seen(world)))
 
-    def seen(self) -> str:
-        """Return until when the chosen pass is in view from here, or when it is."""
+    def seen(self) -> tuple[str, ...]:
+        """Return when the dish can follow the chosen pass, and when it is in view from here."""
         row = None if self.view is None else self._desk.chosen(self.view)
-        return "" if row is None or self.view is None else seen_text(row, self._desk.time(self.view))
+        if row is None or self.view is None:
+            return ()
+        t_s = self._desk.time(self.view)
+        return reach_span_text(row, t_s), seen_text(row, t_s)
 
     def on_pass_world_seen(self, event: Seen) -> None:
         """Draw the answer; ask again if another moment is shown meanwhile."""

@@ -20,6 +20,8 @@ DETAIL = 26
 UP = "up now"
 EMPTY = "Searching …"
 HEADINGS = "name", "number · elements", "next event"
+BRIEF = 16
+"""The same without time in reach: what a person chooses by, where a number and an age have no room."""
 PASS = 30
 """Columns of the next pass: its event, countdown, maximum and time in reach."""
 
@@ -52,8 +54,11 @@ def candidates(view: View) -> list[Candidate]:
     ]  # fmt: skip
 
 
-def next_passes(view: View, wanted: set[str]) -> dict[str, str]:
-    """Return what comes next of each of these satellites that passes: `reach   02:58   71°    7m28`."""
+def next_passes(view: View, wanted: set[str], *, brief: bool = False) -> dict[str, str]:
+    """Return what comes next of each of these satellites that passes: `reach   02:58   71°    7m28`.
+
+    `brief`: as `reach 02:58  71°`.
+    """
     found: dict[str, str] = {}
     now_s = view.utc.timestamp()
     for row in () if view.sky is None else view.sky.rows:
@@ -61,7 +66,8 @@ def next_passes(view: View, wanted: set[str]) -> dict[str, str]:
         event = row.next_event(now_s) if text in wanted and text not in found else None
         if event is not None:
             count = count_text(event[0] - now_s)
-            found[text] = f"{event[1]:<6}{count:>7} {row.max_el_deg:>4.0f}°{reach_text(row):>8}"
+            told = f"{event[1]:<6}{count:>7} {row.max_el_deg:>4.0f}°{reach_text(row):>8}"
+            found[text] = f"{event[1]:<5}{count:>6}{row.max_el_deg:>4.0f}°" if brief else told
     return found
 
 
@@ -120,7 +126,12 @@ class FoundList(Pane):
         aside = 4 + width + details + 3
         passes = next_passes(view, {row.text for row in shown}) if aside + PASS <= cells.width else {}
         cells.put(3, above - 1, HEADINGS[0], "dim")
-        if not any(row.detail.startswith(UP) for row in shown):
+        least = cells.width - 5 - width
+        narrow = any(cell_len(row.detail) > least for row in shown)
+        brief = next_passes(view, {row.text for row in shown}, brief=True) if narrow and least >= BRIEF else {}
+        if brief:
+            cells.put(4 + width, above - 1, f"{HEADINGS[2]:<11}{'max':>5}", "dim")
+        elif not any(row.detail.startswith(UP) for row in shown):
             cells.put(4 + width, above - 1, cut(HEADINGS[1], max(cells.width - 5 - width, 0)), "dim")
         if passes:
             cells.put(aside, above - 1, f"{HEADINGS[2]:<14}{'max':>5}{'reach':>8}", "dim")
@@ -131,7 +142,8 @@ class FoundList(Pane):
                 cells.put(0, y, " " * cells.width, ink)
             cells.put(0, y, f"{'▶' if here else ' '}{'★' if row.favourite else ' '} ", ink if here else "target")
             cells.put(3, y, fit(row.name, width), ink)
-            cells.put(4 + width, y, cut(row.detail, max(cells.width - 5 - width, 0)), ink if here else "dim")
+            detail = row.detail.rpartition(" · ")[2] if cell_len(row.detail) > least else row.detail
+            cells.put(4 + width, y, cut(brief.get(row.text, detail), max(least, 0)), ink if here else "dim")
             if row.text in passes:
                 cells.put(aside, y, passes[row.text], ink if here else "dim")
 
