@@ -95,6 +95,7 @@ def values_of_schedule(rows: Sequence[Scheduled], begin: datetime, hours: float)
                 "norad_id": row.norad_id,
                 "reach_start": iso(row.reach_start),
                 "reach_end": iso(row.reach_end),
+                "reach_s": round(row.reach_s, 1),
                 "max_reach_elevation_deg": round(row.max_reach_elevation_deg, 3),
                 "priority": row.priority,
                 "kept": row.kept,
