@@ -181,6 +181,7 @@ class TestSearch:
 class TestHome:
     def test_is_a_fact_of_the_dish_and_of_no_file(self, house):
         house.setup.clear()
+        assert any("end stops, up to 30 s. Keep" in words for words in house.view("home").words), "as its question says"
         house.choose("home", "home")
         assert house.marks()["home"] == "done"
         assert house.file().setup.home is None

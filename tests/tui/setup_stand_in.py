@@ -21,7 +21,7 @@ STEPS = (
     StepView(3, "search", "TV search off", DONE, "off: NVS 20 TRUE, saved (was FALSE; backup nvs-1158.txt)",
              ("The dish's own TV search moves it.",), page="console"),
     StepView(4, "home", "Home", TODO, "not homed: its position is unknown",
-             ("Turns through its whole range, runs into its end stops, ~20 s. Keep its swing clear.",
+             ("Turns through its whole range, runs into its end stops, up to 30 s. Keep its swing clear.",
               "Homing can't be stopped: keep a hand on the 12 V switch."),
              (Choice("home", "enter", "Area is clear: home", moves=True),), page="control"),
     StepView(5, "feed", "Feed", TODO, "",

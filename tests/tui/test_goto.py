@@ -18,6 +18,7 @@ from birdcage_tui.goto import GotoLine, foretell
 from birdcage_tui.goto_target import aim_of
 from birdcage_tui.goto_text import Aim, resolve
 from birdcage_tui.settings import AppSettings
+from birdcage_tui.unready import NO_LOCATION
 from birdcage_tui.view import View
 from stage import run
 from textual.widgets import Input
@@ -152,6 +153,7 @@ def view_of(state_of=stand_in.at_rest, **changes):
 def test_while_typing_it_says_where_how_far_and_how_long(typed, words):
     ink, said = foretell(typed, view_of())
     assert ink == "text"
+    assert said.startswith("Enter: "), "no sign that reads as a failure"
     for word in words:
         assert word in said, said
 
@@ -223,7 +225,7 @@ def test_both_ways_round_are_told_while_the_turn_of_the_cable_is_unknown():
     said = foretell("10 40", of_unknown_turn())[1]
     assert "179.16° CCW or 180.84° CW" in said
     assert re.search(r"up to [\d.]+ s$", said)
-    assert len(said) <= 80
+    assert len(textwrap.wrap(said, 78)) <= 2
     assert "5.00° counterclockwise" in foretell("-5", of_unknown_turn())[1], "no turn of the cable makes that another"
 
 
@@ -310,3 +312,12 @@ def test_a_slot_is_foretold_with_its_skew():
     ink, words = foretell("28.2E", replace(view_of(), track=track_stand_in.desk(None, located=located)))
     assert (ink, words.rpartition("   ")[2]) == ("text", skew)
     assert len(textwrap.wrap(words, 78)) <= 2, "the preview has two rows"
+
+
+@pytest.mark.parametrize(
+    ("state_of", "says"), [(stand_in.at_rest, "Esc, then L, sets it."), (stand_in.slewing, "Tab, Enter, then L, sets")]
+)
+def test_without_a_location_the_keys_named_work_in_the_line(state_of, says):
+    located = Located("moon", "", False, None, None, problem=NO_LOCATION)
+    view = replace(view_of(state_of), track=track_stand_in.desk(None, located=located))
+    assert foretell("moon", view)[1].startswith(f"▲ No location set. {says}")

@@ -12,11 +12,11 @@ from textual.widgets import Input
 
 LINE = {
     "moon": ("▲", "Moon is", "below the horizon. It rises at"),
-    "polaris": ("✕", "Polaris: az 0.", "el 38."),
-    "dish 119": ("✕", "119°W EchoStar 14: az 214.35° SW, el 38.7"),
+    "polaris": ("Enter:", "Polaris: az 0.", "el 38."),
+    "dish 119": ("Enter:", "119°W EchoStar 14: az 214.35° SW, el 38.7"),
     "E28.2": ("▲", "28.2°E Astra 28 is", "never rises here."),
     "28.2 east": ("▲", "never rises here."),
-    "w110": ("✕", "110°W EchoStar 10: az 20"),
+    "w110": ("Enter:", "110°W EchoStar 10: az 20"),
     "E 40": ("▲", "type az 90 el 40, or 40E."),
     "ao-7": ("▲", "AO-7 (7530) is not among your 7 satellites. `birdcage elements update`"),
     "noaa 18": ("▲", "silent since 2025-06-06"),
@@ -27,7 +27,7 @@ LINE = {
     "noaa": ("▲", "'noaa' fits several: NOAA 20 (JPSS-1) (43013), NOAA 19 (33591, silent since 2025-08-13)"),
     "polairs": ("▲", "No target is called 'polairs'. Did you mean Polaris?"),
     "cas a": ("Cas A",),
-    "180,45": ("✕", "az 180.00° S, el 45.00°"),
+    "180,45": ("Enter:", "az 180.00° S, el 45.00°"),
     "180": ("▲", "Type two numbers, 180 45; or az=180"),
 }
 

@@ -63,3 +63,15 @@ def test_it_stands_in_our_frame_under_row_1(size):
     assert "STOP" in rows[0]
     assert any("╭─ All commands ─" in row for row in rows)
     assert "🔎" not in text
+
+
+@pytest.mark.parametrize(("typed", "says"), [((), "Backspace closes"), (("p",), "Backspace closes if empty")])
+def test_while_the_dish_moves_it_says_what_backspace_does_with_what_is_typed(typed, says):
+    async def body(app, pilot):
+        await pilot.press("colon", *typed)
+        app.paint()
+        await pilot.pause()
+        return text_of(app)
+
+    text = run(body, "slewing", size=(80, 24))
+    assert f"Enter runs it, {says}, Esc or Ctrl+C stops the dish" in text

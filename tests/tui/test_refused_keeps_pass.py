@@ -78,3 +78,12 @@ def test_at_rest_too_what_was_typed_stays_with_the_reason():
     is_open, text, asked = run(type_it)
     assert (is_open, asked) == (True, [])
     assert "Elevation 95.00° is 30.00° above the limit" in text
+
+
+def test_the_line_says_which_pass_enter_ends(tmp_path):
+    async def type_it(house):
+        await follow(house)
+        await house.press("g")
+        return await house.type("180 40")
+
+    assert "Enter ends NOAA 20 (JPSS-1): az 180.00° S, el 40.00°" in play(tmp_path, type_it, (120, 36))

@@ -15,7 +15,7 @@ def test_looking_ahead_shows_what_a_step_will_ask_and_changes_nothing(size):
         text = stand_in.text_of(app)
         for words in ("Stock LNB", "L-band helix", "Another feed", "stow allowed"):
             assert words in text, words
-        assert "Just looking: step 4, Home, stays the present one." in " ".join(text.replace("│", " ").split())
+        assert "Preview. Current step: 4 Home. Esc goes back." in " ".join(text.replace("│", " ").split())
         assert "Enter  Go to this step" in text
         assert "Enter  Stock LNB" not in text, "a key that does nothing yet is not named"
         assert all(box.disabled for box in app.page.query(Input))
@@ -69,3 +69,16 @@ def test_what_was_typed_is_there_again_after_looking_at_another_step_until_it_is
         assert held() == "", "it was sent"
 
     run(look, "level")
+
+
+def test_while_the_dish_moves_b_leads_back_to_the_current_step_and_esc_is_said_to_stop():
+    async def look(app, pilot, engine):
+        await press(app, pilot, "down", "down")
+        text = " ".join(stand_in.text_of(app).replace("│", " ").split())
+        await press(app, pilot, "b")
+        return text, app.page.step.name, engine.asked
+
+    text, step, asked = run(look, state="slewing", size=(120, 36))
+    assert "Preview. Current step: 4 Home. b goes back. Esc stops the dish." in text
+    assert "Esc goes back" not in text
+    assert (step, asked) == ("home", [])

@@ -24,7 +24,12 @@ from birdcage_tui.goto_text import EXAMPLES
 from birdcage_tui.host import Host
 from birdcage_tui.pane import Pane
 from birdcage_tui.skew import has_skew
+from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.unready import NO_LOCATION
 from birdcage_tui.view import YOU, View
+
+ROWS = 2
+"""Of what Enter would do."""
 
 
 def held_back(view: View) -> str | None:
@@ -36,32 +41,48 @@ def held_back(view: View) -> str | None:
     return reason.replace(". Enter ", f". {first} this line, then Enter ")
 
 
-def foretell(text: str, view: View) -> tuple[str, str]:
-    """Return the ink and the words for what Enter would do with `text`."""
+def _enter(words: str, view: View, width: int) -> str:
+    """Return what Enter would do; where there is room in two rows, also which pass it ends."""
+    pursuit = pursuit_of(view)
+    if pursuit is not None and view.state.holder == pursuit.holder:
+        ends = f"Enter ends {pursuit.plan.aim.name}: {words}"
+        if len(wrap(ends, width)) <= ROWS:
+            return ends
+    return f"Enter: {words}"
+
+
+def _outside(reason: str, view: View) -> str:
+    """Return a reason with what sets the location from inside the line, where a letter is only typed."""
+    first = "Tab, Enter, then L," if view.may_move else "Esc, then L,"
+    return reason.replace(NO_LOCATION, NO_LOCATION.replace("L sets", f"{first} sets"))
+
+
+def foretell(text: str, view: View, width: int = 78) -> tuple[str, str]:
+    """Return the ink and the words for what Enter would do with `text`, for rows of `width` columns."""
     if not text.strip():
         more = " skew 45 turns the feed." if has_skew(view) else ""
         return "dim", f"Type {EXAMPLES}. A sign adds to the last target.{more}"
     if is_skew(text):
-        return _foretell_skew(text, view)
+        return _foretell_skew(text, view, width)
     try:
         aim = aim_of(text, view)
     except StillLooking as wait:
         return "dim", str(wait)
     except ValueError as wrong:
-        return "warn", f"▲ {wrong}"
+        return "warn", f"▲ {_outside(str(wrong), view)}"
     reason = held_back(view) or refusal_of(Goto(aim.az_deg, aim.el_deg, YOU), view.state)
     if reason is not None:
         return "warn", f"▲ Refused: {reason}"
-    return "text", f"✕ {way_words(view, aim)}{f'   {aim.skew}' if aim.skew else ''}"
+    return "text", _enter(f"{way_words(view, aim)}{f'   {aim.skew}' if aim.skew else ''}", view, width)
 
 
-def _foretell_skew(text: str, view: View) -> tuple[str, str]:
+def _foretell_skew(text: str, view: View, width: int) -> tuple[str, str]:
     try:
         words, deg = skew_way(text, view), skew_of(text, view)
     except ValueError as wrong:
         return "warn", f"▲ {wrong}"
     reason = held_back(view) or refusal_of(TurnSkew(deg, YOU), view.state)
-    return ("text", f"✕ {words}") if reason is None else ("warn", f"▲ Refused: {reason}")
+    return ("text", _enter(words, view, width)) if reason is None else ("warn", f"▲ Refused: {reason}")
 
 
 class GotoPreview(Pane):
@@ -75,8 +96,9 @@ class GotoPreview(Pane):
 
     def draw(self, cells: Cells, view: View) -> None:
         """Write the words."""
-        ink, words = foretell(self.text, view)
-        rows = wrap(words, max(cells.width - 2, 10), most=cells.height)
+        width = max(cells.width - 2, 10)
+        ink, words = foretell(self.text, view, width)
+        rows = wrap(words, width, most=cells.height)
         for y, row in enumerate(rows):
             cells.put(1, y, row, {"text": "bar", "dim": "bar-dim", "warn": "bar-warn"}[ink])
 

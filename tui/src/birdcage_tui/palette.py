@@ -17,6 +17,7 @@ from birdcage_tui.commands import COMMANDS, PAGES, Command, in_force
 from birdcage_tui.dialogs import Dialog
 from birdcage_tui.host import Host
 from birdcage_tui.status import TopRow
+from birdcage_tui.view import View
 
 KEY_WIDTH = 8
 """Columns of a key, right-aligned."""
@@ -34,7 +35,7 @@ class Palette(CommandPalette, Dialog[None]):
 
     ID = "--command-palette"
     """Textual looks for it, to open no second one."""
-    KEYS, OTHER = "Enter runs it", "Backspace closes"
+    KEYS = "Enter runs it"
 
     def __init__(self) -> None:
         super().__init__(placeholder="Type part of a command", id=self.ID)
@@ -48,6 +49,12 @@ class Palette(CommandPalette, Dialog[None]):
         """Name the frame; fill row 1, and let the footer know that one types, once the field has the focus."""
         self.query_one(Vertical).border_title = "All commands"
         self.call_after_refresh(cast(Host, self.app).paint)
+
+    def show(self, view: View) -> None:
+        """Say what Backspace does with what is typed, while Esc stops the dish."""
+        typed = bool(self.query_one(Input).value)
+        self.OTHER = "Backspace closes if empty" if typed else "Backspace closes"
+        super().show(view)
 
     def on_key(self, event: events.Key) -> None:
         """Close by Backspace where nothing is typed: Esc stops the dish while it moves."""

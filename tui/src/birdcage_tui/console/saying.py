@@ -46,9 +46,13 @@ def prompt_words(view: View, prompt: str) -> str:
 
 def verdict_words(verdict: Verdict) -> str:
     """Return a hazard in words: the grade, and what it does."""
-    word = GRADES[verdict.grade][1]
+    word, does = GRADES[verdict.grade][1], verdict.consequence
+    if verdict.limit:
+        does = does.replace(UNCHECKED, "").rstrip()  # that the limit is told refutes it
+    if verdict.listed and verdict.grade is Grade.MOVES and does.startswith("Moves "):
+        return f"{word} {does.removeprefix('Moves ')}"
     unlisted = "" if verdict.listed else " (not in the table)"
-    return f"{word}{unlisted}: {verdict.consequence}"
+    return f"{word}{unlisted}: {does}"
 
 
 def held_words(line: str, verdict: Verdict, *, may_move: bool) -> str:
@@ -99,7 +103,7 @@ def question_words(verdict: Verdict) -> str:
     """Return what is asked before a line that moves the dish, or that can ruin it."""
     limit = f"\n\n✖ LIMIT: {verdict.limit}" if verdict.limit else ""
     told = verdict_words(verdict)
-    unchecked = "" if UNCHECKED in told else f"\n\n{UNCHECKED}"
+    unchecked = "" if verdict.limit or UNCHECKED in told else f"\n\n{UNCHECKED}"
     return f"{told}{limit}{unchecked}"
 
 

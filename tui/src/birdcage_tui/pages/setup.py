@@ -20,8 +20,9 @@ class SetupPage(SetupBody):
 
     HELP = (
         "Eleven steps. Enter does the usual action, letters do the others. Up and down look at other steps and change "
-        "nothing; Esc goes back to the present one. ▲ marks what moves the dish. The app first asks whether the area "
-        "is clear. The arrows don't move the dish here. o opens the page of a step, where they do; F8 comes back."
+        "nothing; b goes back to the current step, and so does Esc at rest. ▲ marks what moves the dish. The app "
+        "first asks whether the area is clear. The arrows don't move the dish here. o opens the page of a step, where "
+        "they do; F8 comes back."
     )
 
     def do(self, command: str) -> bool:
@@ -93,8 +94,9 @@ class SetupPage(SetupBody):
         self._attempt(leave)
 
     def back(self) -> None:
-        """Go to the step before."""
-        self._attempt(self.engine.back)
+        """Go to the step before; from one that is only looked at, back to the current step."""
+        if self.step.name == self.present:
+            self._attempt(self.engine.back)
         self.follow()
 
     def open_page(self) -> None:

@@ -229,16 +229,17 @@ class SetupBody(SetupLayout):
             wrong=self.wrong,
             whole=kind is not Kind.CAUSES and not step.busy and self.query_one("#setup-steps", StepsPane).cuts(step),
             news=_finished(self.views) if present and self.engine.finished and not step.busy else (),
-            extra=_asides(self.answers(), step, view) if present else (self._only_looking(),),
+            extra=_asides(self.answers(), step, view) if present else (self._only_looking(view),),
             note=self.note,
         )
         extra.kind, extra.causes, extra.chosen, extra.place = kind, self.causes, self.chosen, view.settings.place
         dish = view.state.dish
         extra.firmware = None if dish is None else dish.firmware
 
-    def _only_looking(self) -> str:
+    def _only_looking(self, view: View) -> str:
         step = next(step for step in self.views if step.name == self.present)
-        return f"Just looking: step {step.number}, {step.title}, stays the present one. Esc goes back."
+        key = "b goes back. Esc stops the dish." if view.may_move else "Esc goes back."
+        return f"Preview. Current step: {step.number} {step.title}. {key}"
 
 
 def _finished(views: Sequence[StepView]) -> tuple[str, ...]:

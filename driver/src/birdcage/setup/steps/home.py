@@ -48,7 +48,8 @@ class HomeStep(Step):
         model = self.bench.state.dish
         if model is not None and self._by_itself:
             return (*self._wait(model), *self.trouble())
-        words = ["Turns through its whole range, runs into its end stops, ~20 s. Keep its swing clear."]
+        takes = "" if model is None or model.homing_s is None else f", up to {model.homing_s * 2:.0f} s"
+        words = [f"Turns through its whole range, runs into its end stops{takes}. Keep its swing clear."]
         if model is None or not model.homing_stoppable:
             switch = "power switch" if model is None else model.power_switch
             words.append(f"Homing can't be stopped: keep a hand on the {switch}.")
