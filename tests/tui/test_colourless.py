@@ -85,6 +85,10 @@ def test_keys_that_hold_and_keys_that_do_not_look_different(theme):
     assert style_of(lost, " g ").dim
     assert style_of(lost, " H ").dim
     assert not style_of(lost, " H ").bold
+    fault = rows("fault", theme=theme)
+    lit = [text for text, style in fault[-1] if " H " in text and style.bold]
+    assert lit == [], "refused until the fault is acknowledged"
+    assert any("FAULT, at rest" in "".join(text for text, _ in row) for row in fault)
     assert style_of(idle, " H ").bold
     assert not style_of(idle, " H ").dim
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 from datetime import timedelta
 
 import pytest
+import stage
 import stand_in
 import track_stage
 from birdcage.base.clock import VirtualClock
@@ -142,3 +143,12 @@ def test_the_demos_satellite_is_heard_through_the_beam_that_follows_it():
     assert radio.downlink_hz == 12.21e9
     assert radio.tuned_hz == pytest.approx(12.21e9 - 11.25e9, abs=300e3)
     assert radio.doppler_hz
+
+
+def test_the_curve_of_a_dish_that_does_not_answer_is_dim():
+    async def curve(app, _pilot):
+        return {ink for row in app.query_one(SignalPane)._cells._inks for ink in row}
+
+    found = stage.run_each(curve, ("idle", "lost"))
+    assert "accent" in found["idle"]
+    assert not {"accent", "strong"} & found["lost"]

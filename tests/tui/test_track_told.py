@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import pytest
 import stand_in
-from birdcage.station.events import PursuitChanged
+from birdcage.station.events import End, MoveEnded, PursuitChanged
 from birdcage.station.pursuit import Phase
 from birdcage.station.requests import AcquireLease, Jog, ReleaseLease
 from textual.widgets import Input
@@ -321,3 +322,63 @@ def test_what_is_shown_beside_what_is_followed_is_only_watched():
     assert "f and Enter follow METEOR-M2 4 instead." in text
     assert "● w Watch" in text
     assert "○ f Follow" in text
+
+
+def test_manual_shows_where_the_target_is_and_not_where_the_motors_would_stop():
+    async def numbers(app, pilot, _desk):
+        state = app.station.state
+        target = state.pursuit.sample
+        app.station.state = replace(
+            state, target_az_deg=target.target_az_deg + 5.0, target_el_deg=target.target_el_deg + 5.0
+        )
+        app.paint()
+        await pilot.pause()
+        return stand_in.text_of(app), target
+
+    for size in SIZES[:2]:
+        text, target = run(numbers, size=size, keys=("f2",))
+        shown = re.search(r"target +az +([\d.]+)° *el +([\d.]+)°|target +([\d.]+)° +([\d.]+)°", text)
+        assert shown is not None, text
+        az_deg, el_deg = (float(each) for each in shown.groups() if each)
+        assert abs(az_deg - target.target_az_deg) < 0.006
+        assert abs(el_deg - target.target_el_deg) < 0.006
+        assert not re.search(r"✕ [45]\.\d|target [45]\.\d\d°", text), "the scales"
+
+
+def test_manual_has_the_whole_error_or_none_at_80x24():
+    text = run(read, size=SIZES[0], keys=("f2",))
+    assert re.search(r"METEOR-M2 4 +err ±?0\.\d\d°", text), text
+
+
+@pytest.mark.parametrize("keys", [("f1",), ("f2",)])
+def test_what_a_pursuit_arrived_at_on_its_way_is_not_told_as_the_result_of_a_command(keys):
+    async def arrive(app, pilot, _desk):
+        clock, told = app.session.clock, []
+        for phase in (Phase.FOLLOWING, Phase.YIELDED):
+            state = app.station.state
+            app.station.state = replace(state, pursuit=replace(state.pursuit, phase=phase))
+            for listener in app.station.listeners:
+                listener(MoveEnded(clock.monotonic(), clock.utc(), End.ARRIVED, "arrived", state.position))
+            await pilot.pause()
+            app.paint()
+            await pilot.pause()
+            told.append("Arrived at" in stand_in.text_of(app))
+        return told
+
+    assert run(arrive, keys=keys) == [False, True]
+
+
+def test_row_two_forgets_what_was_told_before_the_dish_began_to_follow():
+    async def tell(app, pilot, _desk):
+        clock, state = app.session.clock, app.station.state
+        app.note("Arrived at 126.98°/41.86°.")
+        clock.advance(0.5)
+        told = []
+        for since in (clock.monotonic() - 1.0, clock.monotonic() - 0.1):
+            app.station.state = replace(state, pursuit=replace(state.pursuit, since=since))
+            app.paint()
+            await pilot.pause()
+            told.append("Arrived at" in stand_in.text_of(app).splitlines()[1])
+        return told
+
+    assert run(tell, keys=("f1",)) == [True, False]

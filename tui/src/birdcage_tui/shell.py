@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from birdcage.base.errors import BirdcageError
-from birdcage.station.events import End, Event, MoveEnded
+from birdcage.station.events import Event, MoveEnded
 from birdcage.station.requests import Unwatch, Watch
 from textual import events, on
 from textual.app import ComposeResult
@@ -49,6 +49,7 @@ from birdcage_tui.status import BadDayRow, TopRow
 from birdcage_tui.stopping import focused_widget, is_stop_key, stop_first
 from birdcage_tui.surface import Surface
 from birdcage_tui.tour import Tour
+from birdcage_tui.track.pursuing import says_nothing_new
 from birdcage_tui.track_feed import TrackFeed
 from birdcage_tui.view import YOU, View
 from birdcage_tui.words import ended_text
@@ -268,7 +269,7 @@ class Shell(Surface):
     def _hear(self, message: StationEvent) -> None:
         event = message.event
         self.signals.hear(event, self.station.state)
-        if isinstance(event, MoveEnded) and event.end is not End.SUPERSEDED:  # the newer one ends, too
+        if isinstance(event, MoveEnded) and not says_nothing_new(event, self.station.state):
             self.note(ended_text(event))
         self.track.hear(event)
         self._news()

@@ -9,7 +9,7 @@ from birdcage.station.state import Activity, Link, Search
 
 from birdcage_tui.commands.resume import KEY
 from birdcage_tui.stop_words import awaited_words, power_switch, searching, stop_text
-from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.track.pursuing import pursuit_of, told_before_following
 from birdcage_tui.track.resume import resume_words
 from birdcage_tui.track.words import PHASE, headline, live_words, plain_name, trouble
 from birdcage_tui.unready import worst
@@ -97,6 +97,8 @@ def motion_text(view: View) -> str:
     if view.crash:
         return "UNKNOWN: birdcage has failed"
     if state.activity is Activity.IDLE:
+        if state.fault is not None and state.motion is None:
+            return "FAULT, at rest"
         rests = "IDLE, at rest" if state.position is not None else "IDLE, position unknown"
         return rests if state.motion is None else "MOVING"
     if state.activity is Activity.UNKNOWN:
@@ -219,7 +221,8 @@ def calm(view: View, *, brief: bool = False) -> str:
         # A simulated dish has a long tail of options, which says nothing here.
         detail = detail.replace(view.state.port, view.state.port.split("?")[0])
         return f"{detail[:1].upper()}{detail[1:]} …"
-    told = "" if "control" in view.scopes else view.note  # the page's own last row tells it there
+    # The page's own last row tells it there.
+    told = "" if "control" in view.scopes or told_before_following(view) else view.note
     unreached = view.state.warnings.get("outside", "")
     said = view.state.held_trouble or told or view.settings.notice or (f"▲ {unreached}" if unreached else "")
     return said or _standing(view, brief=brief)

@@ -39,6 +39,8 @@ def can_move(view: View) -> str | None:
 def can_home(view: View) -> str | None:
     """Return why the dish cannot be homed now."""
     state = view.state
+    if state.fault is not None:
+        return "A fault waits. Enter acknowledges it."
     if not view.link_up:
         return "The dish does not answer."
     if state.dish is not None and state.dish.homing_s is None:

@@ -14,6 +14,7 @@ from birdcage_tui.control.tape import ROWS, draw_tape
 from birdcage_tui.host import Host
 from birdcage_tui.pane import Pane
 from birdcage_tui.terminal_cells import ASPECT
+from birdcage_tui.track.pursuing import aimed_at
 from birdcage_tui.view import View
 
 UNDER_DEG = 3.0
@@ -101,7 +102,8 @@ class ElevationPane(Pane):
     def draw(self, cells: Cells, view: View) -> None:
         """Draw the quarter, what limits it, the needle and the target."""
         quarter, state = self._quarter(cells.width, cells.height, view), view.state
-        position, target = state.position, state.target_el_deg
+        aimed = aimed_at(view)
+        position, target = state.position, None if aimed is None else aimed[1]
         canvas = self._ground(quarter, view).copy()
         self._horizon(canvas, quarter, view)
         if view.aim is not None:

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from birdcage.station.pursuit import Phase
-
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import cut, wrap
 from birdcage_tui.commands.table import can_move
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.sky_next import HEADING, draw_next, next_rows
 from birdcage_tui.stop_words import esc_text
-from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.track.pursuing import pursuit_of, told_before_following
 from birdcage_tui.view import Told, View
 
 TIME = 11
@@ -24,21 +22,13 @@ class LastLine(Pane):
 
     def draw(self, cells: Cells, view: View) -> None:
         """Write it; the time gives way to a long sentence."""
-        if view.note and view.told and not _outdated(view):
+        if view.note and view.told and not told_before_following(view):
             last, x = view.told[-1], 1
             if len(last.words) + TIME + 2 <= cells.width:
                 x = cells.put(1, 0, f"{last.utc:%H:%M:%S}Z", "dim") + 2
             cells.put(x, 0, cut(last.words, cells.width - x - 1), "text")
         else:
             cells.put(1, 0, cut(can_move(view) or _hint(view), cells.width - 2), "dim")
-
-
-def _outdated(view: View) -> bool:
-    """Return whether the dish follows a target, and has begun to after the last command was told of."""
-    pursuit = pursuit_of(view)
-    if pursuit is None or pursuit.phase is not Phase.FOLLOWING:
-        return False
-    return (view.utc - view.told[-1].utc).total_seconds() > view.now - pursuit.since
 
 
 def _hint(view: View) -> str:

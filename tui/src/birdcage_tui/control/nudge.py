@@ -11,6 +11,7 @@ from birdcage_tui.canvas import Cells
 from birdcage_tui.digits import angle_text
 from birdcage_tui.host import Host
 from birdcage_tui.pane import Pane
+from birdcage_tui.track.pursuing import aimed_at
 from birdcage_tui.view import YOU, View
 
 STEPS = ((10.0, 0.0), (1.0, 0.0), (0.1, 0.0), (0.01, 0.0), (0.0, 10.0), (0.0, 1.0), (0.0, 0.1), (0.0, 0.01))
@@ -43,11 +44,9 @@ class DigitsPane(Pane, can_focus=True):
 
     def draw(self, cells: Cells, view: View) -> None:
         """Write the target, or while there is none the position; the cursor's digit is reversed while it has focus."""
-        state, position = view.state, view.state.position
-        az, el = state.target_az_deg, state.target_el_deg
-        aimed = az is not None and el is not None
-        if not aimed and position is not None:
-            az, el = position.az_deg, position.el_deg
+        aimed, position = aimed_at(view), view.state.position
+        here = None if position is None else (position.az_deg, position.el_deg)
+        az, el = aimed or here or (None, None)
         wide = cells.width >= 36
         left, x_az, x_el = (1, 12, 25) if wide else (0, 7, 17)
         cells.put(left, 1, "target" if aimed else "now", "target" if aimed else "dim")
@@ -58,10 +57,10 @@ class DigitsPane(Pane, can_focus=True):
             cells.put(cells.put(x, 1, number, "strong"), 1, "°", "dim")
         self._columns = tuple((x_az if index < 4 else x_el) + at for index, at in enumerate(AT))
         for index, x in enumerate(self._columns):
-            here = index == self.cursor and self.has_focus
-            cells.put(x, 0, "▲", "accent-strong" if here else "dim")
-            cells.put(x, 2, "▼", "accent-strong" if here else "dim")
-            if here:
+            marked = index == self.cursor and self.has_focus
+            cells.put(x, 0, "▲", "accent-strong" if marked else "dim")
+            cells.put(x, 2, "▼", "accent-strong" if marked else "dim")
+            if marked:
                 cells.put(x, 1, numbers[index // 4][AT[index]], "accent-row")
 
     def do(self, command: str) -> bool:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import wrap
+from birdcage_tui.cell_text import cell_len, cut, pad, wrap
 from birdcage_tui.digits import angle_text, put_big, width_of
 from birdcage_tui.goto_text import wind_of
 from birdcage_tui.pane import Pane
 from birdcage_tui.stop_words import stop_text
+from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.track.words import headline, live_words, plain_name
 from birdcage_tui.view import View
 from birdcage_tui.words import age_text, motion_text
 
@@ -83,6 +85,15 @@ class ReadoutPane(Pane):
         """Write what it does in one row, and what stops it in those that are left."""
         left = 0 if cells.width < 30 else 1
         ink = "dim" if view.waiting else "warn" if not view.link_up else "accent-strong" if view.moving else "text"
-        cells.put(left, y, motion_text(view)[: cells.width - left], ink)
+        pursuit = pursuit_of(view)
+        words, room, error = motion_text(view), cells.width - left, live_words(view)
+        if error and words.endswith(error) and cell_len(words) > room:  # the name gives way, never the number
+            error = live_words(view, brief=True)
+            name = headline(view, brief=True) or ""
+            if cell_len(name) + 1 + len(error) > room and pursuit is not None:
+                name = plain_name(pursuit.plan.aim.name)  # that it follows stands in row 1
+            name = cut(name, room - len(error) - 1)
+            words = f"{pad(name, room - len(error))}{error}"
+        cells.put(left, y, cut(words, room), ink)
         for row, words in enumerate(wrap(stop_text(view), cells.width - left), y + 1):
             cells.put(left, row, words, "text" if view.moving else "dim")

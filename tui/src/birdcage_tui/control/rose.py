@@ -19,6 +19,7 @@ from birdcage_tui.control.unknown import why_unknown
 from birdcage_tui.host import Host
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.sky_ground import STOP_SIGN
+from birdcage_tui.track.pursuing import aimed_at
 from birdcage_tui.view import View
 
 STOP_WEDGE_DEG = 7.0
@@ -48,7 +49,7 @@ class RosePane(Pane, can_focus=True):
     def draw(self, cells: Cells, view: View) -> None:
         """Draw the dial, kept between frames, then what changes, then the scale."""
         compass, state = self._compass(cells.width, cells.height, view), view.state
-        position = state.position
+        position, target = state.position, aimed_at(view)
         canvas = self._dial(compass, view).copy()
         self._travel(canvas, compass, view)
         if position is not None:
@@ -67,7 +68,7 @@ class RosePane(Pane, can_focus=True):
         self._words(cells, compass, view)
         draw_tape(
             cells, cells.height - ROWS, None if position is None else position.az_deg,
-            ink="dim" if view.stale else "accent-strong", target_deg=state.target_az_deg, fold=wrap_360,
+            ink="dim" if view.stale else "accent-strong", target_deg=target and target[0], fold=wrap_360,
         )  # fmt: skip
 
     def _dial(self, compass: Compass, view: View) -> Braille:
@@ -95,11 +96,9 @@ class RosePane(Pane, can_focus=True):
         state = view.state
         if view.aim is not None:
             canvas.line(*compass.dot(view.aim[0], 0.3), *compass.dot(view.aim[0], 0.93), "text", 5)
-        here = state.position
-        if state.target_az_deg is not None and (
-            here is None or abs(shortest_turn(here.az_deg, state.target_az_deg)) > UNDER_DEG
-        ):
-            canvas.line(*compass.dot(state.target_az_deg, 0.3), *compass.dot(state.target_az_deg, 0.93), "target", 3)
+        here, target = state.position, aimed_at(view)
+        if target is not None and (here is None or abs(shortest_turn(here.az_deg, target[0])) > UNDER_DEG):
+            canvas.line(*compass.dot(target[0], 0.3), *compass.dot(target[0], 0.93), "target", 3)
         motion = state.motion
         if motion is not None and motion.az_way_deg is not None and view.link_up:
             way = motion.az_way_deg
@@ -158,11 +157,11 @@ class RosePane(Pane, can_focus=True):
 
     @staticmethod
     def _marks(cells: Cells, compass: Compass, view: View) -> None:
-        state = view.state
+        state, target = view.state, aimed_at(view)
         if state.motion is not None and state.motion.to_skew_deg is None and view.link_up:
             cells.put(*compass.cell(state.motion.to_az_deg, 0.9), "+", "accent-strong")
-        if state.target_az_deg is not None:
-            cells.put(*compass.cell(state.target_az_deg), "✕", "target-strong")
+        if target is not None:
+            cells.put(*compass.cell(target[0]), "✕", "target-strong")
         if view.aim is not None:
             cells.put(*compass.cell(view.aim[0]), "×", "strong")
         if state.position is not None:

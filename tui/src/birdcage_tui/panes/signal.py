@@ -47,7 +47,7 @@ class SignalPane(Pane):
         """Write reading, peak and where that was heard; at the right who hears, or how long ago that was."""
         last, unit = view.signal[-1], view.heard.unit
         age_s = view.now - last.at
-        old = age_s > STALE_S or (view.heard.by == TUNER and not view.link_up)
+        old = _is_old(view)
         by = f"{age_text(age_s)} old" if old else view.heard.by
         x = cells.put(1, 0, f"{_text(last.value, unit):>5}", "dim" if old else "strong")
         x = cells.put(x, 0, f" {unit}", "dim")
@@ -75,7 +75,7 @@ class SignalPane(Pane):
         low, high = low - spare / 2, high + spare / 2
         if view.heard.unit == "counts":
             low = max(0.0, low)
-        canvas = Braille(width, height)
+        canvas, ink = Braille(width, height), "dim" if _is_old(view) else "accent"
         dots = height * 4 - 1
 
         def at(sample: Sample) -> tuple[float, float]:
@@ -88,8 +88,8 @@ class SignalPane(Pane):
         canvas.line(0, top, width * 2 - 1, top, "line", every=4)
         for one, other in itertools.pairwise(shown):
             if other.at - one.at <= 5 * STALE_S:  # a longer silence is a gap, not a slope
-                canvas.line(*at(one), *at(other), "accent")
-        canvas.dot(*at(shown[-1]), "accent")
+                canvas.line(*at(one), *at(other), ink)
+        canvas.dot(*at(shown[-1]), ink)
         if axis:
             cells.put(1, 1, f"{high:5.0f}", "dim")
             cells.put(1, height, f"{low:5.0f}", "dim")
@@ -106,6 +106,11 @@ class SignalPane(Pane):
             words = ("Nothing heard yet.", "The tuner is read while the dish rests.")
         for row, line in enumerate(wrap(" ".join(words), max(cells.width - 2, 10))):
             cells.put(1, row, line, "dim")
+
+
+def _is_old(view: View) -> bool:
+    """Return whether the last reading is of before: long ago, or of a tuner that cannot be asked now."""
+    return view.now - view.signal[-1].at > STALE_S or (view.heard.by == TUNER and not view.link_up)
 
 
 def _text(value: float, unit: str) -> str:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from birdcage.station.events import End, MoveEnded
 from birdcage.station.pursuit import Phase, Pursuit, Sample
 
 from birdcage_tui.view import STALE_S, View
 
 if TYPE_CHECKING:
     from birdcage.base.beam import Beam
+    from birdcage.station.state import StationState
     from birdcage.tracking.plan import Incident, Plan
 
 STEERED = frozenset({Phase.FOLLOWING, Phase.REWINDING, Phase.READY, Phase.PREPOSITIONING, Phase.PARKING})
@@ -75,6 +77,37 @@ def target_place(view: View) -> tuple[float, float] | None:
     if plan is not None or view.track is None or view.track.look is None:
         return None
     return view.track.look.az_deg, view.track.look.el_deg
+
+
+def aimed_at(view: View) -> tuple[float, float] | None:
+    """Return where the target stands that the dish follows now, true degrees; else where the dish was last sent.
+
+    While it follows, it is sent ahead of the target: where it would come to rest is not the target.
+    """
+    pursuit, state = pursuit_of(view), view.state
+    if pursuit is not None and pursuit.phase is Phase.FOLLOWING:
+        sample = sample_of(view)
+        if sample is not None and view.now - sample.at <= STALE_S:
+            return sample.target_az_deg % 360.0, sample.target_el_deg
+        az_deg, el_deg = pursuit.plan.sky.at(view.utc.timestamp())
+        return az_deg % 360.0, el_deg
+    if state.target_az_deg is None or state.target_el_deg is None:
+        return None
+    return state.target_az_deg, state.target_el_deg
+
+
+def says_nothing_new(event: MoveEnded, state: StationState) -> bool:
+    """Return whether a motion's end is no result of a command: another follows, or a pursuit arrived on its way."""
+    steered = state.pursuit is not None and state.pursuit.phase in STEERED
+    return event.end is End.SUPERSEDED or (event.end is End.ARRIVED and steered)
+
+
+def told_before_following(view: View) -> bool:
+    """Return whether the dish follows a target, and has begun to after the last command was told of."""
+    pursuit = pursuit_of(view)
+    if pursuit is None or pursuit.phase is not Phase.FOLLOWING or not view.told:
+        return False
+    return (view.utc - view.told[-1].utc).total_seconds() > view.now - pursuit.since
 
 
 def next_incident(view: View) -> Incident | None:
