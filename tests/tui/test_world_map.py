@@ -13,12 +13,11 @@ from birdcage.sky.footprint import footprint
 from birdcage.sky.observer import Observer
 from birdcage.sky.terminator import SubSolar
 from birdcage.sky.world import Ground, WorldView
-from birdcage.station.pursuit import Phase
 from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.passes.listing import PassList
-from birdcage_tui.passes.model import InReach, Row
+from birdcage_tui.passes.model import Row
 from birdcage_tui.passes.world_map import WorldMapPane, place_text
-from birdcage_tui.passes.world_map_ask import Ask, PassWorld, reach_span_text, seen_text, world_of
+from birdcage_tui.passes.world_map_ask import Ask, PassWorld, seen_text, world_of
 from birdcage_tui.passes.world_map_chart import Chart, Layers
 from stage import run
 from stand_in import text_of
@@ -381,29 +380,3 @@ def test_the_dish_keeps_its_name_where_the_ring_runs_close_around_it():
     text = "\n".join(rows_of(cells))
     assert "Utrecht" in text
     assert "METEOR" in text.rsplit("\n", 1)[0]
-
-
-def follows(norad_id, name):
-    plan = SimpleNamespace(aim=SimpleNamespace(norad_id=norad_id, name=name))
-    pursuit = SimpleNamespace(plan=plan, phase=Phase.FOLLOWING)
-    return SimpleNamespace(settings=VIEW.settings, pointer="◉", state=SimpleNamespace(pursuit=pursuit))
-
-
-@pytest.mark.parametrize("chosen", [7, 1], ids=["another", "the chosen one"])
-def test_what_the_dish_follows_is_named_as_that_among_many(chosen):
-    crowd = [Ground(f"CROWD {n}", 100 + n, 60.0 - n, 4.0 * n, 800.0, favourite=True) for n in range(40)]
-    world = followed(20.0, 10.0, satellites=(*crowd, Ground("LEO 1 polar", 7, -20.0, -90.0, 800.0)))
-    _, cells = drawn(world, view=follows(chosen, "DEMO LEO 1 polar"))
-    text = "\n".join(rows_of(cells))
-    assert text.count("following ") == 1
-    assert f"following {'LEO 1 polar' if chosen == 7 else 'METEOR'}" in text
-
-
-def test_a_pass_in_view_that_the_dish_cannot_follow_says_so():
-    row = sky_stand_in.rows()[0]
-    spans = ((row.aos_s + 60.0, row.aos_s + 120.0), (row.aos_s + 240.0, row.aos_s + 300.0))
-    told = replace(row, reach=InReach(spans))
-    assert reach_span_text(replace(row, reach=InReach()), row.aos_s) == "never in reach"
-    assert re.fullmatch(r"in reach \d\d:\d\d-\d\d:\d\d", reach_span_text(told, row.aos_s))
-    assert re.fullmatch(r"in reach to \d\d:\d\d", reach_span_text(told, row.aos_s + 90.0))
-    assert reach_span_text(told, row.aos_s + 301.0) == "no longer in reach"
