@@ -107,7 +107,7 @@ def _of_candidate(candidate: Candidate, now: datetime, observer: Observer | None
             return found
         # To the month: a narrow list has no room for more.
         brief = replace(candidate.silence, since=candidate.silence.since[:7]).brief
-        return replace(found, detail=f"{brief} · {candidate.hit.norad_id}")
+        return replace(found, detail=f"{brief} · {candidate.hit.norad_id}", silent=True)
     target, detail = candidate.target, ""
     if isinstance(target, SlotTarget):
         never = observer is not None and target.look(observer, now).el_deg <= 0.0

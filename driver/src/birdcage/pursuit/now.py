@@ -36,8 +36,10 @@ class Found:
     name: str
     kind: str
     detail: str = ""
-    """`25544 · 2 h old`, `geostationary`."""
+    """`25544 · 2 h old`, `geostationary`, `silent since 2025-08 · 33591`."""
     favourite: bool = False
+    silent: bool = False
+    """Whether it is known to send nothing any more."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,16 +23,18 @@ class Day:
     reach: Reach
     limits: tuple[str, ...] = ()
     """What keeps it out of reach, each once, in words: `below the 18° floor`."""
+    horizon_deg: float = 0.0
+    """The elevation in `sky` of what stands on the geometric horizon: so far the air lifts it there."""
 
     @property
     def always_up(self) -> bool:
         """Whether it is above the horizon all day."""
-        return bool(self.sky.el_deg.min() > 0.0)
+        return bool(self.sky.el_deg.min() > self.horizon_deg)
 
     @property
     def never_up(self) -> bool:
         """Whether it is below the horizon all day."""
-        return bool(self.sky.el_deg.max() <= 0.0)
+        return bool(self.sky.el_deg.max() <= self.horizon_deg)
 
     @property
     def always_in_reach(self) -> bool:
@@ -72,10 +74,14 @@ class Day:
 
     def horizon_s(self, at_s: float) -> tuple[str, float] | None:
         """Return `rises` or `sets`, and when, for what comes first after a time; None: neither within the day."""
-        times, up = self.sky.t_s, self.sky.el_deg > 0.0
-        changes = np.flatnonzero(up[1:] != up[:-1]) + 1
-        index = next((each for each in changes.tolist() if times[each] > at_s), None)
-        return None if index is None else ("rises" if up[index] else "sets", float(times[index]))
+        times, above = self.sky.t_s, self.sky.el_deg - self.horizon_deg
+        up = above > 0.0
+        for index in np.flatnonzero(up[1:] != up[:-1]).tolist():
+            first, last = above[index], above[index + 1]
+            crosses_s = float(times[index] + (times[index + 1] - times[index]) * first / (first - last))
+            if crosses_s > at_s:
+                return ("rises" if up[index + 1] else "sets"), crosses_s
+        return None
 
     @property
     def standing(self) -> str:

@@ -62,7 +62,7 @@ def _seconds(state: StationState, az_way: float, el_way: float) -> float | None:
 
 
 def refusal_of(request: Request, state: StationState) -> str | None:
-    """Return why the station would refuse a motion, as far as is known; a pass that is followed is not left for it."""
+    """Return why the station would refuse a motion, if the app can tell; a pass that is followed is not left for it."""
     match request:
         case Goto():
             return forbidden(state, request.az_deg, request.el_deg)

@@ -34,6 +34,8 @@ class Candidate:
     name: str
     detail: str
     favourite: bool = False
+    silent: bool = False
+    """Whether it is known to send nothing any more: its detail says so, and no pass may stand in its place."""
 
 
 def candidates(view: View) -> list[Candidate]:
@@ -41,7 +43,7 @@ def candidates(view: View) -> list[Candidate]:
     desk = view.track
     if desk is None:
         return []
-    rows = [Candidate(one.text, one.name, one.detail or one.kind, one.favourite) for one in desk.found]
+    rows = [Candidate(one.text, one.name, one.detail or one.kind, one.favourite, one.silent) for one in desk.found]
     if desk.query.strip() or view.sky is None:
         return rows
     known = {row.name for row in rows}
@@ -142,8 +144,14 @@ class FoundList(Pane):
                 cells.put(0, y, " " * cells.width, ink)
             cells.put(0, y, f"{'▶' if here else ' '}{'★' if row.favourite else ' '} ", ink if here else "target")
             cells.put(3, y, fit(row.name, width), ink)
-            detail = row.detail.rpartition(" · ")[2] if cell_len(row.detail) > least else row.detail
-            cells.put(4 + width, y, cut(brief.get(row.text, detail), max(least, 0)), ink if here else "dim")
+            parts = row.detail.split(" · ")
+            detail = parts[0 if row.silent else -1] if cell_len(row.detail) > least else row.detail
+            cells.put(
+                4 + width,
+                y,
+                cut(detail if row.silent else brief.get(row.text, detail), max(least, 0)),
+                ink if here else "dim",
+            )
             if row.text in passes:
                 cells.put(aside, y, passes[row.text], ink if here else "dim")
 

@@ -8,7 +8,7 @@ from birdcage.sky.targets.model import Target
 from birdcage.tracking.day import HOURS, Day
 from birdcage.tracking.mount import Mount
 from birdcage.tracking.planning.limit_words import where_words
-from birdcage.tracking.planning.refraction import Refraction
+from birdcage.tracking.planning.refraction import Refraction, lift_deg
 from birdcage.tracking.planning.sight import Sight
 from birdcage.tracking.planning.sky_path import sky_path
 
@@ -23,4 +23,5 @@ def day_ahead(
     except BirdcageError:
         return None
     reach = Sight.of(sky, mount).reached()
-    return Day(sky, reach, tuple(where_words(reason, mount.limits) for reason in reach.reasons))
+    limits = tuple(where_words(reason, mount.limits) for reason in reach.reasons)
+    return Day(sky, reach, limits, float(lift_deg(0.0, refraction)))
