@@ -118,19 +118,19 @@ async def world(on: Stage) -> None:
 
 
 SCENES = (
-    Scene("tui-dashboard", dashboard, ("FOLLOWING DEMO LEO 1", "error 0.", "LOS", "Health"), (160, 48), tour=True),
+    Scene("tui-dashboard", dashboard, ("FOLLOWING LEO 1", "error 0.", "LOS", "Health"), (160, 48), tour=True),
     Scene("tui-control", control, ("SLEWING", "Cable")),
     Scene("tui-craft-tracking", craft, ("FOLLOWING Moon", "of the beam", "Azimuth, elevation, error"), (160, 48)),
     Scene("tui-console", console, ("Min: 18.00", "beyond the limit")),
     Scene("tui-setup", setup, ("TV search", "North")),
     Scene("tui-craft-search", passes, ("Timeline of favourites", "in reach", "Doppler"), (160, 48)),
-    Scene("tui-world", world, ("Sun overhead", "seen within")),
+    Scene("tui-world", world, ("Sun overhead", "in view here")),
     Scene("tui-pocket", pocket, ("S T O P",), (40, 12), "daylight"),
 )
 MOVING = MovingScene(
     "tui-demo",
     in_pass,
-    ("FOLLOWING DEMO LEO 1", "STOP", "What next"),
+    ("FOLLOWING LEO 1", "STOP", "What next"),
     frames=24,
     every_s=3.0,
     shown_s=0.3,

@@ -34,7 +34,7 @@ def after(*names, state="idle", look=lambda app: None, **options):
     [
         ("colon", "enter", "enter"),
         ("semicolon", "a", "s"),
-        ("question_mark", "enter", "enter"),
+        ("question_mark", "down", "enter", "enter"),
         ("f2", "p", "d", "enter", "enter", "enter"),
         ("f2", "D", "enter", "enter", "enter"),
         ("question_mark", "escape", "escape"),
