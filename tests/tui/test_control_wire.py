@@ -61,7 +61,8 @@ async def test_beyond_a_limit_it_says_which_and_by_how_much_and_sends_nothing(ho
         assert "Refused: Elevation 10.00° is 8.00° below the floor of 18.00°." in house.text()
         await press(house, "enter")
         await house.step(1)
-        assert "Elevation 10.00° is 8.00° below the floor of 18.00°. Nothing was sent." in house.text()
+        assert "Refused: Elevation 10.00° is 8.00° below the floor of 18.00°." in house.text()
+        assert house.app.query_one("GotoLine").is_open, "there it can be mended"
         assert house.moves(before) == []
 
 
