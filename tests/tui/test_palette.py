@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import asyncio
+
 import pytest
+import stand_in
 from birdcage_tui.commands import BY_NAME, COMMANDS
 from stage import run
 from stand_in import text_of
 from textual.command import CommandList
+from textual.widgets import Input
 
 
 def entries(*keys, name="idle", size=(120, 36), key=None):
@@ -75,3 +79,16 @@ def test_while_the_dish_moves_it_says_what_backspace_does_with_what_is_typed(typ
 
     text = run(body, "slewing", size=(80, 24))
     assert f"Enter runs it, {says}, Esc or Ctrl+C stops the dish" in text
+
+
+def test_a_frame_painted_while_the_palette_is_taken_apart_ends_nothing():
+    async def body():
+        app = stand_in.app_in("idle")
+        async with app.run_test() as pilot:
+            await pilot.press("colon")
+            await app.screen.query_one(Input).remove()
+            app.paint()
+            await pilot.pause()
+            return app.is_running
+
+    assert asyncio.run(body())

@@ -52,15 +52,20 @@ class Palette(CommandPalette, Dialog[None]):
 
     def show(self, view: View) -> None:
         """Say what Backspace does with what is typed, while Esc stops the dish."""
-        typed = bool(self.query_one(Input).value)
-        self.OTHER = "Backspace closes if empty" if typed else "Backspace closes"
+        self.OTHER = "Backspace closes if empty" if self._typed else "Backspace closes"
         super().show(view)
 
     def on_key(self, event: events.Key) -> None:
         """Close by Backspace where nothing is typed: Esc stops the dish while it moves."""
-        if event.key == "backspace" and not self.query_one(Input).value:
+        if event.key == "backspace" and not self._typed:
             event.stop()
             self.action_leave()
+
+    @property
+    def _typed(self) -> bool:
+        """Whether anything is typed; a frame may be painted while the palette is still being made, or taken apart."""
+        field = self.query_one_optional(Input)
+        return field is not None and bool(field.value)
 
     def action_leave(self) -> None:
         """Close, and look for nothing more."""
