@@ -63,16 +63,19 @@ class Stage:
         """Let so much time of the dish pass."""
         for _ in range(max(1, round(seconds / STEP_S))):
             self.app.session.step(STEP_S)
-            if self.app.sky.source is not None:
-                self.app.sky.source.step()
-            if self.app.track.source is not None:
-                self.app.track.source.step()
-            if self.app.calibrate.source is not None:
-                self.app.calibrate.source.step()
+            self._work()
             await self.pilot.pause()
             self.app._tick()  # noqa: SLF001 - its timer runs in real time
-        self.app.paint()
-        await self.pilot.pause()
+        for _ in range(3):  # a question under way, the one that this very moment asks, and its answer
+            self.app.paint()
+            await self.pilot.pause()
+            self._work()
+            await self.pilot.pause()
+
+    def _work(self) -> None:
+        for feed in (self.app.sky, self.app.track, self.app.calibrate):
+            if feed.source is not None:
+                feed.source.step()
 
     async def press(self, *keys: str) -> None:
         """Press keys, and let what they ask for begin."""

@@ -6,6 +6,7 @@ import asyncio
 
 import calibrate_stand_in
 import stand_in
+from setup_stage import press, settle
 
 SIZES = [(80, 24), (120, 36), (160, 48), (200, 60)]
 
@@ -21,17 +22,6 @@ def run(test, scene="five", size=(80, 24), state="idle", **options):
             return await test(app, pilot, app.calibrate.source)
 
     return asyncio.run(body())
-
-
-async def settle(app, pilot):
-    app.paint()
-    for _ in range(3):
-        await pilot.pause()
-
-
-async def press(app, pilot, *keys):
-    await pilot.press(*keys)
-    await settle(app, pilot)
 
 
 async def read(app, _pilot, _source):

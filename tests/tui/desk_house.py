@@ -13,6 +13,7 @@ from birdcage.sky.catalogue import Catalogue
 from birdcage.sky.demo_orbits import demo_orbits
 from birdcage.sky.observer import Observer
 from birdcage.station.build import open_session
+from birdcage.station.requests import Home
 from birdcage_tui.app import BirdcageApp
 from birdcage_tui.run import _app_settings
 from birdcage_tui.sky_feed import make_sky
@@ -50,6 +51,14 @@ class House:
         ask = self.session.station.submit
         self.session.station.submit = lambda request: (self.asked.append(request), ask(request))[1]
         self.pilot = None
+
+    async def home(self):
+        """Home the dish, let the search for passes end, and forget what was asked for."""
+        self.session.station.submit(Home("you"))
+        self.session.step(60.0)
+        for _ in range(8):
+            await self.look(1.0)
+        self.asked.clear()
 
     async def press(self, *keys):
         for key in keys:

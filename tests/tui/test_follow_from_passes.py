@@ -14,11 +14,7 @@ SIZES = [(80, 24), (120, 36)]
 
 async def to_passes(house, *keys):
     """Home the dish, let the search end, and press keys on F7."""
-    house.session.station.submit(Home("you"))
-    house.session.step(60.0)
-    for _ in range(8):
-        await house.look(1.0)
-    house.asked.clear()
+    await house.home()
     await house.press("f7", *keys)
     for _ in range(3):
         await house.look()

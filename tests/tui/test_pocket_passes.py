@@ -7,7 +7,7 @@ import re
 import pytest
 import stand_in
 from birdcage.station.pursuit import Phase
-from birdcage.station.requests import Home, Jog, Pursue, Release
+from birdcage.station.requests import Jog, Pursue, Release
 from birdcage_tui.pocket.keys import PocketKeys, StopBar
 from birdcage_tui.pocket.passes import NextList, PocketOffer, PocketPasses
 from desk_house import play
@@ -18,11 +18,7 @@ sizes = pytest.mark.parametrize("size", SIZES, ids=str)
 
 async def to_list(house, *keys):
     """Home the dish, let the search end, and open the list."""
-    house.session.station.submit(Home("you"))
-    house.session.step(60.0)
-    for _ in range(8):
-        await house.look(1.0)
-    house.asked.clear()
+    await house.home()
     await house.press("f", *keys)
     await house.look()
     await house.look()

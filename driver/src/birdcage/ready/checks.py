@@ -154,7 +154,7 @@ def limits(settings: Settings) -> Check:
 
 
 def feed(settings: Settings) -> Check:
-    """Whether it is known what hangs in the focus."""
+    """Whether the settings say which feed is fitted."""
     from birdcage.base.beam import beam_of
     from birdcage.sky.downlinks_hearing import has_band
     from birdcage.station.known import model_of

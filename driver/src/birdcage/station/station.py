@@ -146,7 +146,7 @@ class Station:
         return self._antenna.protocol.only_asks(line, prompt)
 
     def is_steering(self) -> bool:
-        """Return whether what goes out now is a pursuit's own: no STOP, and no motion of anybody else. Any thread."""
+        """Return whether a pursuit sends what goes out now, and not STOP or another holder. Any thread."""
         live = self.state.pursuit
         following = live is not None and live.phase is Phase.FOLLOWING and self.state.holder == live.holder
         return following and not self._control.latched

@@ -1,4 +1,4 @@
-"""Feeds: what hangs in the focus, one profile each, one of them active."""
+"""Feeds that can be fitted in the focus: one profile each, one of them active."""
 
 from __future__ import annotations
 

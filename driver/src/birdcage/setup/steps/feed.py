@@ -1,4 +1,4 @@
-"""Step 5: what hangs in the focus."""
+"""Step 5: which feed is fitted."""
 
 from __future__ import annotations
 
