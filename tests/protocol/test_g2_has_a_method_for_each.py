@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from birdcage.console.session import Console
 from birdcage.protocol.g2 import CarryoutG2Protocol
-from birdcage.protocol.hazard import Grade
+from birdcage.rotator.verdict import Grade
 
 CALLS = (
     lambda g: (g.get_position(), g.identity(), g.read_speeds(), g.settings_table(), g.nvs.read(20)),

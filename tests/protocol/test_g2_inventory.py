@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from birdcage.protocol.g2 import CarryoutG2Protocol
-from birdcage.protocol.hazard import Grade
+from birdcage.rotator.verdict import Grade
 
 OF = {"-": Grade.HARMLESS, "s": Grade.SETTING, "m": Grade.MOVES, "!": Grade.RUINS}
 INVENTORY = {

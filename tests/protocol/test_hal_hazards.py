@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 from birdcage.protocol import HAL205Protocol
-from birdcage.protocol.hazard import Grade
 from birdcage.protocol.types import Position
+from birdcage.rotator.verdict import Grade
 
 HARMLESS, SETTING, MOVES, RUINS = Grade.HARMLESS, Grade.SETTING, Grade.MOVES, Grade.RUINS
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 from birdcage.protocol.command_list import parse_help
 from birdcage.protocol.g2 import CarryoutG2Protocol
-from birdcage.protocol.hazard import Grade
 from birdcage.protocol.types import Position
+from birdcage.rotator.verdict import Grade
 
 SETTING, MOVES, RUINS = Grade.SETTING, Grade.MOVES, Grade.RUINS
 DANGERS = [

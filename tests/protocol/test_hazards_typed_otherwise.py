@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 from birdcage.protocol.g2 import CarryoutG2Protocol
-from birdcage.protocol.hazard import Grade
 from birdcage.protocol.types import Position
+from birdcage.rotator.verdict import Grade
 
 MOVES, RUINS = Grade.MOVES, Grade.RUINS
 

@@ -235,3 +235,16 @@ def test_what_was_confirmed_in_one_menu_is_not_sent_in_another_where_it_is_worse
     bench.type("")
     with pytest.raises(ConfirmationNeeded, match="more dangerous now"):
         bench.type("e 1 2", confirmed=Grade.SETTING)
+
+
+def test_a_machine_without_a_console_says_so_and_nothing_is_sent(bench):
+    bench.station._antenna.raw = None
+    since = bench.clock.monotonic()
+    assert bench.station.judge("a 0 100").grade is Grade.HARMLESS  # it is never sent
+    with pytest.raises(CommandRefused, match="no console") as refused:
+        bench.type("a 0 100", confirmed=Grade.RUINS)
+    assert refused.value.reason == "unsupported"
+    with pytest.raises(CommandRefused, match="no console"):
+        bench.do(ListCommands())
+    assert bench.state.holder is None
+    assert not {"a 0 100", "?"} & set(lines_since(bench, since))

@@ -11,6 +11,7 @@ from birdcage.base.beam import Beam
 from birdcage.base.clock import VirtualClock
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.hal.model import TRAVLER
+from birdcage.protocol.menu_raw import MenuRaw
 from birdcage.protocol.model import Turn
 from birdcage.protocol.registry import get_protocol
 from birdcage.station.menu_commands import MenuCommands
@@ -57,7 +58,7 @@ class Station:
         return self.steering and self.state.held is None
 
     def commands(self, menu):
-        return MenuCommands(PROTOCOL).of(menu)
+        return MenuCommands(MenuRaw(PROTOCOL)).of(menu)
 
     def stop(self, by, *, leaving=False):
         self.stops.append(by)

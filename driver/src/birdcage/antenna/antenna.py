@@ -24,8 +24,10 @@ from birdcage.leapfrog import apply_leapfrog
 from birdcage.link.link import Link
 from birdcage.protocol.belief import Belief, Expected
 from birdcage.protocol.gear import Gear
+from birdcage.protocol.menu_raw import MenuRaw
 from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.protocol.types import MOTOR_AZIMUTH, MOTOR_ELEVATION, Position
+from birdcage.rotator.raw import RawLines
 
 
 class BirdcageAntenna:
@@ -38,8 +40,8 @@ class BirdcageAntenna:
     def __init__(
         self, protocol: FirmwareProtocol, config: AntennaConfig | None = None, alignment: Alignment | None = None
     ) -> None:
-        self._protocol = protocol
-        self._config = config or AntennaConfig()
+        self._protocol, self._config = protocol, config or AntennaConfig()
+        self.raw: RawLines | None = MenuRaw(protocol)
         self.alignment = alignment or Alignment()
         self._owner: threading.Thread | None = None
         self._last_position: Position | None = None

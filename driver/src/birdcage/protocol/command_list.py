@@ -4,26 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
 
-
-@dataclass(frozen=True, slots=True)
-class CommandDoc:
-    """One command of one menu."""
-
-    menu: str
-    name: str
-    usage: str
-    """With its arguments: `a <motor> <angle>`."""
-    help: str
-    """What it does; empty if undocumented."""
-
+from birdcage.rotator.raw import CommandDoc
 
 _ENTER = re.compile(r"Enter <(\S+)>\s*(?:-\s*(.*))?", re.IGNORECASE)
 _COMMAND = re.compile(r"([A-Za-z?][\w?*]*)((?:\s+[\[<(]\S.*?[\])>])*)\s*(?:(?:\s-|:|\s{2,}|\t)\s*(.*))?")
 
 
-def parse_help(menu: str, lines: Iterable[str]) -> tuple[CommandDoc, ...]:
+def parse_help(menu: str | None, lines: Iterable[str]) -> tuple[CommandDoc, ...]:
     """Read what `?` printed, leniently (reference section 7.3); a line that is none of its forms is passed over.
 
     Forms: `Enter <dvb> - DVB Tuner`, `help [<command>]`, `a [<motor> <angle>]`, `agc - reads the AGC`, bare words.

@@ -12,13 +12,14 @@ from birdcage.base.errors import BirdcageError, CommandRefused, LinkError, Posit
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.session import Console
 from birdcage.protocol.belief import Belief
-from birdcage.protocol.command_list import CommandDoc
 from birdcage.protocol.gate import MotionGate
-from birdcage.protocol.hazard import Grade, HazardTable, Verdict
+from birdcage.protocol.hazard import HazardTable
 from birdcage.protocol.model import DishModel
 from birdcage.protocol.raw_motion import with_motion
 from birdcage.protocol.types import Position, RssiReading, Survey, Taken
 from birdcage.protocol.unhomed import UnreadablePosition, says_unhomed
+from birdcage.rotator.raw import CommandDoc
+from birdcage.rotator.verdict import Grade, Verdict
 
 if TYPE_CHECKING:
     from birdcage.base.wake import Wake

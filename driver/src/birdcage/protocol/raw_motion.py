@@ -7,8 +7,8 @@ import re
 from dataclasses import replace
 
 from birdcage.protocol.gate import MotionGate
-from birdcage.protocol.hazard import Verdict
 from birdcage.protocol.types import MOTOR_AZIMUTH
+from birdcage.rotator.verdict import Verdict
 
 
 def with_motion(verdict: Verdict, match: re.Match[str] | None, gate: MotionGate) -> Verdict:

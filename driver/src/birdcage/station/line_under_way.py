@@ -1,4 +1,4 @@
-"""The line that a person typed and that has no prompt yet: waited for, ended by Enter, or given up."""
+"""The line that a person typed and that has no answer yet: waited for, ended by Enter, or given up."""
 
 from __future__ import annotations
 
@@ -9,10 +9,8 @@ from dataclasses import dataclass
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import DishMotion
 from birdcage.base.errors import BirdcageError, CommandRefused, LinkError, NoReply, Stopped
-from birdcage.console.events import Reply
-from birdcage.console.raw import Typed
-from birdcage.protocol.hazard import Verdict
-from birdcage.protocol.protocol import FirmwareProtocol
+from birdcage.rotator.raw import RawAnswer, RawExchange, RawLines
+from birdcage.rotator.verdict import Verdict
 from birdcage.station.board import Board
 from birdcage.station.look import Look
 from birdcage.station.raw import RawReply
@@ -25,14 +23,15 @@ LONGEST_S = 60.0
 STREAM_QUIET_S = 5.0
 """How long a stream may pause."""
 PROMPT_S = 0.3
-"""How long a prompt that is due at once is waited for when somebody else wants the console."""
+"""How long an answer that is due at once is waited for when somebody else wants the console."""
 
 
 @dataclass(slots=True)
 class Line:
     """What went out, who waits for it, and what to put back should the dish refuse it."""
 
-    typed: Typed
+    raw: RawLines
+    typed: RawExchange
     text: str
     verdict: Verdict
     future: Future[object]
@@ -46,7 +45,7 @@ class Line:
 
 
 class LineUnderWay:
-    """At most one. Its future is resolved when the prompt came, or when something else ended it."""
+    """At most one. Its future is resolved when the answer came, or when something else ended it."""
 
     def __init__(
         self, board: Board, antenna: BirdcageAntenna, stopper: Stopper, look: Look, effects: RawEffects
@@ -55,11 +54,7 @@ class LineUnderWay:
         self._stopper, self._look, self._effects = stopper, look, effects
         self._line: Line | None = None
         self.answered_at = -math.inf
-        """When the last prompt came, in monotonic seconds."""
-
-    @property
-    def _protocol(self) -> FirmwareProtocol:
-        return self._antenna.protocol
+        """When the last answer came, in monotonic seconds."""
 
     def begin(self, line: Line) -> None:
         """A line has gone out. There is no other."""
@@ -70,19 +65,19 @@ class LineUnderWay:
         line = self._line
         if line is None:
             return None
-        if line.typed.reply is not None:
+        if line.typed.answer is not None:
             return line.typed.sent
         # What talks may go on to its end, what is silent had its time.
-        pause_s = STREAM_QUIET_S if line.verdict.streams else self._protocol.console.delay_s
+        pause_s = STREAM_QUIET_S if line.verdict.streams else line.raw.delay_s
         return min(line.ends_at, max(line.typed.due, line.typed.heard_at + pause_s))
 
     def tick(self) -> None:
-        """Take the reply, or end what has no end. NoReply when neither came in time."""
+        """Take the answer, or end what has no end. NoReply when neither came in time."""
         line = self._line
         if line is None:
             return
-        if (reply := line.typed.reply) is not None:
-            self._answered(line, reply)
+        if (answer := line.typed.answer) is not None:
+            self._answered(line, answer)
         elif self._board.clock.monotonic() >= line.ends_at:
             self._end_by_key(line)
         else:
@@ -98,19 +93,19 @@ class LineUnderWay:
         self.finish()
 
     def finish(self) -> None:
-        """Have its prompt: by itself where that is due, else by Enter."""
+        """Have its answer: by itself where that is due, else by Enter."""
         line = self._line
         if line is None:
             return
         if not line.verdict.streams:
             left_s = line.typed.due - self._board.clock.monotonic()
             try:
-                reply = line.typed.wait(left_s if line.verdict.homes else min(left_s, PROMPT_S))
+                answer = line.typed.wait(left_s if line.verdict.homes else min(left_s, PROMPT_S))
             except BaseException as error:
                 self._failed(line, error)
                 raise
-            if reply is not None:
-                self._answered(line, reply)
+            if answer is not None:
+                self._answered(line, answer)
                 return
         self._end_by_key(line)
 
@@ -119,7 +114,7 @@ class LineUnderWay:
         line, self._line = self._line, None
         if line is None:
             return
-        if line.typed.reply is None and self._protocol.is_connected and self._board.state.link.state is Link.UP:
+        if line.typed.answer is None and self._antenna.is_connected and self._board.state.link.state is Link.UP:
             try:
                 line.typed.press_enter()
             except LinkError as error:
@@ -138,13 +133,13 @@ class LineUnderWay:
     def _end_by_key(self, line: Line) -> None:
         try:
             line.typed.press_enter()
-            reply = line.typed.wait(self._protocol.console.delay_s)
+            answer = line.typed.wait(line.raw.delay_s)
         except BaseException as error:
             self._failed(line, error)
             raise
-        if reply is None:
+        if answer is None:
             raise self._unanswered(line)
-        self._answered(line, reply, by_key=True)
+        self._answered(line, answer, by_key=True)
 
     def _unanswered(self, line: Line) -> NoReply:
         silence = line.typed.give_up()
@@ -158,15 +153,16 @@ class LineUnderWay:
             error if isinstance(error, BirdcageError) else Stopped("The station has failed.", reason="closing")
         )
 
-    def _answered(self, line: Line, reply: Reply, *, by_key: bool = False) -> None:
+    def _answered(self, line: Line, answer: RawAnswer, *, by_key: bool = False) -> None:
         self._line, self.answered_at = None, self._board.clock.monotonic()
-        self._look.elsewhere = reply.menu != self._protocol.motor_menu
+        self._look.elsewhere = answer.place != line.raw.home
         self.homing_ends()
-        refused = self._protocol.console.refusal(reply) is not None
-        if refused and line.model is not None and self._antenna.motion is line.model:
+        if answer.refused and line.model is not None and self._antenna.motion is line.model:
             self._antenna.motion = line.model_before
-        if not refused:
+        if not answer.refused:
             self._effects.taken(line.verdict)
-        self._effects.hear(reply.lines, line.verdict)
+        self._effects.hear(answer.boot_lines, line.verdict)
         took_s = self.answered_at - line.typed.sent
-        line.future.set_result(RawReply(line.text, reply.lines, reply.menu, reply.token, took_s, ended_by_key=by_key))
+        line.future.set_result(
+            RawReply(line.text, answer.lines, answer.place, answer.prompt, took_s, ended_by_key=by_key)
+        )

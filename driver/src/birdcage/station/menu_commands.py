@@ -1,37 +1,34 @@
-"""The commands of each menu: what the reference lists, and what the dish told once it was asked."""
+"""The commands of each place: what the reference lists, and what the machine told once it was asked."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from birdcage.protocol.command_list import CommandDoc, parse_help
-from birdcage.protocol.protocol import FirmwareProtocol
+from birdcage.rotator.raw import CommandDoc, RawLines
 from birdcage.station.raw import MenuCommand
 
 
 class MenuCommands:
-    """Asked once a menu. `of` is for any thread."""
+    """Asked once a place. `of` is for any thread."""
 
-    def __init__(self, protocol: FirmwareProtocol) -> None:
-        self._protocol = protocol
-        self._told: Mapping[str, tuple[CommandDoc, ...]] = {}
+    def __init__(self, raw: RawLines | None) -> None:
+        self._raw = raw
+        self._told: Mapping[str | None, tuple[CommandDoc, ...]] = {}
 
-    def was_told(self, menu: str) -> bool:
-        """Return whether the dish has already told the commands of this menu."""
+    def was_told(self, menu: str | None) -> bool:
+        """Return whether the machine has already told the commands of this menu."""
         return menu in self._told
 
-    def asks(self, menu: str) -> tuple[str, ...]:
-        """Return the lines that bring the help of a menu."""
-        return self._protocol.help_lines.get(menu, ("?",))
+    def learn(self, menu: str | None, commands: Iterable[CommandDoc]) -> None:
+        """Take in what the machine listed."""
+        self._told = {**self._told, menu: tuple(commands)}
 
-    def learn(self, menu: str, lines: Iterable[str]) -> None:
-        """Take in what the dish printed."""
-        self._told = {**self._told, menu: parse_help(menu, lines)}
-
-    def of(self, menu: str) -> tuple[MenuCommand, ...]:
-        """Return the commands of a menu: the documented ones, then what only the dish knows."""
+    def of(self, menu: str | None) -> tuple[MenuCommand, ...]:
+        """Return the commands of a menu: the documented ones, then what only the machine knows."""
+        if self._raw is None:
+            return ()
         told = {command.name: command for command in self._told.get(menu, ())}
-        listed = {command.name: command for command in self._protocol.commands if command.menu == menu}
+        listed = {command.name: command for command in self._raw.commands(menu)}
         commands = []
         for name, documented in (listed | {name: told[name] for name in told if name not in listed}).items():
             dish = told.get(name)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from birdcage.link.transcript_join import LineJoiner
 from birdcage.link.transcript_line import Direction, Entry, format_line, printable
-from birdcage.protocol.hazard import Grade, Verdict
+from birdcage.rotator.verdict import Grade, Verdict
 from birdcage.station.raw_mark import RawMark, parse_mark
 
 __all__ = [
@@ -27,9 +27,10 @@ class RawReply:
     line: str
     lines: tuple[str, ...]
     """Neither echo nor prompt."""
-    menu: str
+    menu: str | None
+    """None on a machine without menus."""
     prompt: str
-    """As the dish wrote it: `MOT>`."""
+    """As the dish wrote it: `MOT>`; empty where it shows none."""
     took_s: float
     ended_by_key: bool = False
     """Whether it printed on until a bare Enter ended it."""
@@ -39,7 +40,7 @@ class RawReply:
 class MenuCommand:
     """One command of a menu."""
 
-    menu: str
+    menu: str | None
     name: str
     usage: str
     """Its arguments as the dish or the reference writes them: `a <motor> <angle>`."""

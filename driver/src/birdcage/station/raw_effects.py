@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterable
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import DishMotion, start_motion
-from birdcage.protocol.hazard import Grade, Verdict
 from birdcage.protocol.types import MOTOR_AZIMUTH, Position
+from birdcage.rotator.verdict import Grade, Verdict
 from birdcage.station.board import Board
 from birdcage.station.events import TranscriptLine
 from birdcage.station.mover import Mover
@@ -98,14 +98,12 @@ class RawEffects:
         if verdict.homes and (self._homed_before or axes <= self._homed):
             self._board.change(homed=True)
 
-    def hear(self, lines: Iterable[str], verdict: Verdict) -> None:
-        """Look for boot text in an answer: a dish that restarts in the middle of it has forgotten everything."""
+    def hear(self, boot_lines: Iterable[str], verdict: Verdict) -> None:
+        """Pass on boot text in an answer: a dish that restarts in the middle of it has forgotten everything."""
         if verdict.restarts:
             return  # as asked for
-        marks = self._antenna.protocol.boot_marks
-        for line in lines:
-            if any(mark in line for mark in marks):
-                self._on_line(line)
+        for line in boot_lines:
+            self._on_line(line)
 
     def _may_move(self) -> None:
         self.moved = True

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from birdcage.protocol.hazard import Grade
+from birdcage.rotator.verdict import Grade
 
 _ENTER = "Enter"
 _MARK = re.compile(

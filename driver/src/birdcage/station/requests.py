@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from birdcage.base.config import Settings
-from birdcage.protocol.hazard import Grade
+from birdcage.rotator.verdict import Grade
 from birdcage.station.pursuit import PursuitOptions
 
 if TYPE_CHECKING:

@@ -103,6 +103,7 @@ class Station:
         self._talk = Talk(
             board, antenna, self._control, self._mover, self._stopper, look, self._watches, self._vigil,
             RawEffects(board, antenna, self._mover, settings.remark, self._vigil.on_line),
+            self._permit,
         )  # fmt: skip
         self._desk = Desk(
             board, antenna, self._control, self._mover, self._stopper, look, self._watches, self._vigil, rewire,
@@ -143,7 +144,8 @@ class Station:
 
     def only_asks(self, line: str, prompt: str) -> bool:
         """Return whether a line that went out at this prompt changes nothing but the menu. Any thread."""
-        return self._antenna.protocol.only_asks(line, prompt)
+        raw = self._antenna.raw
+        return raw is not None and raw.only_asks(line, prompt)
 
     def is_steering(self) -> bool:
         """Return whether a pursuit sends what goes out now, and not STOP or another holder. Any thread."""
@@ -151,7 +153,7 @@ class Station:
         following = live is not None and live.phase is Phase.FOLLOWING and self.state.holder == live.holder
         return following and not self._control.latched
 
-    def commands(self, menu: str) -> tuple[MenuCommand, ...]:
+    def commands(self, menu: str | None) -> tuple[MenuCommand, ...]:
         """Return the commands of a menu: the documented ones, and what the dish has told. Any thread."""
         return self._talk.menus.of(menu)
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from concurrent.futures import Future
 from dataclasses import replace
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.errors import CommandRefused, ConfirmationNeeded, Held, LinkError, Stopped
-from birdcage.protocol.hazard import Grade, Verdict
-from birdcage.protocol.protocol import FirmwareProtocol
+from birdcage.rotator.raw import CommandDoc, RawLines
+from birdcage.rotator.verdict import Grade, Verdict
 from birdcage.station import requests as ask
 from birdcage.station.board import Board
 from birdcage.station.control import Control
@@ -32,24 +33,29 @@ class Talk:
 
     def __init__(
         self, board: Board, antenna: BirdcageAntenna, control: Control, mover: Mover, stopper: Stopper, look: Look,
-        watches: Watches, vigil: Vigil, effects: RawEffects,
+        watches: Watches, vigil: Vigil, effects: RawEffects, permit: Callable[[], None],
     ) -> None:  # fmt: skip
+        """`permit` raises to keep a line that moves the dish from going out."""
         self._board, self._antenna, self._control, self._mover = board, antenna, control, mover
         self._stopper, self._look, self._watches, self._vigil = stopper, look, watches, vigil
-        self._effects = effects
+        self._effects, self._permit_motion = effects, permit
         self.line = LineUnderWay(board, antenna, stopper, look, effects)
-        self.menus = MenuCommands(antenna.protocol)
+        self.menus = MenuCommands(antenna.raw)
         self._holder: str | None = None
         self._last = 0.0
 
     @property
-    def _protocol(self) -> FirmwareProtocol:
-        return self._antenna.protocol
+    def _raw(self) -> RawLines:
+        if (raw := self._antenna.raw) is None:
+            raise CommandRefused("This machine has no console. Nothing was sent.", reason="unsupported")
+        return raw
 
     def judge(self, line: str) -> Verdict:
         """Say what a line would do in the present menu. Any thread."""
+        if self._antenna.raw is None:
+            return Verdict(Grade.HARMLESS, "")  # none is ever sent
         state = self._board.state
-        verdict = self._protocol.judge(line, state.menu, homed=state.homed)
+        verdict = self._raw.judge(line, state.menu, homed=state.homed)
         if verdict.grade >= Grade.MOVES and not verdict.limit and state.motion_refused_because is not None:
             return replace(verdict, limit=state.motion_refused_because)
         return verdict
@@ -87,28 +93,29 @@ class Talk:
             self.end()
 
     def raw(self, request: ask.Raw, future: Future[object]) -> None:
-        """Send one line. Its future is resolved when the prompt came, or when something else ended it."""
+        """Send one line. Its future is resolved when the answer came, or when something else ended it."""
+        raw = self._raw
         self._refuse_unsendable(request.line)
         self._refuse_held(request.line, self.judge(request.line))
         menu = self._take_console(request.holder)
         verdict = self._admitted(request)
         self._effects.announce(request.line, verdict, request.holder)
-        dialect = self._protocol.console.dialect
-        if request.line.strip().lower() == dialect.leave and menu != dialect.root:
+        if raw.leaves(request.line, menu):
             self._leave(request.line, future)
         else:
             self._type(request, verdict, menu, future)
 
     def list_commands(self, holder: str) -> tuple[MenuCommand, ...]:
         """Ask the dish for the commands of its present menu, once a session, and return them."""
+        raw = self._raw
         menu = self._take_console(holder)
         if not self.menus.was_told(menu):
-            asks = self.menus.asks(menu)
-            told: list[str] = []
+            asks = raw.help_lines(menu)
+            told: list[CommandDoc] = []
             for ask_line in asks:
                 self._effects.say(RawMark(holder, ask_line, Grade.HARMLESS, "asks for the list of commands").text)
                 try:
-                    told += self._protocol.console.exchange(ask_line, permit=lambda: self._permit(None)).lines
+                    told += raw.ask_commands(ask_line, menu, lambda: self._permit(None))
                 except CommandRefused:
                     if ask_line is asks[0]:
                         raise
@@ -134,13 +141,13 @@ class Talk:
     # How it is done: nothing below is called from outside.
 
     def _end_excursion(self) -> None:
-        away = self._watches.excursion is not None
+        away, raw = self._watches.excursion is not None, self._antenna.raw
         self._watches.end_excursion()
-        if away and self._board.state.link.state is Link.UP and self._look.may_leave:
-            self._protocol.enter_motor_menu()  # where a person expects to be
+        if raw is not None and away and self._board.state.link.state is Link.UP and self._look.may_leave:
+            raw.go_home()  # where a person expects to be
 
-    def _take_console(self, holder: str) -> str:
-        """Take the lease and the wire; return the menu that the dish is in."""
+    def _take_console(self, holder: str) -> str | None:
+        """Take the lease and the wire; return the menu that the dish is in, where it has any."""
         link, state = self._board.state.link, self._board.state
         if link.state is not Link.UP:
             raise LinkError(f"No link to the dish, so nothing is sent ({link.detail}).", reason=link.state.value)
@@ -153,7 +160,7 @@ class Talk:
         self._control.take(holder)
         self.begin(holder)
         self.line.make_way()
-        menu = self._protocol.console.find_menu()
+        menu = self._raw.find_place()
         self._board.change(menu=menu)
         return menu
 
@@ -182,20 +189,18 @@ class Talk:
     def _permit(self, verdict: Verdict | None) -> None:
         if self._board.state.holder != self._holder:
             raise Stopped("Control was taken away before the line went out: it was not sent.")
-        permit = self._protocol.permit
-        if permit is not None and verdict is not None and verdict.grade >= Grade.MOVES:
-            permit()
+        if verdict is not None and verdict.grade >= Grade.MOVES:
+            self._permit_motion()
 
     def _leave(self, text: str, future: Future[object]) -> None:
-        console, began = self._protocol.console, self._board.clock.monotonic()
+        began = self._board.clock.monotonic()
         self._look.elsewhere = True
-        console.leave()
+        answer = self._raw.leave()
         self._last = self._board.clock.monotonic()
-        menu = console.dialect.root
-        future.set_result(RawReply(text, (), menu, console.prompt, self._last - began))
+        future.set_result(RawReply(text, answer.lines, answer.place, answer.prompt, self._last - began))
 
-    def _type(self, request: ask.Raw, verdict: Verdict, menu: str, future: Future[object]) -> None:
-        console, motors = self._protocol.console, menu == self._protocol.motor_menu
+    def _type(self, request: ask.Raw, verdict: Verdict, menu: str | None, future: Future[object]) -> None:
+        raw, motors = self._raw, menu == self._raw.home
         model = self._effects.modelled(verdict) if motors else None
         before = self._antenna.motion
         if verdict.grade >= Grade.MOVES:
@@ -205,9 +210,9 @@ class Talk:
         # An undocumented line may lead to another menu.
         self._look.elsewhere = not motors or verdict.takes_s > 0 or verdict.streams or not verdict.listed
         try:
-            typed = console.type_line(
-                request.line, takes_s=verdict.takes_s, permit=lambda: self._permit(verdict),
-                at_root=request.confirmed is Grade.RUINS and menu == console.dialect.root,
+            typed = raw.type_line(
+                request.line, menu, takes_s=verdict.takes_s, confirmed=request.confirmed,
+                permit=lambda: self._permit(verdict),
             )  # fmt: skip
         except BaseException as error:
             if self._antenna.motion is model:
@@ -216,4 +221,4 @@ class Talk:
             self._effects.say(f"not sent: {error}")
             raise
         self._effects.sent(verdict)
-        self.line.begin(Line(typed, request.line, verdict, future, model, before))
+        self.line.begin(Line(raw, typed, request.line, verdict, future, model, before))

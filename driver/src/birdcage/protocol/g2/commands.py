@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from birdcage.protocol.command_list import CommandDoc
+from birdcage.rotator.raw import CommandDoc
 
 _LISTED = {
     "root": """

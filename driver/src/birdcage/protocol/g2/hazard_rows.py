@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 
-from birdcage.protocol.hazard import Grade, Hazard
+from birdcage.protocol.hazard import Hazard
+from birdcage.rotator.verdict import Grade
 
 WHERE = frozenset({"position", "turn"})
 REFERENCE = frozenset({"position", "turn", "homed"})

@@ -7,7 +7,8 @@ import re
 from birdcage.protocol.g2.hazard_rows import ALL, DEADLOCK, WHERE, harmless, moves, rows, ruins, setting, streams
 from birdcage.protocol.g2.model import DIALECT
 from birdcage.protocol.g2.motor_hazards import MOTOR_ROWS
-from birdcage.protocol.hazard import Grade, Hazard, HazardTable
+from birdcage.protocol.hazard import Hazard, HazardTable
+from birdcage.rotator.verdict import Grade
 
 MENUS = frozenset(DIALECT.prompts)
 SUBMENUS = MENUS - {"root"}

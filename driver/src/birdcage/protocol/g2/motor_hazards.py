@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from birdcage.protocol.g2.hazard_rows import DEADLOCK, REFERENCE, WHERE, harmless, moves, rows, ruins, setting
-from birdcage.protocol.hazard import Grade
+from birdcage.rotator.verdict import Grade
 
 _ONE_AXIS = r"a (?P<axis>[01]) (?P<angle>\S+)"
 _BOTH_AXES = r"g (?P<az>\S+) (?P<el>\S+)"

@@ -10,7 +10,6 @@ from birdcage.base.errors import CommandRefused, NoReply, PositionUnknown
 from birdcage.base.geometry import shortest_turn
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.events import Reply
-from birdcage.protocol.command_list import CommandDoc
 from birdcage.protocol.g2.commands import COMMANDS
 from birdcage.protocol.g2.hazards import HAZARDS
 from birdcage.protocol.g2.homing import parse_homing
@@ -24,6 +23,7 @@ from birdcage.protocol.nvs import DISABLE_TRACKER, NvsRow
 from birdcage.protocol.protocol import BOOT_TIMEOUT_S, STALLED
 from birdcage.protocol.types import Position, RssiReading, Survey, Taken
 from birdcage.protocol.unhomed import UnreadablePosition, is_unhomed
+from birdcage.rotator.raw import CommandDoc
 
 _DEGREES = r"([-+]?\d+(?:\.\d+)?)(?=\s+[A-Za-z]|\s*$)"
 """A number with a word behind it, or nothing: what noise has cut in two is none."""

@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 
 from birdcage.protocol.hal.dialect import DIALECT
-from birdcage.protocol.hazard import Grade, Hazard, HazardTable
+from birdcage.protocol.hazard import Hazard, HazardTable
+from birdcage.rotator.verdict import Grade
 
 MENUS = frozenset(DIALECT.prompts)
 SUBMENUS = MENUS - {"root"}

@@ -9,7 +9,6 @@ from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused, NoReply, PositionUnknown
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.raw import Typed
-from birdcage.protocol.command_list import CommandDoc
 from birdcage.protocol.hal.answers import parse_position, parse_setting
 from birdcage.protocol.hal.boot import BootWatch
 from birdcage.protocol.hal.commands import COMMANDS
@@ -20,6 +19,7 @@ from birdcage.protocol.hazard import HazardTable
 from birdcage.protocol.model import DishModel
 from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.protocol.types import Position, Survey, Taken
+from birdcage.rotator.raw import CommandDoc
 
 if TYPE_CHECKING:
     from birdcage.base.wake import Wake
