@@ -40,6 +40,24 @@ def test_the_other_firmware_speaks_at_its_own_rate(start) -> None:
         assert b"AZ =   8.34 EL =" in port.read_until(b"WRAP")
 
 
+def test_a_carryout_of_2003_tells_where_it_is_while_it_moves(start) -> None:
+    process = start("sim", "--firmware", "carryout", "--json", "-o", "az=100")
+    told = json.loads(process.stdout.readline())
+    assert told["firmware"] == "carryout"
+    with serial.serial_for_url(told["port"], baudrate=57600, timeout=5) as port:
+        port.write(b"target\rg 101.5 45\r")
+        assert b"az = 10150   el = 4500\r\n" in port.read_until(b"az = 10150   el = 4500\r\n")
+
+
+def test_the_help_does_not_offer_a_carryout_of_2003_as_a_dish_to_drive(run) -> None:
+    told = " ".join(run("sim", "--help").stdout.split())
+    assert "--firmware is g2, hal205 or carryout (a Carryout of 2003, which birdcage cannot drive yet)." in told
+    assert "carryout" not in run("pos", "--help").stdout
+    driven = run("pos", port="sim:carryout", firmware="carryout")
+    assert driven.exit_code == 2
+    assert "This version does not speak carryout. It speaks g2, hal205." in driven.stderr
+
+
 @pytest.mark.parametrize("words", [
     ("--speed", 0), ("-o", "no"), ("-o", "nothing=1"), ("--port", "x"), ("--firmware", "hal000"),
 ])  # fmt: skip

@@ -58,3 +58,9 @@ def terminal() -> Callable[..., Terminal]:
 def hal() -> Callable[..., Terminal]:
     """A terminal of a simulated Trav'ler with HAL 2.05."""
     return partial(Terminal, firmware="hal205")
+
+
+@pytest.fixture
+def carryout() -> Callable[..., Terminal]:
+    """A terminal of a simulated Carryout of 2003."""
+    return partial(Terminal, firmware="carryout")

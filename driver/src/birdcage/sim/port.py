@@ -10,6 +10,8 @@ from dataclasses import dataclass
 from typing import Any, Generic
 
 from birdcage.base.clock import Clock
+from birdcage.sim.carryout.firmware import CarryoutFirmware
+from birdcage.sim.carryout.knobs import CarryoutSettings
 from birdcage.sim.device import Device
 from birdcage.sim.dish import Dish
 from birdcage.sim.firmware import Firmware, Host
@@ -34,6 +36,7 @@ class Kind(Generic[AnySettings]):
 FIRMWARE: dict[str, Kind[Any]] = {
     "g2": Kind(G2Settings, G2Firmware),
     "hal205": Kind(HalSettings, Hal205Firmware),
+    "carryout": Kind(CarryoutSettings, CarryoutFirmware),
 }
 """Every simulated firmware by the name that follows `sim:`."""
 

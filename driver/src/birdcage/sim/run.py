@@ -45,7 +45,7 @@ def run_simulator(
     """Serve a dish until SIGINT, SIGTERM or SIGHUP, and return the exit status, 0.
 
     Args:
-        firmware: `g2` or `hal205`.
+        firmware: `g2`, `hal205` or `carryout`.
         speed: how many times faster than real time its mechanics and its UTC run.
         seed: of every random figure.
         unhomed: start with no axis homed.
