@@ -14,7 +14,7 @@ def no_ports(monkeypatch):
     monkeypatch.setattr("birdcage.link.ports.list_ports", refuse)
 
 
-@pytest.mark.parametrize("words", [(), ("g2",), ("travler",), ("pro",), ("adapters",)])
+@pytest.mark.parametrize("words", [(), ("g2",), ("travler",), ("carryout",), ("pro",), ("adapters",)])
 def test_it_prints_plain_text_of_80_columns(run, no_ports, words) -> None:
     result = run("wiring", *words, port="/dev/no-such-port")
     assert (result.exit_code, result.stderr) == (0, "")

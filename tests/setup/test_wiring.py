@@ -20,14 +20,26 @@ def test_the_g2_as_drawn_top_to_bottom():
 
 
 def test_the_travler_and_the_old_carryout_left_to_right():
-    signals = [pin.signal for pin in connector("travler").pins]
-    assert signals == ["GND", "T/R-", "T/R+", "RXD-", "RXD+", "not used"]
-    assert "Carryout of 2003" in connector("travler").dishes
+    for key in ("travler", "carryout"):
+        signals = [(pin.signal, pin.terminal) for pin in connector(key).pins]
+        assert signals == [("GND", "GND"), ("T/R-", "TB"), ("T/R+", "TA"), ("RXD-", "RB"), ("RXD+", "RA"),
+                           ("not used", "")]  # fmt: skip
 
 
-def test_minus_comes_first_on_both():
+def test_the_old_carryout_tells_its_supply_its_grinding_and_what_not_to_switch_off():
+    plug = connector("carryout")
+    assert (plug.dishes, plug.firmwares) == ("Carryout of 2003", ("carryout",))
+    notes = " ".join(plug.notes)
+    for words in ("12 V DC, at least 1 A", "no limit switches", "grind", "10 to 15 minutes",
+                  "Leave its tracking enabled", "No known command stops it", "does not drive it yet"):  # fmt: skip
+        assert words in notes
+    assert "under the radome" in plug.plug
+    assert "Carryout" not in " ".join((connector("travler").dishes, *connector("travler").notes))
+
+
+def test_minus_comes_first_on_all():
     """The sources that draw the plug agree, whatever an earlier project's table says."""
-    for key in ("g2", "travler"):
+    for key in ("g2", "travler", "carryout"):
         assert [pin.number for pin in connector(key).pins] == [1, 2, 3, 4, 5, 6]
         assert [pin.signal[-1] for pin in connector(key).pins[1:5]] == ["-", "+", "-", "+"]
         assert connector(key).supported_by
@@ -40,7 +52,7 @@ def test_the_pro_has_usb_and_no_pairs():
 
 
 def test_an_unknown_plug_names_those_there_are():
-    with pytest.raises(KeyError, match="g2, travler, pro"):
+    with pytest.raises(KeyError, match="g2, travler, carryout, pro"):
         connector("tailgater")
 
 
@@ -66,7 +78,7 @@ def test_it_fits_in_plain_ascii_and_loses_no_word(plugs, width):
 
 
 def test_the_drawing_shows_each_contact_once():
-    for each in CONNECTORS[:2]:
+    for each in CONNECTORS[:3]:
         drawing = "\n".join(drawing_lines(each))
         for pin in each.pins:
             assert f"{pin.signal}" in drawing
@@ -84,6 +96,6 @@ def test_the_two_kinds_of_line_adapters_and_bias_are_told_in_plain_ascii():
         assert words in text, words
 
 
-@pytest.mark.parametrize("key", ["g2", "travler"])
+@pytest.mark.parametrize("key", ["g2", "travler", "carryout"])
 def test_the_supply_of_a_dish_stands_with_its_plug(key):
     assert any(note.startswith("Supply: ") and "label" in note for note in connector(key).notes)

@@ -38,7 +38,7 @@ class Connector:
     """One kind of plug, and what is known of it."""
 
     key: str
-    """`g2`, `travler`, `pro`: what `birdcage wiring` takes."""
+    """`g2`, `travler`, `carryout`, `pro`: what `birdcage wiring` takes."""
     dishes: str
     plug: str
     drawing: Drawing
@@ -72,6 +72,18 @@ class Symptom:
     supported_by: str
 
 
+RJ_25 = (
+    Pin(1, "GND", "GND"),
+    Pin(2, "T/R-", "TB"),
+    Pin(3, "T/R+", "TA"),
+    Pin(4, "RXD-", "RB"),
+    Pin(5, "RXD+", "RA"),
+    Pin(6, "not used", ""),
+)
+"""The contacts of both dishes that have such a plug."""
+OF_RJ_25 = "The READMEs of Gabe Emerson KL1FI for both dishes (Travler_Rotor, Carryout-Rotor), which agree."
+BOTH_PAIRS = "Connect both pairs, T/R and RXD, to a 4-wire adapter."
+
 CONNECTORS = (
     Connector(
         "g2",
@@ -97,25 +109,35 @@ CONNECTORS = (
     ),
     Connector(
         "travler",
-        "Trav'ler (LG-2112), Carryout of 2003",
-        'RJ-25 (6P6C), on the Trav\'ler the port "Factory Only" of the indoor unit',
+        "Trav'ler (LG-2112)",
+        'RJ-25 (6P6C), the port "Factory Only" of the indoor unit',
         Drawing.TIP_UP,
         "RS-485/422, two pairs, 57600 baud 8N1",
+        RJ_25,
+        OF_RJ_25,
         (
-            Pin(1, "GND", "GND"),
-            Pin(2, "T/R-", "TB"),
-            Pin(3, "T/R+", "TA"),
-            Pin(4, "RXD-", "RB"),
-            Pin(5, "RXD+", "RA"),
-            Pin(6, "not used", ""),
-        ),
-        "The READMEs of Gabe Emerson KL1FI for both dishes (Travler_Rotor, Carryout-Rotor), which agree.",
-        (
-            "Supply: 12 V DC (RP-SK87) or about 50 V DC for the Trav'ler, 12 V for the Carryout. Read its label.",
-            "Connect both pairs, T/R and RXD, to a 4-wire adapter.",
-            "The Carryout's socket is on the control board, under the radome.",
+            "Supply: 12 V DC (RP-SK87) or about 50 V DC. Read its label.",
+            BOTH_PAIRS,
         ),
         ("hal205",),
+    ),
+    Connector(
+        "carryout",
+        "Carryout of 2003",
+        "RJ-25 (6P6C), on the control board under the radome",
+        Drawing.TIP_UP,
+        "RS-485/422, two pairs, 57600 baud 8N1",
+        RJ_25,
+        OF_RJ_25,
+        (
+            "Supply: 12 V DC, at least 1 A. Read its label.",
+            BOTH_PAIRS,
+            "It has no limit switches: at power-up its motors run into their end stops, and grind loudly.",
+            "Homing and TV search take 10 to 15 minutes from power-up. No known command ends them.",
+            "Leave its tracking enabled (menu nvs): without it the dish does not home either.",
+            "No known command stops it: keep the 12 V switch in reach. birdcage does not drive it yet.",
+        ),
+        ("carryout",),
     ),
     Connector(
         "pro",
@@ -169,7 +191,7 @@ BIAS = (
 SYMPTOMS = (
     Symptom(
         Saw.SILENCE, "no power at the dish, plug out, shell deadlocked, or the dish is still starting",
-        "check power and plug; switch off and on; wait three minutes (a Trav'ler: fifteen)",
+        "check power and plug; switch off and on; wait three minutes (a Trav'ler or Carryout of 2003: fifteen)",
         "several owners",
     ),
     Symptom(Saw.SILENCE, "TX+ and TX- are swapped", "swap the two wires of the TX pair", "an earlier project, on a G2"),

@@ -11,7 +11,7 @@ WIDTH = 80
 
 
 @click.command("wiring", epilog=EPILOG)
-@click.argument("plug", required=False, type=click.Choice(["g2", "travler", "pro", "adapters"]))
+@click.argument("plug", required=False, type=click.Choice(["g2", "travler", "carryout", "pro", "adapters"]))
 @global_options("json", "verbose")
 def command(plug: str | None) -> None:
     """Print which wire goes where, what a wrong one looks like, and which adapters work.
