@@ -45,7 +45,7 @@ from birdcage_tui.track.pursuing import pursuit_of
 from birdcage_tui.unready import SETUP, setup_step
 from birdcage_tui.view import YOU, View
 
-MOTIONS = (Goto, Jog, TurnSkew, Home, Stow)
+Motion = Goto | Jog | TurnSkew | Home | Stow
 
 
 class BirdcageApp(Shell):
@@ -130,10 +130,14 @@ class BirdcageApp(Shell):
             if error is not None and self._loop is not None and not self._loop.is_closed():
                 self._loop.call_soon_threadsafe(self.say, str(error))
 
-        if isinstance(request, MOTIONS) and not self._take_back_for(request):
-            return
+        if isinstance(request, Motion):
+            reason = refusal_of(request, self.station.state) if self._pursuit_leads else None
+            if reason is not None:
+                self.say(f"Refused: {reason}")
+                return
+            request = self._take_back_with(request)
         future = self.station.submit(request)
-        if isinstance(request, MOTIONS):
+        if isinstance(request, Motion):
             self.end_tour()
             self.under_way.add(future)
             self.horizon.moved(jog=isinstance(request, Jog))
@@ -141,7 +145,6 @@ class BirdcageApp(Shell):
 
     def begin_way(self) -> Future[object]:
         """Count a motion of yours that somebody else will submit as under way, until what is returned is done."""
-        self._take_back()
         self.end_tour()
         self.horizon.moved(jog=False)
         way: Future[object] = Future()
@@ -149,24 +152,22 @@ class BirdcageApp(Shell):
         way.add_done_callback(self.under_way.discard)
         return way
 
-    def _take_back_for(self, request: Request) -> bool:
-        """Take control from your own pursuit for a motion; say why not, and return False, where it would be refused."""
-        reason = refusal_of(request, self.station.state) if self._pursuit_leads else None
-        if reason is not None:
-            self.say(f"Refused: {reason}")
-            return False
-        self._take_back()
-        return True
+    def _take_back_with(self, request: Motion) -> Motion:
+        """Take control from your own pursuit with a motion: that it is by hand is word enough that you want it back.
+
+        The station judges first: a pass that is followed is not left for a motion that it refuses.
+        """
+        if not self._pursuit_leads:
+            return request
+        if isinstance(request, Home | Stow):
+            self.station.submit(AcquireLease(YOU, take_over=True))
+            return request
+        return replace(request, take_over=True)
 
     @property
     def _pursuit_leads(self) -> bool:
         pursuit = pursuit_of(self.view())
         return pursuit is not None and self.station.state.holder == pursuit.holder != YOU
-
-    def _take_back(self) -> None:
-        """Take control from your own pursuit: a key that moves by hand is word enough that you want it back."""
-        if self._pursuit_leads:
-            self.station.submit(AcquireLease(YOU, take_over=True))
 
     def open_goto(self, text: str = "") -> None:
         """Open the go-to line, over whatever page is seen."""

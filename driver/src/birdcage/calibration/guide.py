@@ -20,6 +20,7 @@ from birdcage.calibration.peaks_file import add_peak, load_peaks, peaks_file, re
 from birdcage.calibration.work import fit_for, in_force, observer_of, proposals_for, set_from, sky_error_for
 from birdcage.sky.rise import Ear, expected_rise_db
 from birdcage.sky.targets.model import SlotTarget
+from birdcage.station.pursuit import Phase
 from birdcage.station.reach_limits import reach_limits_of
 from birdcage.station.requests import ApplySettings, Goto, Jog, ReleaseLease, Request, Unwatch, Watch
 from birdcage.station.session import Session
@@ -71,16 +72,19 @@ class Guide:
     """From the first object to an alignment in force, over a session. All calls from one thread; `tick` often.
 
     `settings` are as loaded, `environ` and `flags` those that they were loaded with. `holder` takes control with the
-    first motion, and `close` gives it back. What takes longer than a moment (`refresh`: some tenths of a second) says
+    first motion, and `close` gives it back; with `over_pursuit` it takes it from a pursuit too, as a person who
+    moves the dish by hand wants. What takes longer than a moment (`refresh`: some tenths of a second) says
     so; an app calls it from a worker of its own that owns the guide.
     """
 
     def __init__(
         self, session: Session, settings: Settings, paths: Paths, *, environ: Mapping[str, str] | None = None,
         flags: Mapping[str, object] | None = None, holder: str = "calibration", watch: bool = True,
+        over_pursuit: bool = False,
     ) -> None:  # fmt: skip
         self._station, self._clock = session.station, session.clock
         self.settings, self._paths, self._holder = settings, paths, holder
+        self._over_pursuit = over_pursuit
         self._environ = os.environ if environ is None else environ
         self._flags = dict(flags or {})
         self._target: Target | None = None
@@ -158,7 +162,7 @@ class Guide:
             raise NoPeak("No object is chosen.", reason="target")
         # The station aims by the alignment in force; the peaks taken since know better.
         az_deg, el_deg = in_force(self.settings).to_true(*self._aim.to_dish(*stands))
-        self._ask(Goto(az_deg, el_deg, self._holder), f"going to {self._target.name}")
+        self._ask(Goto(az_deg, el_deg, self._holder, take_over=self._takes_over), f"going to {self._target.name}")
 
     def nudge(self, right_deg: float, up_deg: float) -> None:
         """Step so far on the sky, as a person looks at the meter."""
@@ -166,7 +170,7 @@ class Guide:
         if position is None:
             raise NoPeak("The dish's position is not known.")
         level = max(math.cos(math.radians(position.el_deg)), 0.02)
-        self._ask(Jog(right_deg / level, up_deg, self._holder), "nudging")
+        self._ask(Jog(right_deg / level, up_deg, self._holder, self._takes_over), "nudging")
 
     def take(self, sigma_deg: float | None = None) -> Peak:
         """Peaked here: keep where the dish is and where the object was then, and fit anew.
@@ -239,6 +243,13 @@ class Guide:
         state = self._station.state
         seen = state.position if state.position_lost is None and state.link.state is Link.UP else None
         return seen if seen is not None and self._clock.monotonic() - seen.told_at <= FRESH_S else None
+
+    @property
+    def _takes_over(self) -> bool:
+        """Whether a pursuit has control that a motion of this guide may take."""
+        pursuit, holder = self._station.state.pursuit, self._station.state.holder
+        live = pursuit is not None and pursuit.phase is not Phase.OVER and pursuit.holder == holder
+        return self._over_pursuit and live
 
     @property
     def _moving(self) -> bool:

@@ -116,7 +116,7 @@ class MotionGate:
 
     def check(self, az_deg: float | None, el_deg: float | None) -> None:
         """Raise `MotionRefused` unless the dish may go there from where it stands; None leaves that axis be."""
-        position = self._check_limits(az_deg, el_deg)
+        position = self.check_limits(az_deg, el_deg)
         self._check_sectors(
             position, az_deg if az_deg is not None else position.azimuth,
             el_deg if el_deg is not None else position.elevation,
@@ -127,7 +127,7 @@ class MotionGate:
 
         For a motion that begins only when the present one is over: `check` judges its way then.
         """
-        self._check_limits(az_deg, el_deg)
+        self.check_limits(az_deg, el_deg)
         for sector in self.bounds.sectors:
             if el_deg < sector.below_el_deg and sector.overlaps(az_deg, 0.0):
                 raise self._in_the_way(sector, az_deg, el_deg, el_deg)
@@ -153,8 +153,11 @@ class MotionGate:
         if self.position is None:
             raise self._unknown()
 
-    def _check_limits(self, az_deg: float | None, el_deg: float | None) -> Position:
-        """Return the position; MotionRefused when it is not known, or when an axis or the cable does not allow it."""
+    def check_limits(self, az_deg: float | None, el_deg: float | None) -> Position:
+        """Return the position; MotionRefused when it is not known, or when an axis or the cable does not allow it.
+
+        Sectors are left out: it depends on the way whether they forbid it.
+        """
         for name, value in (("azimuth", az_deg), ("elevation", el_deg)):
             if value is not None and not math.isfinite(value):
                 raise MotionRefused(

@@ -25,12 +25,22 @@ class Control:
 
     def take(self, holder: str, *, take_over: bool = False) -> None:
         """Give the lease to `holder`. LeaseDenied if another has it, unless taken over, which is told."""
+        self.may_take(holder, take_over=take_over)
+        if self._board.state.holder != holder:
+            self._pass_to(holder)
+
+    def may_take(self, holder: str, *, take_over: bool = False) -> None:
+        """Raise LeaseDenied where `take` would; the lease stays where it is."""
         previous = self._board.state.holder
-        if previous == holder:
-            return
-        if previous is not None and not take_over:
+        if previous not in (None, holder) and not take_over:
             raise LeaseDenied(f"{previous} has control. Take control, or wait until it is free.")
-        self._pass_to(holder)
+
+    def hand_back(self, holder: str, previous: str | None) -> None:
+        """Give the lease that `holder` has taken back to who had it before, if anybody did."""
+        if previous is None:
+            self.give_back(holder)
+        else:
+            self.take(previous, take_over=True)
 
     def give_back(self, holder: str) -> None:
         """Take the lease back from `holder`; nothing happens if it has none."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from concurrent.futures import Future
 
 from birdcage.antenna.antenna import BirdcageAntenna
@@ -117,8 +118,8 @@ class Desk:
         """Return how motions end when the station does."""
         return End.STOPPED, "the station ends", Stopped("The station has ended.", reason="closing")
 
-    def _ready(self, holder: str, az_deg: float | None = None, el_deg: float | None = None) -> None:
-        self._control.admit(holder, az_deg, el_deg)
+    def _ready(self, holder: str) -> None:
+        self._control.admit(holder)
         self._free_wire()
 
     def _make_way(self, holder: str) -> None:
@@ -137,32 +138,53 @@ class Desk:
             az_deg, el_deg = self._jogged(request)
         else:
             az_deg, el_deg = request.az_deg, request.el_deg
-        had_lease = self._board.state.holder == request.holder
-        self._ready(request.holder, az_deg, el_deg)
+        clamp = isinstance(request, ask.Goto) and request.clamp
         follow = isinstance(request, ask.Follow)
+        self._control.refuse(request.holder, az_deg, el_deg)
+        previous = self._take_for(request, lambda: self._judge(az_deg, el_deg, clamp=clamp))
         job = Job(az_deg, el_deg, request.holder, future, follow=follow)
         self._pursuing.make_way(request.holder)
-        clamp = isinstance(request, ask.Goto) and request.clamp
         try:
             self._mover.go(job, clamp=clamp, leapfrog=isinstance(request, ask.Follow) and request.leapfrog)
             self._pursuing.by_hand(request.holder)
         except MotionRefused:
-            if not had_lease:
-                self._control.give_back(request.holder)
+            self._control.hand_back(request.holder, previous)
             raise
 
+    def _take_for(
+        self, request: ask.Goto | ask.Follow | ask.Jog | ask.TurnSkew, judge: Callable[[], None]
+    ) -> str | None:
+        """Take control for a motion once it is judged; return who had it before. What is refused takes nothing."""
+        take_over = not isinstance(request, ask.Follow) and request.take_over
+        previous = self._board.state.holder
+        self._control.may_take(request.holder, take_over=take_over)
+        self._free_wire()
+        judge()
+        self._control.take(request.holder, take_over=take_over)
+        return previous
+
+    def _judge(self, az_deg: float, el_deg: float, *, clamp: bool) -> None:
+        """Raise MotionRefused for what the last reading forbids: the mover judges the way, by one of its own.
+
+        A pursuit that has changed the dish's speeds ends before that, so the whole way is judged for it here.
+        """
+        gate = self._antenna.protocol.gate
+        if self._pursuing.speeds.are_changed:
+            self._antenna.aim(az_deg, el_deg, leapfrog=False, clamp=clamp)
+        elif gate.position is not None:
+            gate.check_limits(*self._antenna.to_dish(az_deg, el_deg, clamp=clamp))
+
     def _turn_skew(self, request: ask.TurnSkew, future: Future[object]) -> None:
-        had_lease = self._board.state.holder == request.holder
         self._antenna.protocol.gate.check_skew(request.deg)
-        self._ready(request.holder)
+        self._control.refuse(request.holder)
+        previous = self._take_for(request, lambda: self._mover.check_skew(request.deg))
         here = self._board.state.position
         az_deg, el_deg = (here.az_deg, here.el_deg) if here is not None else (0.0, 0.0)
         try:
             self._mover.turn_skew(Job(az_deg, el_deg, request.holder, future, skew_deg=request.deg))
             self._pursuing.by_hand(request.holder)
         except MotionRefused:
-            if not had_lease:
-                self._control.give_back(request.holder)
+            self._control.hand_back(request.holder, previous)
             raise
 
     def _jogged(self, jog: ask.Jog) -> tuple[float, float]:

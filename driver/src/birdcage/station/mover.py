@@ -97,10 +97,14 @@ class Mover(ABC):
     def _follow(self, job: Job) -> None:
         """Judge whether the dish has arrived, is under way, or is stuck."""
 
+    def check_skew(self, deg: float) -> None:
+        """Raise MotionRefused where `turn_skew` would."""
+        self._antenna.protocol.gate.check_skew(deg)
+
     def turn_skew(self, job: Job) -> None:
         """Turn the skew to `job.skew_deg`. MotionRefused where that can't be done."""
         assert job.skew_deg is not None, "this is a motion of the skew"
-        self._antenna.protocol.gate.check_skew(job.skew_deg)
+        self.check_skew(job.skew_deg)
         raise MotionRefused("The skew of this dish can't be turned from here. Nothing was sent.", reason="unsupported")
 
     def await_rest(self, job: Job) -> None:

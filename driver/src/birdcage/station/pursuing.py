@@ -16,7 +16,6 @@ from birdcage.station.control import Control
 from birdcage.station.events import End
 from birdcage.station.helmsman import Helmsman
 from birdcage.station.interruption import Interruption
-from birdcage.station.lent import LentSpeeds
 from birdcage.station.look import Look
 from birdcage.station.mover import Mover
 from birdcage.station.pursuit import Phase, Pursuit
@@ -50,6 +49,8 @@ class Pursuing:
         self.on_slow: Callable[[str], None] = lambda _sentence: None
         """Told when the dish does not take its speeds back."""
         self._helm = Helmsman(board, antenna, look, mover, watches)
+        self.speeds = self._helm.speeds
+        """Those of the dish that a pursuit has changed."""
         self._run: Generator[Step, Answer, None] | None = None
         self._voyage: Voyage | None = None
         self._told = Telling(board, antenna)
@@ -66,10 +67,6 @@ class Pursuing:
     @property
     def _live(self) -> Pursuit | None:
         return self._told.live
-
-    def remember_speeds(self, lent: LentSpeeds) -> None:
-        """Keep speeds that are changed on disk, and put back those that the program before this one has left."""
-        self._helm.speeds.remember(lent)
 
     # What faces ask for
 
@@ -129,10 +126,13 @@ class Pursuing:
             self.restore()
 
     def by_hand(self, holder: str) -> None:
-        """Somebody moves the dish: if it is whose pursuit this is, that ends it."""
+        """Somebody moves the dish: that ends his own pursuit. One that he has taken control from leaves it to him."""
         live = self._live
         if live is not None and live.holder == holder and (self._leads or live.phase is Phase.COUNTDOWN):
             self._over(words.by_hand(holder), keep_lease=True)
+        elif live is not None and self._is_robbed(live):
+            self._drop()
+            self._told.enter(Phase.YIELDED, words.yielded(holder))
 
     def suit_dish(self) -> None:
         """The dish takes commands otherwise than was known: steer accordingly from the next stretch on."""

@@ -52,16 +52,20 @@ class QueuedMover(Mover):
                 self._silence.end()
         self._begin_job(job, asked)
 
-    def turn_skew(self, job: Job) -> None:
-        """Turn the skew. Not while the dish goes somewhere: that would end it half-way."""
-        assert job.skew_deg is not None, "this is a motion of the skew"
-        self._antenna.protocol.gate.check_skew(job.skew_deg)
+    def check_skew(self, deg: float) -> None:
+        """Refuse it while the dish goes somewhere too: that would end it half-way."""
+        super().check_skew(deg)
         under_way = self._antenna.motion
         if (self._job is not None and self._job.skew_deg is None) or (under_way is not None and under_way.skew is None):
             raise MotionRefused(
                 "The skew is not turned while the dish moves. Wait until it rests, or stop it. Nothing was sent.",
                 reason="moving",
             )
+
+    def turn_skew(self, job: Job) -> None:
+        """Turn the skew."""
+        assert job.skew_deg is not None, "this is a motion of the skew"
+        self.check_skew(job.skew_deg)
         self._begin_job(job, (False, False))
 
     def _begin_job(self, job: Job, asked: tuple[bool, bool]) -> None:

@@ -22,6 +22,8 @@ class Goto:
     holder: str
     clamp: bool = False
     """Move to the nearest allowed elevation instead of refusing one outside the limits."""
+    take_over: bool = False
+    """Take control from whoever has it, visibly; what is refused takes nothing, and ends no pursuit."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,6 +68,8 @@ class Jog:
     d_az_deg: float
     d_el_deg: float
     holder: str
+    take_over: bool = False
+    """As in `Goto`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +81,8 @@ class TurnSkew:
 
     deg: float
     holder: str
+    take_over: bool = False
+    """As in `Goto`."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -88,7 +88,7 @@ class Station:
         self._pursuing.on_slow = self._vigil.slow
         self._moves.on_learnt = self._pursuing.suit_dish
         if settings.state_folder is not None:
-            self._pursuing.remember_speeds(LentSpeeds(settings.state_folder, settings.port, settings.firmware))
+            self._pursuing.speeds.remember(LentSpeeds(settings.state_folder, settings.port, settings.firmware))
         self._turns = TurnMemory(
             board, protocol.gate, settings.firmware, settings.state_folder, settings.identify
         )  # fmt: skip

@@ -47,7 +47,8 @@ def make_calibrate(session: Session, load: Callable[[], Settings], paths: Paths,
         def open_guide(settings: Settings) -> Guide:
             from birdcage.calibration.guide import Guide
 
-            return Guide(session, settings, paths, environ=environ, flags=flags, holder=YOU, watch=False)
+            return Guide(session, settings, paths, environ=environ, flags=flags, holder=YOU, watch=False,
+                         over_pursuit=True)  # fmt: skip
 
         return GuideDesk(open_guide, load, session, paths, show, threads=threads)
 
