@@ -28,6 +28,7 @@ from birdcage_tui.control.horizon_file import ConfigHorizon
 from birdcage_tui.demo_radio import radio_flags, write_downlinks
 from birdcage_tui.run import DEMO_DELAY_S, DEMO_PARK, DEMO_PLACE, demo_port, name_demo, remember_demo
 from birdcage_tui.settings import AppSettings
+from birdcage_tui.signal_source import SessionSignals
 from birdcage_tui.sky_feed import make_sky
 from birdcage_tui.themes import LOOKS
 from birdcage_tui.track_source import make_track
@@ -118,6 +119,7 @@ async def demo(
             port=demo_port(firmware, dish), firmware=firmware, baud=None, settings=here, paths=paths, clock=clock,
             identify=name_demo,
         )  # fmt: skip
+        signals = SessionSignals(session, here, lambda: here, threads=False)
         session.start = lambda: None  # stepped here instead of running on its thread
         settings = AppSettings(
             theme=theme,
@@ -127,7 +129,8 @@ async def demo(
             presets_file=paths.presets_file,
             setup=lambda: Setup(session, here, paths, environ={}, ports=list, system=SystemFacts),
             sky=make_sky(here, paths, clock, demo=True, threads=False),
-            track=make_track(session, here, lambda: here, paths, demo=True, threads=False),
+            track=make_track(session, here, lambda: here, paths, demo=True, signals=signals, threads=False),
+            signal=signals,
             calibrate=make_calibrate(session, lambda: here, paths, environ={}, threads=False),
             horizon=ConfigHorizon(paths, here, lambda: load(paths.config_file, environ={})),
         )

@@ -14,6 +14,7 @@ from birdcage.protocol.hal.model import TRAVLER
 from birdcage.protocol.menu_raw import MenuRaw
 from birdcage.protocol.model import Turn
 from birdcage.protocol.registry import get_protocol
+from birdcage.signal.tuner import TUNER_FACTS
 from birdcage.station.menu_commands import MenuCommands
 from birdcage.station.state import (
     Activity,
@@ -59,6 +60,10 @@ class Station:
 
     def commands(self, menu):
         return MenuCommands(MenuRaw(PROTOCOL)).of(menu)
+
+    def own_signal(self, source, holder):
+        owners = {**self.state.signal_owners, source: holder}
+        self.state = replace(self.state, signal_owners={name: by for name, by in owners.items() if by})
 
     def stop(self, by, *, leaving=False):
         self.stops.append(by)
@@ -320,7 +325,7 @@ def app_in(name, *, theme="dusk", tour=False, heard=True, **settings):
     settings = AppSettings(theme=theme, place=PLACE if state.demo else None, tour=tour, **settings)
     app = BirdcageApp(session, settings)
     if heard and state.position is not None:
-        app.signals.tuner.extend(samples(clock))
+        app.signals.book.of(TUNER_FACTS).extend(samples(clock))
     return app
 
 
@@ -329,9 +334,9 @@ def change_to(app, name):
     state = STATES[name](app.session.clock)
     app.station.state = state
     app.settings = replace(app.settings, place=PLACE if state.demo else None)
-    app.signals.tuner.clear()
+    app.signals.book.of(TUNER_FACTS).clear()
     if state.position is not None:
-        app.signals.tuner.extend(samples(app.session.clock))
+        app.signals.book.of(TUNER_FACTS).extend(samples(app.session.clock))
 
 
 def text_of(app):

@@ -9,7 +9,8 @@ from dataclasses import replace
 import calibrate_stand_in
 import pytest
 import stand_in
-from birdcage.station.events import ReadingRead
+from birdcage.signal.source import SignalReading
+from birdcage.signal.tuner import TUNER_FACTS
 from birdcage_tui.calibrate.aim import AimPane
 from birdcage_tui.calibrate.figures import FiguresPane
 from birdcage_tui.calibrate.lists import ObjectsPane, PeaksPane, SetsPane
@@ -17,7 +18,6 @@ from birdcage_tui.calibrate.over_sky import OverSkyPane
 from birdcage_tui.calibrate.scatter import ScatterPane, reach_of
 from birdcage_tui.calibrate.tabs import SetupTabs
 from birdcage_tui.footer import KeyBar
-from birdcage_tui.signal_book import SignalBook
 from birdcage_tui.status import BadDayRow, StatusLine, StopButton
 from calibrate_tab import SIZES, flat, pane_text, press, read, run, settle
 
@@ -179,16 +179,18 @@ def test_the_highest_signal_is_told_with_its_place():
 
     async def play(app, pilot, _source):
         clock, here = app.session.clock, app.station.state.position
-        app.signals = SignalBook()
-        heard = ReadingRead(clock.monotonic() - 1.0, clock.utc(), "rssi", 900.0, "counts")
-        app.signals.hear(heard, app.station.state)  # before this object: it counts for nothing
+        app.signals.book.of(TUNER_FACTS).clear()
+
+        def hear(ago_s, counts):
+            reading = SignalReading(counts, "counts", clock.monotonic() - ago_s, clock.utc(), "tuner")
+            app.signals.book.hear(reading, TUNER_FACTS, app.station.state)
+
+        hear(1.0, 900.0)  # before this object: it counts for nothing
         clock.advance(5.0)
         for at, az, value in ((3.0, here.az_deg + 1.0, 640.0), (1.0, here.az_deg, 590.0)):
             where = replace(here, az_deg=az)
             app.station.state = replace(app.station.state, position=where)
-            app.signals.hear(
-                ReadingRead(clock.monotonic() - at, clock.utc(), "rssi", value, "counts"), app.station.state
-            )
+            hear(at, value)
         await settle(app, pilot)
         return stand_in.text_of(app)
 

@@ -5,7 +5,7 @@ from concurrent.futures import Future
 import pytest
 from birdcage.base.errors import ConfirmationNeeded, Held, LeaseDenied
 from birdcage.station.raw import CONSOLE, Grade
-from birdcage.station.requests import AcquireLease, ReleaseLease, Watch
+from birdcage.station.requests import AcquireLease, ReleaseLease, Unwatch, Watch
 from birdcage_tui.dialogs import QuestionScreen
 from console_desk import desk
 from stand_in import PROTOCOL
@@ -227,10 +227,21 @@ def test_closing_gives_control_back():
 
 
 def test_while_one_types_only_the_position_is_polled_so_that_the_menu_stays():
+    def watched(at):
+        watches = {}
+        for each in at.app.station.asked:
+            if isinstance(each, Watch):
+                watches[each.watcher] = each.features
+            elif isinstance(each, Unwatch):
+                del watches[each.watcher]
+        return set().union(*watches.values())
+
     async def watches(at):
+        first = watched(at)
         await at.press("i")
+        typing = watched(at)
         await at.press("escape")
-        return [set(each.features) for each in at.app.station.asked_for(Watch)]
+        return first, typing, watched(at)
 
     first, typing, after = desk(watches)
     assert typing == {"position"}

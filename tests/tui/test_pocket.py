@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 import stage
 import stand_in
+from birdcage.signal.tuner import TUNER_FACTS
 from birdcage.station.requests import AcknowledgeFault, Goto, Home, Jog, Release
 from birdcage_tui.dialogs import QuestionScreen
 from birdcage_tui.goto import GotoLine
@@ -178,7 +179,7 @@ def test_an_old_position_says_its_age():
 
 def test_a_dish_without_signal_has_no_empty_frame():
     async def quiet(app, pilot):
-        app.signals.tuner.clear()
+        app.signals.book.of(TUNER_FACTS).clear()
         app.paint()
         await pilot.pause()
         await pilot.pause()

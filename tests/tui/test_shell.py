@@ -49,13 +49,15 @@ def test_the_dashboard_is_watched_only_while_it_is_seen():
             await pilot.pause()
         return [r for r in app.station.asked if isinstance(r, Watch | Unwatch)]
 
-    first, away, plain, left, again = run(visit)
+    signal, first, quiet, away, plain, signal_again, left, again = run(visit)
+    assert signal.features == {"rssi"}, "the source of the signal is the tuner"
     assert first.watcher == "page-dashboard"
-    assert first.features == {"position", "rssi", "health"}
+    assert first.features == {"position", "health"}
+    assert quiet == Unwatch(signal.watcher)
     assert isinstance(away, Unwatch)
     assert "position" in plain.features, "the status line shows the position on every page"
     assert isinstance(left, Unwatch)
-    assert again == first
+    assert (signal_again, again) == (signal, first)
 
 
 def test_events_from_the_station_are_drawn():

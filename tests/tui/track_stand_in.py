@@ -11,6 +11,7 @@ from birdcage.base.geometry import separation
 from birdcage.pursuit.now import DeskNow, Found, Mode, Scheduled, Unfinished
 from birdcage.radio import peer
 from birdcage.radio.now import RadioNow, RadioState
+from birdcage.signal.tuner import TUNER_FACTS
 from birdcage.sky.look import LookAngle
 from birdcage.sky.skew import Skew
 from birdcage.station.pursuit import Phase, Pursuit, PursuitOptions, Sample
@@ -375,8 +376,8 @@ def app_in(name, **options):
     app.track._make = Source(now)
     app.track.looks.extend(seen)
     if name in ON_SLOT:
-        app.signals.tuner.clear()
-        app.signals.tuner.extend(on_slot(clock))
+        app.signals.book.of(TUNER_FACTS).clear()
+        app.signals.book.of(TUNER_FACTS).extend(on_slot(clock))
     app.track._number = None if state.pursuit is None else state.pursuit.number
     return app
 
@@ -384,8 +385,8 @@ def app_in(name, **options):
 def change_to(app, name):
     """Let an app that runs show another scene, as if it had been in it from the start."""
     app.station.state, now, seen = SCENES[name](app.session.clock)
-    app.signals.tuner.clear()
-    app.signals.tuner.extend(on_slot(app.session.clock) if name in ON_SLOT else ())
+    app.signals.book.of(TUNER_FACTS).clear()
+    app.signals.book.of(TUNER_FACTS).extend(on_slot(app.session.clock) if name in ON_SLOT else ())
     app.track._number = None if app.station.state.pursuit is None else app.station.state.pursuit.number
     app.track.looks.clear()
     app.track.looks.extend(seen)

@@ -31,6 +31,7 @@ from birdcage_tui.control.horizon_file import ConfigHorizon
 from birdcage_tui.glyphs import fitting
 from birdcage_tui.ready_watch import KeptChecks
 from birdcage_tui.settings import AppSettings, Place
+from birdcage_tui.signal_source import SessionSignals
 from birdcage_tui.sky_feed import make_sky
 from birdcage_tui.terminal_cells import ASPECT
 from birdcage_tui.track_source import make_track
@@ -245,11 +246,13 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSetti
         for given in [dotted for dotted in flags if dotted.startswith("place.")]:
             del flags[given]  # what a person says here counts over what was given at the start
 
+    signals = SessionSignals(session, settings, load_again)
     return session, replace(
         _app_settings(settings, paths, demo=options.demo),
         setup=make_setup,
         sky=make_sky(settings, paths, clock, demo=options.demo),
-        track=make_track(session, settings, load_again, paths, demo=options.demo),
+        track=make_track(session, settings, load_again, paths, demo=options.demo, signals=signals),
+        signal=signals,
         calibrate=make_calibrate(session, load_again, paths, environ={} if options.demo else None, flags=flags),
         horizon=ConfigHorizon(paths, settings, load_again),
         clock_check=make_check(clock, paths),

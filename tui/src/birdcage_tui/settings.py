@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from birdcage_tui.clock_told import ClockTold
     from birdcage_tui.ready_watch import ReadySource
     from birdcage_tui.setup.engine import SetupEngine
+    from birdcage_tui.signal_feed import SignalSources
     from birdcage_tui.sky_feed import MakeSky
     from birdcage_tui.track_feed import MakeTrack
 
@@ -76,6 +77,8 @@ class AppSettings:
     """Makes what watches the sky, after the first frame; None: nothing does."""
     track: MakeTrack | None = field(default=None, compare=False)
     """Makes the pursuit desk, after the first frame; None: there is none."""
+    signal: SignalSources | None = field(default=None, compare=False)
+    """The sources of the signal; None: the dish's own tuner alone."""
     calibrate: MakeCalibrate | None = field(default=None, compare=False)
     """Makes the guide of the calibration when its tab is first visited; None: there is none."""
     horizon: HorizonFile | None = field(default=None, compare=False)

@@ -42,7 +42,7 @@ from birdcage_tui.ready_watch import ReadyWatch
 from birdcage_tui.scope import Scope, scopes_of
 from birdcage_tui.screen_size import size_classes
 from birdcage_tui.settings import AppSettings
-from birdcage_tui.signal_book import SignalBook
+from birdcage_tui.signal_feed import SignalFeed
 from birdcage_tui.sky_feed import SkyFeed
 from birdcage_tui.start_objects import StartObjects
 from birdcage_tui.status import BadDayRow, TopRow
@@ -105,7 +105,7 @@ class Shell(Surface):
         self.ready = ReadyWatch(self.settings.ready, self.soon, self._changed)
         self.aim: tuple[float, float] | None = None
         """Where the go-to line would lead, while one types into it."""
-        self.signals = SignalBook()
+        self.signals = SignalFeed(self.settings.signal, self.station, self.soon, self._changed)
         self.link_book = LinkBook()
         self.notes = Notes()
         self._tour = Tour(self.track.set_autotrack)
@@ -147,6 +147,7 @@ class Shell(Surface):
     def _begin(self) -> None:
         self._start_objects.freeze()
         self.presets.load()
+        self.signals.begin()
         self._unsubscribe = self.station.subscribe(self._tell)
         try:
             self.session.on_wire(self.tap.take_in)
@@ -168,7 +169,7 @@ class Shell(Surface):
 
     def on_unmount(self) -> None:
         """Hear no more events, and let go of what was made."""
-        for each in (self.sky, self.track, self.calibrate, self.clock_watch, self.ready):
+        for each in (self.signals, self.sky, self.track, self.calibrate, self.clock_watch, self.ready):
             each.close()
         if self._unsubscribe is not None:
             self._unsubscribe()
@@ -186,7 +187,7 @@ class Shell(Surface):
             clock.monotonic(),
             clock.utc(),
             self.settings,
-            self.signals.samples,
+            self.signals.book.samples,
             self._tour.says,
             "" if crash is None else f"{type(crash).__name__}: {crash}",
             self.notes.last,
@@ -203,7 +204,8 @@ class Shell(Surface):
             clock=self.clock_watch.now,
             track=self.track.now,
             followed=tuple(self.track.looks),
-            heard=self.signals.heard,
+            heard=self.signals.book.heard,
+            signal_trouble=self.signals.trouble,
             trips=self.link_book.trips,
             calibrate=self.calibrate.now,
             ready=self.ready.now,
@@ -259,7 +261,6 @@ class Shell(Surface):
 
     def _news(self) -> None:
         """Draw what was told; a tour that is still to begin waits for no frame."""
-        self.signals.tell(self.track.now, self.session.clock.monotonic(), self.station.state)
         self.link_book.hear(self.station.state.link)
         if self._tour.running:
             self._tour.step(self.view())
@@ -268,7 +269,6 @@ class Shell(Surface):
     @on(StationEvent)
     def _hear(self, message: StationEvent) -> None:
         event = message.event
-        self.signals.hear(event, self.station.state)
         if isinstance(event, MoveEnded) and not says_nothing_new(event, self.station.state):
             self.note(ended_text(event))
         self.track.hear(event)
@@ -352,9 +352,9 @@ class Shell(Surface):
     def watch_page(self) -> None:
         """Ask the station to read what the visible page shows, and nothing else."""
         page = self._seen()
-        features = page.WATCHES if page is not None else frozenset()
-        if self.sheet is not None and self.sheet.typing:
-            features &= {"position"}  # the rest would change the menu while a person types for it
+        typing = self.sheet is not None and self.sheet.typing
+        features = self.signals.watch(page.WATCHES if page is not None else frozenset(), typing=typing)
+        features = features & {"position"} if typing else features  # the rest would change the menu meanwhile
         wanted = page.id if page is not None and features else None
         if (wanted, features) == (self._watching, self._features):
             return

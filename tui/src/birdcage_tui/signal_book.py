@@ -1,64 +1,69 @@
-"""What was heard: by the dish's own tuner, and by the receiver beside it, which goes first while it tells anything."""
+"""What was heard: by the source of the mounted feed, or in a pass by a receiver, which goes before the dish's tuner."""
 
 from __future__ import annotations
 
 from collections import deque
 from collections.abc import Sequence
-from datetime import datetime
-from typing import TYPE_CHECKING
 
-from birdcage.station.events import Event, ReadingRead
-from birdcage.station.state import StationState
+from birdcage.signal.source import SignalFacts, SignalReading
+from birdcage.signal.tuner import TUNER, TUNER_FACTS
+from birdcage.station.state import MOVING, Link, StationState
 
-from birdcage_tui.view import RECEIVER, TUNER, Heard, Sample
-
-if TYPE_CHECKING:
-    from birdcage.pursuit.now import DeskNow
+from birdcage_tui.view import STALE_S, Sample
 
 KEPT = 2000
+MOVED_S = 0.3
+"""So long after it was read a position still holds while the dish moves."""
 
 
 class SignalBook:
-    """Kept by the app. The tuner is read while the dish rests, a receiver's strength while a pass is on."""
+    """Kept by the app: what each source has told."""
 
     def __init__(self) -> None:
-        self.tuner: deque[Sample] = deque(maxlen=KEPT)
-        self.receiver: deque[Sample] = deque(maxlen=KEPT)
-        self._read: datetime | None = None
-        self._tells = False
-        self._marked = False
+        self.chosen = TUNER_FACTS
+        """Of the source that the feed names."""
+        self._facts: dict[str, SignalFacts] = {}
+        self._samples: dict[str, deque[Sample]] = {}
 
-    def hear(self, event: Event, state: StationState) -> None:
-        """Take what the dish's tuner has told."""
-        if isinstance(event, ReadingRead) and event.feature == "rssi":
-            self.tuner.append(_sample(event.at, float(event.value), state))
+    def choose(self, facts: SignalFacts) -> None:
+        """Show the source of another feed, and nothing of what was heard through the one before."""
+        self.chosen = facts
+        self._samples.clear()
 
-    def tell(self, desk: DeskNow | None, at: float, state: StationState) -> None:
-        """Take what the receiver shows at monotonic `at`: a strength counts once, however often it is shown."""
-        radio = None if desk is None else desk.radio
-        strength_db = None if radio is None else radio.strength_db
-        self._tells = strength_db is not None
-        if radio is None or strength_db is None or radio.strength_at in (None, self._read):
-            return
-        self._read, self._marked = radio.strength_at, radio.demo and not state.demo
-        self.receiver.append(_sample(at, strength_db, state))
+    def of(self, facts: SignalFacts) -> deque[Sample]:
+        """Return what a source has told, the newest last."""
+        self._facts[facts.id] = facts
+        return self._samples.setdefault(facts.id, deque(maxlen=KEPT))
+
+    def hear(self, reading: SignalReading, facts: SignalFacts, state: StationState) -> None:
+        """Take what a source has told, and where the dish pointed then, if that is known."""
+        self.of(facts).append(Sample(reading.at, reading.value, *_where(reading.at, facts, state)))
 
     @property
-    def heard(self) -> Heard:
-        """Who is listened to: the receiver while it tells its strength, and until the tuner tells something newer."""
-        tuner, receiver = self.tuner, self.receiver
-        if receiver and (self._tells or not tuner or receiver[-1].at >= tuner[-1].at):
-            return Heard(f"DEMO {RECEIVER}" if self._marked else RECEIVER, "dB")
-        return Heard(TUNER, "counts")
+    def heard(self) -> SignalFacts:
+        """Whose `samples` are shown: another source goes before the tuner while it tells, and until that tells more."""
+        if self.chosen.id != TUNER:
+            return self.chosen
+        told = {name: samples[-1].at for name, samples in self._samples.items() if samples}
+        newest = max(told.values(), default=0.0)
+        telling = [name for name, at in told.items() if newest - at <= self._facts[name].pause_s]
+        name = max(telling, key=lambda name: (name != TUNER, told[name]), default=None)
+        return self.chosen if name is None else self._facts[name]
 
     @property
     def samples(self) -> Sequence[Sample]:
         """What that one told, the newest last."""
-        return tuple(self.tuner if self.heard.by == TUNER else self.receiver)
+        return tuple(self.of(self.heard))
 
 
-def _sample(at: float, value: float, state: StationState) -> Sample:
+def _where(at: float, facts: SignalFacts, state: StationState) -> tuple[float | None, float | None]:
+    """Return the true direction at a monotonic time; Nones while it was not read then.
+
+    Whatever is not the dish tells also while the dish does not: then its last position is of before.
+    """
     position = state.position
     if position is None or position.modelled:
-        return Sample(at, value)
-    return Sample(at, value, position.az_deg, position.el_deg)
+        return None, None
+    holds_s = MOVED_S if state.activity in MOVING else STALE_S
+    known = state.link.state is Link.UP and state.position_lost is None and abs(at - position.told_at) <= holds_s
+    return (position.az_deg, position.el_deg) if facts.of_dish or known else (None, None)

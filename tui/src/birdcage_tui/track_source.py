@@ -18,16 +18,18 @@ if TYPE_CHECKING:
     from birdcage.sky.observer import Observer
     from birdcage.station.session import Session
 
+    from birdcage_tui.signal_source import SessionSignals
     from birdcage_tui.track_feed import MakeTrack, ShowTrack
 
 Order = Callable[["PursuitDesk"], None]
 
 
 def make_track(session: Session, settings: Settings, load: Callable[[], Settings], paths: Paths, *, demo: bool,
-               threads: bool = True) -> MakeTrack:  # fmt: skip
+               signals: SessionSignals | None = None, threads: bool = True) -> MakeTrack:  # fmt: skip
     """Return what opens the desk of a session, once the app wants it.
 
-    `load` reads the settings again when the place has changed. `threads=False`: a test calls its `step`.
+    `load` reads the settings again when the place has changed. `signals` has the receiver that the desk tunes; without
+    it the desk has one of its own. `threads=False`: a test calls its `step`.
     """
 
     def make(show: ShowTrack) -> DeskSource:
@@ -39,7 +41,8 @@ def make_track(session: Session, settings: Settings, load: Callable[[], Settings
             if demo:
                 # Else it might read the catalogue before that is filled, and look at it again seconds later only.
                 lay_demo_sky(paths.catalogue, session.clock.utc(), observer)
-            setup = DeskSetup(paths.catalogue, lambda: settings, paths, observer, demo)
+            receiver = None if signals is None else signals.receiver
+            setup = DeskSetup(paths.catalogue, lambda: settings, paths, observer, demo, receiver=receiver)
             return PursuitDesk(session.station, session.clock, setup, show, threads=threads)
 
         return DeskSource(open_desk, load, threads=threads)

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.geometry import shortest_turn
 from birdcage.base.presets import Preset
+from birdcage.signal.source import MONITOR, SignalFacts
+from birdcage.signal.tuner import TUNER_FACTS
 from birdcage.station.pursuit import Phase
 from birdcage.station.raw import CONSOLE
 from birdcage.station.state import MOVING, Activity, Link, Motion, StationState
@@ -52,17 +54,6 @@ class Trip:
 
     at: float
     seconds: float
-
-
-TUNER, RECEIVER = "tuner", "receiver"
-
-
-@dataclass(frozen=True, slots=True)
-class Heard:
-    """By whom the signal is heard, in a word, and in what unit that tells it."""
-
-    by: str = TUNER
-    unit: str = "counts"
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,8 +107,10 @@ class View:
     """What the pursuit desk shows; None before it has told anything."""
     followed: Sequence[Look] = ()
     """How well the dish has pointed in the pursuit under way, a look a second."""
-    heard: Heard = field(default_factory=Heard)
-    """Whose `signal` is."""
+    heard: SignalFacts = TUNER_FACTS
+    """What tells `signal`, and what its values mean."""
+    signal_trouble: str = ""
+    """Why the source of the mounted feed tells nothing, in sentences."""
     trips: Sequence[Trip] = ()
     """How long the dish took to answer, over the last minutes."""
     calibrate: CalibrateNow | None = None
@@ -166,6 +159,18 @@ class View:
         if self.state.holder == CONSOLE or self.modelled:
             return False
         return self.reply_age_s is not None and self.reply_age_s > LATE_S
+
+    @property
+    def heard_by(self) -> str:
+        """The signal's source, in a word; one that is simulated beside a real dish says so."""
+        marked = self.heard.demo and not self.state.demo
+        return f"DEMO {self.heard.label}" if marked else self.heard.label
+
+    @property
+    def heard_for(self) -> str:
+        """The target that the signal's source is read for; empty while that is only somebody who looks."""
+        owner = self.state.signal_owners.get(self.heard.id, MONITOR)
+        return "" if owner == MONITOR else owner
 
     @property
     def link_up(self) -> bool:

@@ -12,9 +12,11 @@ from birdcage.pursuit.hooks import HookLine, Hooks
 from birdcage.pursuit.pass_facts import PassFacts
 from birdcage.pursuit.pass_log import PassLog, keep_passes
 from birdcage.radio.now import RadioNow
-from birdcage.radio.tuner import Tuner
 from birdcage.radio.tuning import Tuning
+from birdcage.signal.receiver import RECEIVER, ReceiverSource
+from birdcage.signal.source import SignalReading
 from birdcage.sky.doppler import doppler_hz
+from birdcage.station.pursuit import Phase
 
 if TYPE_CHECKING:
     from birdcage.base.config import Settings
@@ -32,28 +34,37 @@ SAMPLES = 200
 
 
 class Beside:
-    """For the desk's thread alone. With `threads` the receiver has one of its own."""
+    """For the desk's thread alone."""
 
     def __init__(
         self, station: Station, clock: Clock, paths: Paths, settings: Settings, *, threads: bool,
-        changed: Callable[[], None],
+        changed: Callable[[], None], receiver: ReceiverSource | None = None,
     ) -> None:  # fmt: skip
-        """`changed` is called on any thread once the receiver shows something else."""
-        self._clock, self._threads, self._changed = clock, threads, changed
+        """`changed` is called on any thread once the receiver shows something else.
+
+        `receiver` is one that others look at, too, and that keeps to settings of its own; None: a pass has it alone.
+        """
+        self._clock = clock
+        self._shared = receiver is not None
         self._plan: Plan | None = None
         self._settings = settings
         self._hooks = Hooks(settings.hooks, self._said, clock)
-        self._tuner: Tuner | None = None
         self._number, self._site = 0, ""
         self._elements: ElementSet | None = None
-        self._strength_at: datetime | None = None
         self._log = PassLog(paths.journal, paths.passes, site=lambda: self._site, epoch_of=self._epoch_of)
+        self._listens_for = ""
+        """For which target the receiver is watched."""
         self._end_log = keep_passes(station, self._log)
+        self._receiver = receiver or ReceiverSource(station, settings, clock, threads=threads)
+        self._unsubscribe = (
+            self._receiver.subscribe(self._heard),
+            self._receiver.on_change(lambda _now: changed()),
+        )
 
     @property
     def radio(self) -> RadioNow:
         """The receiver."""
-        return RadioNow() if self._tuner is None else self._tuner.now
+        return self._receiver.now
 
     @property
     def problem(self) -> str:
@@ -64,6 +75,7 @@ class Beside:
         self, pursuit: Pursuit | None, settings: Settings, observer: Observer | None, elements: ElementSet | None
     ) -> None:
         """Go along with the pursuit that is live; None when none is any more."""
+        self._listen(pursuit)
         plan = None if pursuit is None else pursuit.plan
         self._site = "" if observer is None else observer.name
         if plan is self._plan:
@@ -78,44 +90,50 @@ class Beside:
             # One that came to its end keeps its last hook, which may run some time after that.
             if end is None or self._clock.utc() < end:
                 self._hooks.plan(None)
-            if self._tuner is not None:
-                self._tuner.follow(None)
+            self._receiver.follow(None)
             return
         facts = facts_of(plan, observer)
         if facts is not None:
             self._hooks.plan(facts)
-        if self._tuner is not None:
-            self._tuner.follow(tuning_of(plan, settings, observer, elements))
+        self._receiver.follow(tuning_of(plan, settings, observer, elements))
 
     def step(self) -> float:
         """Do what is due; return when to come again, in monotonic seconds."""
-        due = self._hooks.step()
-        if self._tuner is not None and not self._threads:
-            due = min(due, self._tuner.step())
-        return due
+        return min(self._hooks.step(), self._receiver.step())
 
     @property
     def busy(self) -> bool:
         """Whether closing has something to end or to write."""
-        return self._plan is not None or self._tuner is not None or self._hooks.running or not self._log.flush(0.0)
+        waits = self._plan is not None or self._receiver.serves_pass
+        return waits or self._hooks.running or not self._log.flush(0.0)
 
     def close(self) -> None:
         """End what runs, let go of the receiver, and write what is to be kept."""
         self._end_log()
-        if self._tuner is not None:
-            self._tuner.close()
+        for unsubscribe in self._unsubscribe:
+            unsubscribe()
+        self._receiver.close()
         self._hooks.close(0.0)
         self._log.close(CLOSE_S)
 
     def _said(self, line: HookLine) -> None:
         self._log.hook_said(line)
 
-    def _heard(self, now: RadioNow) -> None:
-        # It is told again and again with whatever else changes; only what was read now is of now.
-        if now.strength_db is not None and now.strength_at != self._strength_at:
-            self._strength_at = now.strength_at
-            self._log.signal(now.strength_db, "dB DEMO" if now.demo else "dB", self._clock.monotonic())
-        self._changed()
+    def _listen(self, pursuit: Pursuit | None) -> None:
+        """Have the receiver that hears the feed read while the dish follows, also what it is not tuned to."""
+        name = ""
+        if pursuit is not None and pursuit.phase is Phase.FOLLOWING and self._settings.active_feed.signal == RECEIVER:
+            name = pursuit.plan.aim.name
+        if name != self._listens_for:
+            if self._listens_for:
+                self._receiver.unwatch(self._listens_for)
+            if name:
+                self._receiver.watch(name)
+            self._listens_for = name
+
+    def _heard(self, reading: SignalReading) -> None:
+        demo = " DEMO" if self._receiver.facts.demo else ""
+        self._log.signal(reading.value, reading.unit + demo, reading.at)
 
     def _epoch_of(self, norad_id: int) -> datetime | None:
         elements = self._elements
@@ -126,14 +144,8 @@ class Beside:
         if settings.hooks != self._settings.hooks:
             self._hooks.close(0.0)
             self._hooks = Hooks(settings.hooks, self._said, self._clock)
-        if self._tuner is None or settings.radio != self._settings.radio:
-            if self._tuner is not None:
-                self._tuner.close()
-            self._tuner = None
-            if settings.radio.rigctld is not None:
-                self._tuner = Tuner(settings.radio, self._clock, self._heard)
-                if self._threads:
-                    self._tuner.start()
+        if not self._shared:
+            self._receiver.use(settings)
         self._settings = settings
 
 

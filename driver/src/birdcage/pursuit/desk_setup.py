@@ -9,6 +9,7 @@ from typing import Literal
 
 from birdcage.base.config import Settings
 from birdcage.base.paths import Paths
+from birdcage.signal.receiver import ReceiverSource
 from birdcage.sky.observer import Observer
 
 HOLDER = "tracker"
@@ -35,3 +36,5 @@ class DeskSetup:
     holder: str = HOLDER
     takes_up: bool = True
     """Whether it offers, or goes on with, what was being followed when the program before it ended."""
+    receiver: ReceiverSource | None = None
+    """The receiver, where others look at its level, too; None: the desk has it alone."""

@@ -270,7 +270,7 @@ class DeskWork:
         self._keeper.begin(now)
         return Beside(
             self._station, self._clock, self._setup.paths, self._sheet.settings, threads=self._threads,
-            changed=lambda: self._post(self.look_again),
+            changed=lambda: self._post(self.look_again), receiver=self._setup.receiver,
         )  # fmt: skip
 
     def _why(self) -> str:

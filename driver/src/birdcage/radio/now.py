@@ -11,9 +11,11 @@ class RadioState(Enum):
     """How it stands with the receiver."""
 
     OFF = "off"
-    """No address is set, or nothing is followed that has a frequency."""
+    """No address is set, or it is left alone: no pass is on, and its level is not watched."""
     CONNECTING = "connecting"
     TUNED = "tuned"
+    LISTENING = "listening"
+    """Its level is read and nothing else: no pass is on, and it stays as its owner has tuned it."""
     LOST = "lost"
     """It does not answer; it is tried again, and the pass goes on without it."""
     REFUSED = "refused"
@@ -41,7 +43,9 @@ class RadioNow:
     strength_refused: int | None = None
     """The code behind RPRT with which it refused `l STRENGTH`."""
     strength_at: datetime | None = None
-    """When that was read."""
+    """When that was read: the middle between the question and its answer."""
+    strength_read_s: float | None = None
+    """The same in monotonic seconds."""
     recording: bool | None = None
     """Whether it was told AOS and not LOS yet, and took it; None if it does not know these words.
 

@@ -1,10 +1,11 @@
-"""The receiver at the other end: connected to, tuned, looked at, told when to record, and let go."""
+"""The receiver at the other end: connected to, tuned, listened to, told when to record, and let go."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
 from dataclasses import replace
+from datetime import timedelta
 
 from birdcage.base.clock import Clock
 from birdcage.base.config.tracking_sections import RadioSettings
@@ -20,6 +21,8 @@ TUNE_EVERY_S = 0.1
 LOOK_EVERY_S = 1.0
 """How often its frequency and signal are read, and how soon it is asked again for what it refused."""
 BACKOFF_S = (0.5, 1.0, 2.0, 4.0, 8.0)
+NO_LEVEL_S = 30.0
+"""How soon one that refuses to tell its level is asked again; it is hung up meanwhile, as SDR++ serves one program."""
 OWED_S = 60.0
 """How long after the pass a receiver that went away is called, to tell it LOS."""
 ASTRAY_HZ = 1000.0
@@ -67,6 +70,41 @@ class Receiver:
         self._show(recording=self._recorder.recording)
         return self._clock.monotonic() + TUNE_EVERY_S
 
+    def listen_anew(self) -> None:
+        """Somebody begins to look at its level: what it did not know before is tried again, and at once."""
+        self._call_at = self._look_at = -math.inf
+        self._failures, self._tuned_hz = 0, None
+        self._put(RadioNow(RadioState.CONNECTING, self._where, recording=self._recorder.recording))
+
+    def listen(self) -> float:
+        """Read its level, and nothing else, while no pass is on; return when to come again (monotonic)."""
+        if self._rig is None and not self._call(None):
+            return self._call_at
+        assert self._rig is not None
+        now = self._clock.monotonic()
+        if now < self._look_at:
+            return self._look_at
+        self._look_at = now + LOOK_EVERY_S
+        try:
+            self._read_strength(self._rig)
+        except RadioLost as error:
+            self._lost(error)
+            return self._call_at
+        code = self.now.strength_refused
+        if code is not None:
+            self._hang_up()
+            self._call_at = self._clock.monotonic() + NO_LEVEL_S
+            self._show(state=RadioState.REFUSED, sentence=f"{self._where}: {peer.no_level(code)}")
+            return self._call_at
+        self._failures = 0
+        self._show(state=RadioState.LISTENING, sentence="")
+        return self._look_at
+
+    @property
+    def owes(self) -> bool:
+        """Whether LOS is still to be told for a pass that is over."""
+        return self._recorder.owed is not None
+
     def rest(self, at_s: float) -> float:
         """Tell LOS where it is owed, and hang up; return when to come again, or `inf`."""
         owed = self._recorder.owed
@@ -113,11 +151,12 @@ class Receiver:
     def _where(self) -> str:
         return self.now.address
 
-    def _call(self, tuning: Tuning) -> bool:
+    def _call(self, tuning: Tuning | None) -> bool:
         """Connect, and ask for its frequency, which whatever speaks this protocol answers."""
         if self._clock.monotonic() < self._call_at:
             return False
-        self._put(RadioNow(RadioState.CONNECTING, self._where, tuning.name, tuning.downlink_hz,
+        name, downlink_hz = ("", None) if tuning is None else (tuning.name, tuning.downlink_hz)
+        self._put(RadioNow(RadioState.CONNECTING, self._where, name, downlink_hz,
                            sentence=self.now.sentence, recording=self._recorder.recording))  # fmt: skip
         try:
             self._rig = Rig(self._connect(CONNECT_S), self._clock.monotonic)
@@ -165,13 +204,18 @@ class Receiver:
             self._show(sentence=self._astray() or peer.remark(replace(self.now, recording=self._recorder.recording)))
 
     def _read_strength(self, rig: Rig) -> None:
+        asked_s, asked_at = self._clock.monotonic(), self._clock.utc()
         try:
             strength_db = rig.strength_db()
         except RadioRefused as refused:
-            self._show(strength_db=None, strength_at=None, strength_refused=refused.code)
+            self._show(strength_db=None, strength_at=None, strength_read_s=None, strength_refused=refused.code)
         else:
             self._has_strength = True
-            self._show(strength_db=strength_db, strength_at=self._clock.utc(), strength_refused=None)
+            half_s = (self._clock.monotonic() - asked_s) / 2.0
+            self._show(
+                strength_db=strength_db, strength_at=asked_at + timedelta(seconds=half_s * self._clock.rate),
+                strength_read_s=asked_s + half_s, strength_refused=None,
+            )  # fmt: skip
 
     def _astray(self) -> str:
         read_hz, tuned_hz = self.now.read_back_hz, self.now.tuned_hz
@@ -193,7 +237,7 @@ class Receiver:
         self._show(
             state=RadioState.REFUSED if error.reason == "garbage" else RadioState.LOST,
             sentence=f"{self._where}: {error}{hint}",
-            read_back_hz=None, strength_db=None, strength_at=None, tuned_hz=None,
+            read_back_hz=None, strength_db=None, strength_at=None, strength_read_s=None, tuned_hz=None,
             recording=self._recorder.recording,
         )  # fmt: skip
 

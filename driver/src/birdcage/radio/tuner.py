@@ -1,4 +1,4 @@
-"""Keeps a receiver on a satellite's frequency, on a thread of its own."""
+"""Keeps a receiver on a satellite's frequency and listens to its level, on a thread of its own."""
 
 from __future__ import annotations
 
@@ -37,6 +37,8 @@ class Tuner:
         self._hurry, self._wake = Wake(), Wake()
         self._wanted: Tuning | None = None
         self._tuning: Tuning | None = None
+        self._listening = self._listens = False
+        """Whether its level is wanted while no pass is on, and whether it is read."""
         self._thread: threading.Thread | None = None
         self._receiver: Receiver | None = None
         self._problem = ""
@@ -65,6 +67,16 @@ class Tuner:
         self._wanted = tuning
         self._wake.set()
 
+    def listen(self, *, on: bool) -> None:
+        """Read its level while no pass is on, or leave it alone then. Any thread; never waits."""
+        self._listening = on
+        self._wake.set()
+
+    @property
+    def serves_pass(self) -> bool:
+        """Whether a pass has it or will, or LOS is owed to one. Any thread."""
+        return self._wanted is not None or (self._receiver is not None and self._receiver.owes)
+
     def step(self) -> float:
         """Do what is due, and return when to come again: monotonic seconds, `inf` for not before the next `follow`."""
         tuning, receiver = self._wanted, self._receiver
@@ -77,26 +89,42 @@ class Tuner:
         at_s = self._clock.utc().timestamp()
         coming = tuning if tuning is not None and at_s < tuning.end_s else None
         if coming is not None and at_s >= coming.start_s - LEAD_S:
+            if self._listens:
+                self._listens = False
+                receiver.another_pass()
             return receiver.work(coming, at_s)
-        due = receiver.rest(at_s)
-        if math.isinf(due):
-            receiver.idle(coming)
+        due = self._between_passes(receiver, coming, at_s)
         if coming is None:
             return due
         # At most a second, as the time of day may be set meanwhile.
         return min(due, self._clock.monotonic() + min((coming.start_s - LEAD_S - at_s) / self._clock.rate, 1.0))
+
+    def _between_passes(self, receiver: Receiver, coming: Tuning | None, at_s: float) -> float:
+        """Listen if somebody wants that, LOS first where it is owed; else leave the receiver alone."""
+        if self._listening and not receiver.owes:
+            if not self._listens:
+                self._listens = True
+                receiver.listen_anew()
+            return receiver.listen()
+        self._listens = False
+        due = receiver.rest(at_s)
+        if math.isinf(due):
+            receiver.idle(coming)
+            if self._listening:
+                return self._clock.monotonic()
+        return due
 
     def start(self) -> None:
         """Run on a thread of its own."""
         self._thread = threading.Thread(target=self._run, name="radio", daemon=True)
         self._thread.start()
 
-    def close(self) -> bool:
-        """Tell LOS where it is owed, and hang up; False if it may not have been heard."""
+    def close(self, within_s: float = CLOSE_S) -> bool:
+        """Tell LOS where it is owed, and hang up; False if it may not have been heard within the time."""
         self._hurry.set()
         self._wake.set()
         if self._thread is not None:
-            self._thread.join(CLOSE_S)
+            self._thread.join(within_s)
             return not self._thread.is_alive() and self._heard
         self._end()
         return self._heard

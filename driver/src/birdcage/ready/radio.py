@@ -21,8 +21,11 @@ def radio(settings: Settings, *, try_recording: bool) -> Iterator[Check]:
 
     It is asked for frequency, level and modes, and left as it is; `try_recording` lets it record for 2 s.
     """
-    address = settings.radio.rigctld
+    address, by_feed = settings.radio.rigctld, settings.active_feed.signal == "rigctl"
     if address is None:
+        if by_feed:
+            words = f"the feed {settings.feed.active} takes its signal from a receiver, and none is set"
+            yield Check("radio", "radio", "look", words, 'radio.rigctld = "localhost:4532"')
         return
     from birdcage.base.errors import ConfigError
     from birdcage.radio.errors import RadioLost
@@ -41,7 +44,10 @@ def radio(settings: Settings, *, try_recording: bool) -> Iterator[Check]:
     tuned = "" if answers.frequency_hz is None else f", tuned to {answers.frequency_hz / 1e6:.10g} MHz"
     who = ": SDR++, which serves one program at a time" if answers.is_sdrpp else ""
     yield Check("radio", "radio", "good", f"{address} answers{tuned}{who}")
-    if settings.radio.strength and answers.level_code is not None:
+    if by_feed and answers.level_code is not None:
+        remedy = f'feed.{settings.feed.active}.signal = "tuner"'
+        yield Check("radio", "radio level", "look", no_level(answers.level_code), remedy)
+    elif settings.radio.strength and answers.level_code is not None:
         yield Check("radio", "radio level", "look", no_level(answers.level_code), "radio.strength = false")
     if settings.radio.record:
         yield _recording(answers)

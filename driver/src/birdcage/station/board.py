@@ -41,6 +41,14 @@ class Board:
                 warnings[subject] = sentence
             self.state = replace(self.state, warnings=MappingProxyType(warnings))
 
+    def own_signal(self, source: str, holder: str) -> None:
+        """Note who owns a signal source; empty: it is free. Any thread."""
+        with self._lock:
+            owners = {name: owner for name, owner in self.state.signal_owners.items() if name != source}
+            if holder:
+                owners[source] = holder
+            self.state = replace(self.state, signal_owners=MappingProxyType(owners))
+
     def subscribe(self, listener: Listener) -> Callable[[], None]:
         """Tell `listener` every event, on the station's thread. Returns what ends it."""
         with self._lock:
@@ -61,9 +69,11 @@ class Board:
                 self._drop(listener)
                 raise
 
-    def read(self, feature: str, value: float | str | bool, unit: str = "") -> None:
-        """Note a value that the dish has just told."""
-        at, utc = self.stamp()
+    def read(
+        self, feature: str, value: float | str | bool, unit: str = "", stamp: tuple[float, datetime] | None = None
+    ) -> None:
+        """Note a value that the dish has just told; `stamp` is when it was measured, if that was not now."""
+        at, utc = stamp or self.stamp()
         readings = {**self.state.readings, feature: Reading(value, unit, at, utc)}
         self.change(readings=MappingProxyType(readings))
         self.tell(ReadingRead(at, utc, feature, value, unit))

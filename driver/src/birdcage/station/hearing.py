@@ -42,6 +42,8 @@ class Hearing:
         dish, motion = board.state.dish, self._antenna.motion
         if dish is None or not dish.has_rssi or self._refused or not self._look.may_leave:
             return False
+        if self._look.rules.feed.signal != "tuner":
+            return False  # it is not the tuner that hears this feed
         if (step.until_s - now_s) / clock.rate < TAKES_S or now < self._begun_at + step.every_s:
             return False
         here = board.state.position

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from datetime import timedelta
 from types import MappingProxyType
 
 from birdcage.antenna.antenna import BirdcageAntenna
@@ -124,9 +125,12 @@ class Look:
         return self.apart_deg(one, other) <= STILL_DEG
 
     def signal(self) -> None:
-        """Read the tuner's signal strength."""
+        """Read the tuner's signal strength; it is of the middle between question and answer."""
         reading = self._antenna.protocol.get_rssi(RSSI_ITERATIONS)
-        self._board.read("rssi", float(reading.average), "counts")
+        at, utc = self._board.stamp()
+        ago_s = self._antenna.protocol.console.took_s / 2.0
+        middle = at - ago_s, utc - timedelta(seconds=ago_s * self._board.clock.rate)
+        self._board.read("rssi", float(reading.average), "counts", middle)
 
     def clear_up(self) -> None:
         """Account for what an earlier program may have sent, so that the survey need not wait for a quiet line."""

@@ -285,6 +285,8 @@ class StationState:
     """The present one, or the last one until another begins."""
     speeds_lent: Mapping[int, float] = field(default_factory=lambda: MappingProxyType({}))
     """The speeds (deg/s, by motor) that are put back once a pursuit no longer changes them; empty while none does."""
+    signal_owners: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
+    """Who owns a signal source now, by its id (`tuner`, `rigctl`): the target that it is read for, or `monitor`."""
     warnings: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
     """What a person should know of this program itself, by subject: `birdcage stop` can't reach it, …; sentences."""
     readings: Mapping[str, Reading] = field(default_factory=lambda: MappingProxyType({}))

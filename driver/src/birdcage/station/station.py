@@ -169,6 +169,10 @@ class Station:
         """Keep what a person should know of this program itself, one sentence a subject; empty: no more. Any thread."""
         self._board.warn(subject, sentence)
 
+    def own_signal(self, source: str, holder: str) -> None:
+        """Show who owns a signal source now: a target, or `monitor`; empty: it is free. Any thread."""
+        self._board.own_signal(source, holder)
+
     @property
     def stop_reach(self) -> Reach:
         """Whether the last STOP got through to the dish. Any thread."""

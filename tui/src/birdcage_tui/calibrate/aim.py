@@ -13,7 +13,7 @@ from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import cell_len, cut
 from birdcage_tui.commands.mending import motion_mend
 from birdcage_tui.pane import Pane
-from birdcage_tui.view import Heard, View
+from birdcage_tui.view import View
 
 if TYPE_CHECKING:
     from birdcage.calibration.guide import GuideView
@@ -25,7 +25,6 @@ HEARD_S = 30.0
 """The highest signal is that of so long."""
 HERE_DEG = 0.03
 """Nearer than this is here: the gears step in as much."""
-COUNTS = Heard().unit
 ARROWS = (("calibrate-left", "←"), ("calibrate-right", "→"), ("calibrate-up", "↑"), ("calibrate-down", "↓"))
 WAIT = "Opening the guide. It finds what is up."
 
@@ -139,10 +138,8 @@ def _signal(view: View, since: float, width: int) -> str:
     """
     recent = [sample for sample in view.signal if sample.at >= max(since, view.now - HEARD_S)]
     if not recent:
-        dish = view.state.dish
-        return "use your own meter" if dish is not None and not dish.has_rssi else "waiting"
-    unit = view.heard.unit
-    digits = 0 if unit == COUNTS else 1
+        return "use your own meter" if view.signal_trouble else "waiting"
+    unit, digits = view.heard.unit, view.heard.decimals
     best = max(recent, key=lambda sample: sample.value)
     last, most = f"{recent[-1].value:.{digits}f}", f"{best.value:.{digits}f}"
     words = f"{last} {unit}, max {most}"

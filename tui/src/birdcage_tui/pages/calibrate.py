@@ -56,7 +56,7 @@ class CalibratePage(Page):
     CalibratePage AimPane:focus, CalibratePage ListPane:focus { border: round $focus;
         border-title-color: $foreground; }
     """
-    WATCHES = frozenset({"position", "rssi"})
+    WATCHES = frozenset({"position", "signal"})
     RATE_HZ = 2.0
     FIRST_FOCUS = "#calibrate-aim"
 

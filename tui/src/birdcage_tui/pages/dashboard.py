@@ -13,7 +13,7 @@ from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.panes.sky import SkyPane
 from birdcage_tui.skew import SkewPane, has_skew
 from birdcage_tui.terminal_cells import ASPECT
-from birdcage_tui.view import TUNER, View
+from birdcage_tui.view import View
 
 LEAST_FOR_HEALTH = 31
 """Rows from which there is one for everything."""
@@ -24,7 +24,7 @@ ROOMY, VAST = 54, 62
 class DashboardPage(Page):
     """The sky at the left, as large as it can be round; readings and words at the right."""
 
-    WATCHES = frozenset({"position", "rssi", "health"})
+    WATCHES = frozenset({"position", "signal", "health"})
     RATE_HZ = 2.0
     _aspect = ASPECT
 
@@ -42,7 +42,7 @@ class DashboardPage(Page):
     def show(self, view: View) -> None:
         """Give the place of the signal to the skew where neither a tuner nor a receiver is heard, then draw."""
         dish = view.state.dish
-        instead = dish is not None and not dish.has_rssi and view.heard.by == TUNER and has_skew(view)
+        instead = dish is not None and not dish.has_rssi and view.heard.of_dish and has_skew(view)
         signal, skew = self.query_one(SignalPane), self.query_one(SkewPane)
         if skew.display != instead or signal.display == instead:
             signal.display, skew.display = not instead, instead

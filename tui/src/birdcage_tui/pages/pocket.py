@@ -20,7 +20,7 @@ from birdcage_tui.view import View
 class PocketPage(Page):
     """One column, or readings beside the sky where it is wide; every row is given by `arrange`."""
 
-    WATCHES = frozenset({"position", "rssi"})
+    WATCHES = frozenset({"position", "signal"})
     RATE_HZ = 2.0
     HELP = "The pocket view. Arrows step the dish, - and + change the step. f lists passes."
 

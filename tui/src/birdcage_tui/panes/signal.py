@@ -1,21 +1,24 @@
-"""The signal strip: what the receiver heard, or the dish's own tuner, newest at the right."""
+"""The signal strip: what the source of the mounted feed heard, newest at the right."""
 
 from __future__ import annotations
 
 import itertools
 
+from birdcage.signal.source import SignalFacts
 from birdcage.station.pursuit import Phase
 
 from birdcage_tui.canvas import Braille, Cells
-from birdcage_tui.cell_text import wrap
+from birdcage_tui.cell_text import cut, wrap
 from birdcage_tui.pane import Pane
-from birdcage_tui.view import STALE_S, TUNER, Sample, View
+from birdcage_tui.view import STALE_S, Sample, View
 from birdcage_tui.words import age_text
 
-LEAST_SPAN = {"counts": 100.0, "dB": 10.0}
-"""Between the bottom and the top of the strip at least: noise must look like noise."""
-SLOW_S = 8.5
-"""The tuner is asked every 5 s, while the dish follows every 9 s in bursts: only what is older than this is amiss."""
+GAP = 1.2
+"""A silence longer than the source's usual pause by so much is a gap, not a slope."""
+SHARE = 22
+"""Columns of the first row that the reading and its peak may take from who reads it, and for what."""
+LEAST_NAME = 5
+"""Columns below which a cut name says nothing."""
 SPAN_S = 60.0
 """What the strip shows, whatever its width."""
 
@@ -29,13 +32,18 @@ class SignalPane(Pane):
 
     def draw(self, cells: Cells, view: View) -> None:
         """Draw words and curve, or what to do to hear something."""
+        framed = self.gutter.top > 0
+        title = f"Signal: {view.heard_by}, {view.heard_for}" if view.heard_for else "Signal"
+        if self.border_title != title:  # setting it repaints the pane, equal or not
+            self.border_title = title
+        source = "" if framed and view.heard_for else owned_text(view, cells.width - SHARE)
         if not view.signal:
-            self._empty(cells, view)
+            self._empty(cells, view, source)
             return
         axis = 6 if cells.width >= 34 and cells.height >= 4 else 0
         width, height = max(cells.width - 2 - axis, 1), max(cells.height - 1, 1)
         shown = [sample for sample in view.signal if view.now - sample.at <= SPAN_S]
-        self._words(cells, view, shown)
+        self._words(cells, view, shown, source)
         if shown:
             span = f"last {SPAN_S:.0f} s"
             if self.border_subtitle != span:  # setting it repaints the pane, equal or not
@@ -43,18 +51,18 @@ class SignalPane(Pane):
             self._curve(cells, shown, view, width, height, axis)
 
     @staticmethod
-    def _words(cells: Cells, view: View, shown: list[Sample]) -> None:
+    def _words(cells: Cells, view: View, shown: list[Sample], source: str) -> None:
         """Write reading, peak and where that was heard; at the right who hears, or how long ago that was."""
-        last, unit = view.signal[-1], view.heard.unit
+        last, heard = view.signal[-1], view.heard
         age_s = view.now - last.at
         old = _is_old(view)
-        by = f"{age_text(age_s)} old" if old else view.heard.by
-        x = cells.put(1, 0, f"{_text(last.value, unit):>5}", "dim" if old else "strong")
-        x = cells.put(x, 0, f" {unit}", "dim")
+        by = f"{age_text(age_s)} old" if old else source
+        x = cells.put(1, 0, f"{_text(last.value, heard):>5}", "dim" if old else "strong")
+        x = cells.put(x, 0, f" {heard.unit}", "dim")
         end = cells.width - 2 - len(by)
         if shown:
             best = max(shown, key=lambda sample: sample.value)
-            parts = [(f"  peak {_text(best.value, unit)}", "text")]
+            parts = [(f"  peak {_text(best.value, heard)}", "text")]
             if best.az_deg is not None and best.el_deg is not None:
                 parts.append((f" at {best.az_deg:.1f}°, {best.el_deg:.1f}°", "text"))
             parts.append((f", {age_text(view.now - best.at)} ago", "dim"))
@@ -65,16 +73,16 @@ class SignalPane(Pane):
         loss_db = _loss_db(view)
         if loss_db is not None and x + len(words := f"  pointing loss {loss_db:.1f} dB") <= end:
             cells.put(x, 0, words, "dim")
-        cells.right(cells.width - 1, 0, by, "warn" if age_s > SLOW_S else "dim")
+        cells.right(cells.width - 1, 0, by, "warn" if age_s > heard.pause_s else "dim")
 
     @staticmethod
     def _curve(cells: Cells, shown: list[Sample], view: View, width: int, height: int, axis: int) -> None:
-        now, least = view.now, LEAST_SPAN[view.heard.unit]
+        now, heard = view.now, view.heard
         low, high = min(s.value for s in shown), max(s.value for s in shown)
-        spare = max(least - (high - low), (high - low) * 0.1)
+        spare = max(heard.span - (high - low), (high - low) * 0.1)
         low, high = low - spare / 2, high + spare / 2
-        if view.heard.unit == "counts":
-            low = max(0.0, low)
+        if heard.least is not None:
+            low = max(heard.least, low)
         canvas, ink = Braille(width, height), "dim" if _is_old(view) else "accent"
         dots = height * 4 - 1
 
@@ -87,7 +95,7 @@ class SignalPane(Pane):
         top = at(max(shown, key=lambda sample: sample.value))[1]
         canvas.line(0, top, width * 2 - 1, top, "line", every=4)
         for one, other in itertools.pairwise(shown):
-            if other.at - one.at <= 5 * STALE_S:  # a longer silence is a gap, not a slope
+            if other.at - one.at <= GAP * heard.pause_s:
                 canvas.line(*at(one), *at(other), ink)
         canvas.dot(*at(shown[-1]), ink)
         if axis:
@@ -96,25 +104,42 @@ class SignalPane(Pane):
         canvas.onto(cells, 1 + axis, 1)
 
     @staticmethod
-    def _empty(cells: Cells, view: View) -> None:
-        dish = view.state.dish
-        if dish is not None and not dish.has_rssi:
-            words = (f"The {dish.name} has no tuner to read.", "Use your own receiver for the signal.")
-        elif not view.link_up:
-            words = ("Nothing heard yet.", "The tuner reading starts once the dish answers.")
-        else:
-            words = ("Nothing heard yet.", "The tuner is read while the dish rests.")
-        for row, line in enumerate(wrap(" ".join(words), max(cells.width - 2, 10))):
-            cells.put(1, row, line, "dim")
+    def _empty(cells: Cells, view: View, source: str) -> None:
+        top, ink = 0, "dim"
+        if not view.heard.of_dish:
+            cells.put(1, 0, f"{'--':>5} {view.heard.unit}", "dim")
+            cells.right(cells.width - 1, 0, source, "dim")
+            top, ink = 1, "warn" if view.signal_trouble else "dim"
+        for row, line in enumerate(wrap(_why_empty(view), max(cells.width - 2, 10)), top):
+            cells.put(1, row, line, ink)
 
 
 def _is_old(view: View) -> bool:
     """Return whether the last reading is of before: long ago, or of a tuner that cannot be asked now."""
-    return view.now - view.signal[-1].at > STALE_S or (view.heard.by == TUNER and not view.link_up)
+    return view.now - view.signal[-1].at > STALE_S or (view.heard.of_dish and not view.link_up)
 
 
-def _text(value: float, unit: str) -> str:
-    return f"{value:.0f}" if unit == "counts" else f"{value:.1f}"
+def _why_empty(view: View) -> str:
+    """Return why nothing was heard yet, in sentences."""
+    if view.signal_trouble:
+        return view.signal_trouble
+    if not view.heard.of_dish:
+        return "Connecting to the receiver."
+    if not view.link_up:
+        return "Nothing heard yet. The tuner reading starts once the dish answers."
+    return "Nothing heard yet. The tuner is read while the dish rests."
+
+
+def owned_text(view: View, width: int) -> str:
+    """Return which source tells the signal, and for which target it is read where there is room to name one."""
+    room = width - len(view.heard_by) - 2
+    if not view.heard_for or room < LEAST_NAME:
+        return view.heard_by
+    return f"{view.heard_by}, {cut(view.heard_for, room)}"
+
+
+def _text(value: float, heard: SignalFacts) -> str:
+    return f"{value:.{heard.decimals}f}"
 
 
 def _loss_db(view: View) -> float | None:

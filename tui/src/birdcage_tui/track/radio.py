@@ -14,6 +14,7 @@ from birdcage_tui.view import View
 
 SIGNS = {
     RadioState.OFF: ("○", "dim"), RadioState.CONNECTING: ("◌", "text"), RadioState.TUNED: ("●", "good"),
+    RadioState.LISTENING: ("●", "text"),
     RadioState.LOST: ("▲", "warn"), RadioState.REFUSED: ("▲", "warn"),
 }  # fmt: skip
 TWO_COLUMNS = 56

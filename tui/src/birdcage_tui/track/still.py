@@ -11,7 +11,6 @@ from birdcage.base.geometry import separation
 
 from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.cell_text import wrap
-from birdcage_tui.panes.signal import LEAST_SPAN
 from birdcage_tui.track.scale import STEPS_DEG, shown_deg
 from birdcage_tui.track.words import degrees, drifts
 from birdcage_tui.view import STALE_S, View
@@ -84,7 +83,7 @@ def _signal(cells: Cells, view: View, day: Day, box: tuple[int, int, int], *, fo
                 cells.put(LEFT, first + row, line, "dim")
         return
     low, high = min(value for _, value in series), max(value for _, value in series)
-    spare = max(LEAST_SPAN[unit] - (high - low), (high - low) * 0.1) / 2.0
+    spare = max(view.heard.span - (high - low), (high - low) * 0.1) / 2.0
     low, high = low - spare, high + spare
     _curve(cells, series, (low, high), box, "accent")
     _scale(cells, box, f"{high:.0f}", f"{low:.0f}")
@@ -94,9 +93,8 @@ def _signal(cells: Cells, view: View, day: Day, box: tuple[int, int, int], *, fo
 
 
 def _nothing(view: View, *, followed: bool) -> str:
-    dish = view.state.dish
-    if dish is not None and not dish.has_rssi:
-        return f"The {dish.name} has no tuner to read. Set a receiver to see the signal."
+    if view.signal_trouble:
+        return view.signal_trouble
     if not view.link_up:
         return "No signal: the dish does not answer."
     return "The tuner is read while the dish stands still." if followed else "f and Enter follow it and read the tuner."

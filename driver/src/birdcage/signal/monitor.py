@@ -1,0 +1,47 @@
+"""Reads the source of the mounted feed while somebody looks, and tells what any source was read to say."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from birdcage.signal.source import MONITOR, Hear, SignalFacts, SignalSource
+
+
+class SignalMonitor:
+    """For one thread; `hear` is called on the sources' own."""
+
+    def __init__(self, sources: Sequence[SignalSource], chosen: str, hear: Hear) -> None:
+        """`chosen` is the id of the source that the feed names: one of them."""
+        self._sources = {source.facts.id: source for source in sources}
+        self._chosen = self._sources[chosen]
+        self._watches = False
+        self._unsubscribe = [source.subscribe(hear) for source in sources]
+
+    @property
+    def chosen(self) -> SignalSource:
+        """The source of the mounted feed."""
+        return self._chosen
+
+    def facts_of(self, source: str) -> SignalFacts:
+        """Return what the readings of a source mean."""
+        return self._sources[source].facts
+
+    def choose(self, source: str) -> None:
+        """Take another one: another feed is mounted."""
+        before, self._chosen = self._chosen, self._sources[source]
+        if self._watches and before is not self._chosen:
+            before.unwatch(MONITOR)
+            self._chosen.watch(MONITOR)
+
+    def watch(self, *, on: bool) -> None:
+        """Read it from now on, or no more."""
+        if on != self._watches:
+            self._watches = on
+            (self._chosen.watch if on else self._chosen.unwatch)(MONITOR)
+
+    def close(self) -> None:
+        """Read nothing more, and tell nothing."""
+        for unsubscribe in self._unsubscribe:
+            unsubscribe()
+        self._unsubscribe.clear()
+        self.watch(on=False)

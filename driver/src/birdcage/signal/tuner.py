@@ -1,0 +1,89 @@
+"""The dish's own tuner as a source: read by the station, within its budget of excursions from the motor menu."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from dataclasses import replace
+
+from birdcage.signal.listeners import Listeners
+from birdcage.signal.source import MONITOR, Hear, SignalFacts, SignalReading
+from birdcage.station.events import Event, PursuitChanged, ReadingRead
+from birdcage.station.pursuit import Phase
+from birdcage.station.requests import Unwatch, Watch
+from birdcage.station.station import Station
+from birdcage.station.watches import EXCURSION_PERIOD_S, RSSI_READS
+
+TUNER = "tuner"
+FEATURE = "rssi"
+PAUSE_S = 8.5
+"""It is asked every 5 s, while the dish follows every 9 s, in bursts of more than a second."""
+
+
+TUNER_FACTS = SignalFacts(
+    TUNER, "tuner", "counts", None, RSSI_READS / EXCURSION_PERIOD_S, PAUSE_S, latency_s=None, dwell_s=None,
+    decimals=0, span=100.0, least=0.0, of_dish=True, demo=False,
+)  # fmt: skip
+"""Of every dish's own tuner. The scale of its counts was never measured, nor how long it looks."""
+
+
+class TunerSource:
+    """What the station reads of `rssi`, whoever it reads that for: a watcher at rest, or a pass."""
+
+    def __init__(self, station: Station) -> None:
+        self._station = station
+        self._readings: Listeners[SignalReading] = Listeners()
+        self._watchers: set[str] = set()
+        self._lock = threading.Lock()
+        self._unsubscribe = station.subscribe(self._on_event)
+
+    @property
+    def facts(self) -> SignalFacts:
+        """What its counts mean."""
+        return replace(TUNER_FACTS, demo=self._station.state.demo)
+
+    @property
+    def trouble(self) -> str:
+        """Why nothing is read: this dish has none."""
+        dish = self._station.state.dish
+        if dish is None or dish.has_rssi:
+            return ""
+        reads = 'signal = "rigctl" in the table of its feed reads your receiver.'
+        return f"The {dish.name} has no tuner to read. {reads}"
+
+    def subscribe(self, hear: Hear) -> Callable[[], None]:
+        """Tell every reading, on the station's thread."""
+        return self._readings.add(hear)
+
+    def watch(self, watcher: str) -> None:
+        """Have the station read it while the dish rests."""
+        with self._lock:
+            self._watchers.add(watcher)
+        self._station.submit(Watch(f"{TUNER} {watcher}", frozenset({FEATURE})))
+        self._own()
+
+    def unwatch(self, watcher: str) -> None:
+        """Have it read no more for this watcher."""
+        with self._lock:
+            self._watchers.discard(watcher)
+        self._station.submit(Unwatch(f"{TUNER} {watcher}"))
+        self._own()
+
+    def close(self) -> None:
+        """Hear no more of the station."""
+        self._unsubscribe()
+
+    def _on_event(self, event: Event) -> None:
+        if isinstance(event, ReadingRead) and event.feature == FEATURE:
+            self._readings.tell(SignalReading(float(event.value), event.unit, event.at, event.utc, TUNER))
+        elif isinstance(event, PursuitChanged):
+            self._own()
+
+    def _own(self) -> None:
+        """Say who it is read for: a pass that is followed goes before those who look."""
+        with self._lock:
+            state = self._station.state
+            pursuit, has = state.pursuit, state.dish is not None and state.dish.has_rssi
+            followed = pursuit is not None and pursuit.phase is Phase.FOLLOWING
+            name = pursuit.plan.aim.name if pursuit is not None and followed else MONITOR if self._watchers else ""
+            self._station.own_signal(TUNER, name if has else "")

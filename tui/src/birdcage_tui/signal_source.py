@@ -1,0 +1,51 @@
+"""The signal sources of a session: the dish's own tuner, and the receiver, which the pursuit desk tunes in a pass."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from birdcage.base.config import Settings
+    from birdcage.signal.monitor import SignalMonitor
+    from birdcage.signal.receiver import ReceiverSource
+    from birdcage.signal.source import Hear
+    from birdcage.station.session import Session
+
+
+class SessionSignals:
+    """Made when they are first asked for: the app after its first frame, or the desk on a thread of its own."""
+
+    def __init__(
+        self, session: Session, settings: Settings, load: Callable[[], Settings], *, threads: bool = True
+    ) -> None:
+        """`load` reads the settings again. `threads=False`: a test calls the receiver's `step`."""
+        self._session, self._settings, self._load, self._threads = session, settings, load, threads
+        self._lock = threading.Lock()
+        self._receiver: ReceiverSource | None = None
+
+    @property
+    def receiver(self) -> ReceiverSource:
+        """The receiver beside the dish. Any thread."""
+        from birdcage.signal.receiver import ReceiverSource
+
+        with self._lock:
+            if self._receiver is None:
+                clock = self._session.clock
+                self._receiver = ReceiverSource(self._session.station, self._settings, clock, threads=self._threads)
+            return self._receiver
+
+    def monitor(self, hear: Hear) -> SignalMonitor:
+        """Return what reads the source that the feed names."""
+        from birdcage.signal.monitor import SignalMonitor
+        from birdcage.signal.tuner import TunerSource
+
+        sources = (TunerSource(self._session.station), self.receiver)
+        return SignalMonitor(sources, self._settings.active_feed.signal, hear)
+
+    def chosen_now(self) -> str:
+        """Read the settings again, and return the id of the source that the mounted feed names."""
+        self._settings = self._load()
+        self.receiver.use(self._settings)
+        return self._settings.active_feed.signal
