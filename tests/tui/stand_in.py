@@ -52,6 +52,8 @@ class Station:
     def judge(self, line):
         return PROTOCOL.judge(line, self.state.menu, homed=self.state.homed)
 
+    has_prompt = True
+
     def only_asks(self, line, prompt):
         return PROTOCOL.only_asks(line, prompt)
 

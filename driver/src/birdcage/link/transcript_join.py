@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from birdcage.link.transcript_line import Entry
+import re
+
+from birdcage.link.transcript_line import Direction, Entry
 
 LINE_LIMIT = 200
 """Bytes after which a line is cut even though the wire shows no end of it."""
@@ -11,8 +13,9 @@ LINE_LIMIT = 200
 class LineJoiner:
     """Chunks arrive as the system hands them out, a few bytes each; a line that a person can read needs them joined.
 
-    A line ends at a newline, where the direction changes, after 200 bytes, or when `finish` is called because the wire
-    is quiet (a prompt has no line end); its time is its first byte's. The bytes are the same, in the same order.
+    A line ends at a newline (what comes in, at a lone CR as well), where the direction changes, after 200 bytes, or
+    when `finish` is called because the wire is quiet (a prompt has no line end); its time is its first byte's. The
+    bytes are the same, in the same order.
     """
 
     def __init__(self) -> None:
@@ -28,7 +31,7 @@ class LineJoiner:
         utc = started.utc if started is not None else entry.utc
         rest = (started.data if started is not None else b"") + entry.data
         lines = []
-        while (end := _line_length(rest)) is not None:
+        while (end := _line_length(rest, entry.direction)) is not None:
             lines.append(Entry(utc, entry.direction, rest[:end]))
             rest, utc = rest[end:], entry.utc
         self._open_line = Entry(utc, entry.direction, rest) if rest else None
@@ -40,8 +43,12 @@ class LineJoiner:
         return [line] if line is not None else []
 
 
-def _line_length(data: bytes) -> int | None:
-    newline = data.find(b"\n", 0, LINE_LIMIT)
-    if newline >= 0:
-        return newline + 1
+_END = {"<": re.compile(rb"\r*\n|\r+(?=[^\r\n])"), ">": re.compile(rb"\n")}
+"""What goes out in one write stays one line: STOP for two axes. A CR that came last may have its LF coming."""
+
+
+def _line_length(data: bytes, direction: Direction) -> int | None:
+    end = _END[direction].search(data, 0, LINE_LIMIT)
+    if end is not None:
+        return end.end()
     return LINE_LIMIT if len(data) >= LINE_LIMIT else None

@@ -14,6 +14,7 @@ class Hazard:
     """One row of a table: which lines it speaks of, in which menus, and what they do."""
 
     menus: frozenset[str]
+    """Empty: in every menu, and on a machine without any."""
     pattern: re.Pattern[str]
     """Matches the whole line, in small letters, with single spaces.
 
@@ -89,7 +90,7 @@ class HazardTable:
     def _gravest(self, text: str, menu: str | None, homed: bool | None, *, elsewhere: bool = False) -> Found | None:
         found: list[tuple[Grade, int, Found]] = []
         for order, row in enumerate(self.rows):
-            if (menu is not None and menu not in row.menus) or (row.unhomed and homed is True):
+            if (menu is not None and row.menus and menu not in row.menus) or (row.unhomed and homed is True):
                 continue
             if row.loose and elsewhere:
                 continue

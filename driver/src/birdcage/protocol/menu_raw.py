@@ -17,6 +17,8 @@ HELP = ("?",)
 class MenuRaw:
     """Implements `RawLines`; LinkError from all that talks while no console is open."""
 
+    has_prompt = True
+
     def __init__(self, protocol: FirmwareProtocol) -> None:
         self._protocol = protocol
 
@@ -94,7 +96,7 @@ class MenuTyped:
         reply = self._typed.reply
         return None if reply is None else self._told(reply)
 
-    def press_enter(self) -> None:
+    def end(self) -> None:
         """Send a bare Enter, never a `q` (reference section 7.8)."""
         self._typed.press_enter()
 

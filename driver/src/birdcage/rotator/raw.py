@@ -64,8 +64,8 @@ class RawExchange(Protocol):
     def answer(self) -> RawAnswer | None:
         """The answer, when it is there."""
 
-    def press_enter(self) -> None:
-        """Send the key that ends what prints on: a bare line end."""
+    def end(self) -> None:
+        """End what prints on, by the key that does so; where no key does, by waiting no longer."""
 
     def wait(self, timeout_s: float) -> RawAnswer | None:
         """Wait for the answer, listening; None when it did not come within a time."""
@@ -79,6 +79,10 @@ class RawLines(Protocol):
 
     What talks raises `LinkError` when the port is gone and `NoReply` when the machine does not answer.
     """
+
+    @property
+    def has_prompt(self) -> bool:
+        """Whether the machine shows a prompt. Without one it has no menus, and an answer ends when it is quiet."""
 
     @property
     def home(self) -> str | None:

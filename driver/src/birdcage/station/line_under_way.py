@@ -116,7 +116,7 @@ class LineUnderWay:
             return
         if line.typed.answer is None and self._antenna.is_connected and self._board.state.link.state is Link.UP:
             try:
-                line.typed.press_enter()
+                line.typed.end()
             except LinkError as error:
                 line.future.set_exception(error)
                 return
@@ -132,14 +132,14 @@ class LineUnderWay:
 
     def _end_by_key(self, line: Line) -> None:
         try:
-            line.typed.press_enter()
+            line.typed.end()
             answer = line.typed.wait(line.raw.delay_s)
         except BaseException as error:
             self._failed(line, error)
             raise
         if answer is None:
             raise self._unanswered(line)
-        self._answered(line, answer, by_key=True)
+        self._answered(line, answer, by_key=line.raw.has_prompt)
 
     def _unanswered(self, line: Line) -> NoReply:
         silence = line.typed.give_up()

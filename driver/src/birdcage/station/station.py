@@ -147,6 +147,12 @@ class Station:
         raw = self._antenna.raw
         return raw is not None and raw.only_asks(line, prompt)
 
+    @property
+    def has_prompt(self) -> bool:
+        """Whether the machine shows a prompt; without one its console is a plain line terminal. Any thread."""
+        raw = self._antenna.raw
+        return raw is not None and raw.has_prompt
+
     def is_steering(self) -> bool:
         """Return whether a pursuit sends what goes out now, and not STOP or another holder. Any thread."""
         live = self.state.pursuit

@@ -112,8 +112,7 @@ class Asking:
 
     def commands(self, view: View) -> tuple[MenuCommand, ...]:
         """Return what is known of the menu that the dish is in."""
-        menu = view.state.menu
-        return () if menu is None else self._station.commands(menu)
+        return self._station.commands(view.state.menu)
 
     def warns(self, view: View) -> bool:
         """Return whether a hazard is named: not while the text may still become a command that is known."""

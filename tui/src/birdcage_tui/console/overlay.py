@@ -145,7 +145,7 @@ class ConsoleOverlay(Container):
         """Set what the rows say."""
         self._head.mode = saying.mode_words(view, view.now - self._sent.last)
         self._head.right, self._head.right_command = self._figures()
-        searching, prompt = self._finder.display, saying.prompt_words(view, self._wire.prompt)
+        searching, prompt = self._finder.display, self._prompt_words(view)
         self._prompt.words = f"{self._finder.purpose.value}:" if searching else prompt
         ink = saying.ink_of(self._asking.verdict) if self._asking.warns(view) else ""
         self._prompt.ink = "bar-warn" if ink and not searching else "bar"
@@ -155,6 +155,9 @@ class ConsoleOverlay(Container):
         keys = self._keys
         keys.shown = keys.FIND if searching else keys.LINE if self._entry.has_focus else keys.LOG
         self._head.lit = self._keys.lit = self.has_focus_within
+
+    def _prompt_words(self, view: View) -> str:
+        return saying.prompt_words(view, self._wire.prompt, has_prompt=self._shell.station.has_prompt)
 
     def _hint(self, view: View) -> tuple[tuple[str, str], ...]:
         leave = esc_text(view, closes="leaves", other="Backspace leaves")

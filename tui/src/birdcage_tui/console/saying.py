@@ -34,10 +34,15 @@ def mode_words(view: View, quiet_s: float) -> tuple[str, str, str]:
     return "TALK", f"polling paused, {known}, {left_s:.0f} s idle returns control", "accent-row"
 
 
-def prompt_words(view: View, prompt: str) -> str:
-    """Return what stands before the line: a dash without a link, `?` while no prompt was seen."""
+def prompt_words(view: View, prompt: str, *, has_prompt: bool) -> str:
+    """Return what stands before the line: the prompt.
+
+    A dash without a link; `?` while no prompt was seen; nothing on a machine that shows none.
+    """
     if view.state.link.state is not Link.UP:
         return "—"
+    if not has_prompt:
+        return ""
     if not prompt:
         return "?"
     menu = view.state.menu
@@ -107,7 +112,12 @@ def question_words(verdict: Verdict) -> str:
     return f"{told}{limit}{unchecked}"
 
 
+NO_LIST = "No command of this machine is documented."
+
+
 def list_words(commands: tuple[MenuCommand, ...]) -> str:
     """Return how many commands the dish itself has listed; Tab goes through all."""
     told = sum(command.told_by_dish for command in commands)
+    if not told:
+        return f"The reference lists {len(commands)} commands. Tab shows them." if commands else NO_LIST
     return f"The dish lists {told} commands here; {len(commands) - told} more are in the reference. Tab shows them."

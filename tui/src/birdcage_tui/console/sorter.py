@@ -15,6 +15,7 @@ OnlyAsks = Callable[[str, str], bool]
 ANSWER_S = 2.0
 """What comes later than this is no answer to a poll: a dish that restarts prints for seconds."""
 
+LINE_END = re.compile(r"\r\n|\r|\n")
 TAKEN = re.compile(r"\s*[A-Za-z]+(\[\d\])?\s*=\s*[-+]?\d+(\.\d+)?\s*$")
 """How a dish says where it goes. Whatever else it says to a step is seen."""
 
@@ -57,15 +58,16 @@ class Sorter:
 
     def _out(self, line: Line, *, step: bool) -> Part:
         self._sent, self._polled, self._stepped = line, None, None
-        said = [part.strip() for part in line.data.decode("ascii", "replace").rstrip("\r\n").split("\r")]
+        text = line.data.decode("ascii", "replace")
+        said, ends = [part.strip() for part in LINE_END.split(text.rstrip("\r\n"))], len(LINE_END.findall(text))
         if self._typed is not None and self._typed in said:
             self._typed = None
             return Part.YOURS
         if all(not part or self._only_asks(part, self._prompt) for part in said):
-            self._polled, self._owed = line, line.data.count(b"\r")
+            self._polled, self._owed = line, ends
             return Part.POLL
         if step:
-            self._polled, self._owed, self._stepped = line, line.data.count(b"\r"), frozenset(said)
+            self._polled, self._owed, self._stepped = line, ends, frozenset(said)
             return Part.STEP
         return Part.PLAIN
 
