@@ -6,7 +6,8 @@ from dataclasses import dataclass, replace
 
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.hal.model import TRAVLER
-from birdcage.protocol.model import Axis, DishModel
+from birdcage.rotator.axis import Axis
+from birdcage.rotator.facts import Facts
 from birdcage.sky.reach_limits import ReachLimits
 from birdcage.tracking.mount import Mount, Standing
 from tracking_passes import Case
@@ -29,7 +30,7 @@ class Dish:
 
     name: str
     firmware: str
-    model: DishModel
+    model: Facts
     options: dict[str, str]
     stands: tuple[float, float]
     """Where it is before the pass: turn of the cable and elevation."""

@@ -11,13 +11,13 @@ from datetime import UTC, datetime
 
 import numpy as np
 from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.gear import AXES, Gear, GearFact, GearKind, GearOrigin
 from birdcage.base.clock import VirtualClock
 from birdcage.base.errors import NoReply
 from birdcage.base.geometry import wrap_360
 from birdcage.link.link import Link
-from birdcage.protocol.gear import AXES, Gear, GearFact, GearKind, GearOrigin
-from birdcage.protocol.model import DishModel
 from birdcage.protocol.registry import get_protocol
+from birdcage.rotator.facts import Facts
 from birdcage.sim.axis import Axis
 from birdcage.sim.device import Device
 from birdcage.sim.port import SimPort, open_device
@@ -103,7 +103,7 @@ class Bench:
     """One dish on a wire. `late_s`: how much the computer's clock is behind."""
 
     address: str
-    model: DishModel
+    model: Facts
     start_s: float
     lost: float = 0.0
     late_s: float = 0.0

@@ -8,7 +8,7 @@ from datetime import UTC, datetime
 from functools import cache
 
 import numpy as np
-from birdcage.protocol.model import SecondMove
+from birdcage.rotator.facts import SecondMove
 from birdcage.sky.targets.model import Satellite
 from birdcage.tracking.controller import Controller
 from birdcage.tracking.curve import Curve

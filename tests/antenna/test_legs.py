@@ -9,7 +9,7 @@ from birdcage.base.errors import MotionRefused
 from birdcage.base.geometry import shortest_turn
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.hal.model import MOVE_TIMES, TRAVLER
-from birdcage.protocol.types import Position
+from birdcage.rotator.values import Position
 from hypothesis import given
 from hypothesis import strategies as st
 

@@ -7,7 +7,7 @@ from birdcage.antenna.motion import plan_axis, start_motion
 from birdcage.antenna.rest import RestWatch
 from birdcage.kinematics import plan_slew
 from birdcage.protocol.g2.model import CARRYOUT_G2
-from birdcage.protocol.types import Position
+from birdcage.rotator.values import Position
 from hypothesis import given
 from hypothesis import strategies as st
 

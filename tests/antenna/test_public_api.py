@@ -7,6 +7,7 @@ import threading
 import pytest
 from birdcage.antenna import AntennaConfig, BirdcageAntenna
 from birdcage.antenna.alignment import Alignment
+from birdcage.antenna.gate import Sector
 from birdcage.base.clock import VirtualClock
 from birdcage.base.errors import BelowFloor, CommandRefused, MotionRefused, PositionUnknown, WrongThread
 from birdcage.link.link import Link
@@ -20,7 +21,7 @@ from birdcage.protocol import (
     RssiReading,
     get_protocol,
 )
-from birdcage.protocol.gate import Sector
+from birdcage.rotator.ladder import StopBy, StopOrder
 from birdcage.sim.port import SimPort, open_device
 
 
@@ -134,7 +135,7 @@ def test_an_unhomed_dish():
         rig.antenna.get_position()
     assert unknown.value.reason == "unhomed"
     with pytest.raises(PositionUnknown):
-        rig.protocol.move_motor(0, 90.0)
+        rig.antenna.move_to(100.0, 45.0)
     rig.protocol.home_motor(0)
     rig.protocol.home_motor(1)
     assert rig.antenna.get_position() is not None
@@ -223,22 +224,22 @@ def test_stop_sends_no_axis_beyond_its_limit():
     rig = Rig("g2?seed=1&az=-180", leapfrog_enabled=False)
     rig.antenna.initialize()
     rig.antenna.get_position()
-    rig.protocol.gate.see(Position(180.0, 65.05))
+    rig.antenna.gate.see(Position(180.0, 65.05))
     rig.antenna.steer(MOTOR_AZIMUTH, 250.0)
-    assert rig.antenna.stop_lines()[1] == "a 1 65.00"
+    assert rig.antenna.stop_order().aim_deg[1] == 65.0
     now = rig.clock.monotonic()
-    for seen, limit in ((64.9, "65.00"), (18.1, "18.00")):
-        before = Position(180.0, seen - 3.0 if limit == "65.00" else seen + 3.0)
-        lines = rig.antenna.stop_lines_seen(before, now - 0.1, Position(180.0, seen), now)
-        assert lines == ("a 0 180.00", f"a 1 {limit}")
+    for seen, limit in ((64.9, 65.0), (18.1, 18.0)):
+        before = Position(180.0, seen - 3.0 if limit == 65.0 else seen + 3.0)
+        order = rig.antenna.stop_order_seen(before, now - 0.1, Position(180.0, seen), now)
+        assert order == StopOrder(StopBy.RETARGET, {0: 180.0, 1: limit})
     before, later = Position(100.0, 45.0), Position(104.0, 45.0)
     # 40 deg/s: 4 deg until STOP is taken, and 2 to brake from there.
-    assert rig.antenna.stop_lines_seen(before, now - 0.1, later, now)[0] == "a 0 110.00"
+    assert rig.antenna.stop_order_seen(before, now - 0.1, later, now).aim_deg[0] == pytest.approx(110.0)
 
 
 def test_where_only_the_overshoot_leads_into_a_sector_the_target_itself_is_sent():
     rig = Rig("g2?seed=1&az=-260", leapfrog_enabled=True)
     rig.antenna.initialize()
-    rig.protocol.gate.update(sectors=(Sector(150.5, 170.0, 60.0),))
+    rig.antenna.gate.update(sectors=(Sector(150.5, 170.0, 60.0),))
     rig.antenna.move_to(150.0, 45.0)
     assert [line for line in rig.lines() if line.startswith("a 0 ")] == ["a 0 150.00"]

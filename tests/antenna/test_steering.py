@@ -7,7 +7,7 @@ from birdcage.antenna.motion import start_motion
 from birdcage.antenna.steering import steered
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.hal.model import TRAVLER
-from birdcage.protocol.types import Position
+from birdcage.rotator.values import Position
 
 AZ, EL = 0, 1
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from birdcage.base.errors import BirdcageError
 from birdcage.base.geometry import shortest_turn
-from birdcage.protocol.model import SearchSwitch
+from birdcage.rotator.facts import SearchSwitch
 from birdcage.station.requests import AcknowledgeFault, Goto, Home, Release, SetSearch
 from birdcage.station.state import Activity, Link
 

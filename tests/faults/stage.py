@@ -114,7 +114,7 @@ class Stage:
 
     def _mark_stop(self) -> None:
         """Lines that STOP writes are known by the one way that they go."""
-        protocol = self.station._antenna.protocol
+        protocol = self.station._antenna.rotator.protocol
         interject = protocol.interject
 
         def interjecting(lines: tuple[str, ...]) -> None:

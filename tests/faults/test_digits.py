@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.protocol.belief import JITTER_S
+from birdcage.antenna.belief import JITTER_S
 from birdcage.station.requests import Follow, Goto
 from birdcage.station.state import Link
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 import pytest
 from birdcage.console.codec import MARK
 from birdcage.protocol.g2.motor_values import HomingReport
-from birdcage.protocol.types import Position, RssiReading
+from birdcage.rotator.values import Position, RssiReading
 
 T_G2_NVS = """\
 TRK>nvs
@@ -69,7 +69,6 @@ MOT>
     g2.enter_motor_menu()
     g2.home_motor(0)
     g2.home_motor(1)
-    g2.gate.see(Position(0.0, 45.0))  # what an `a` before the first move would have told
     g2.move_motor(0, 180.0)
     g2.move_motor(1, 45.0)
     assert g2.get_position() == Position(180.01, 45.02)
@@ -126,6 +125,7 @@ def test_t_fox(play, line_end):
     )
     g2.enter_motor_menu()
     g2.home_motors()
+    assert g2.get_position() == Position(0.0, 65.0)
     g2.move_motor(0, 90.0)
     g2.move_motor(1, 45.0)
     assert port.written == b"\rmot\rh *\ra\ra 0 90.00\ra 1 45.00\r"

@@ -8,7 +8,7 @@ import math
 import pytest
 from birdcage.base.clock import VirtualClock
 from birdcage.protocol import HAL205Protocol
-from birdcage.protocol.types import Position
+from birdcage.rotator.values import Position
 
 HELP = {
     "root": ["motor", "ngsearch", "nvs", "os", "stow", "reboot", "q"],
@@ -138,7 +138,7 @@ def test_the_moves_of_t_hal000(trav_ler, dish):
 def test_a_combined_move_and_the_byte_that_ends_it(trav_ler, dish):
     trav_ler.get_position()
     before = len(dish.sent)
-    trav_ler.begin_slew(120.0, 40.0)
+    trav_ler.begin_slew(120.0, 40.0, 0.0)
     trav_ler.interject(trav_ler.abort_lines())
     assert dish.sent[before:] == b"g 120.00 40.00 0.00\r\r\r"
     assert len(trav_ler.console.settle(2.0)) == 2

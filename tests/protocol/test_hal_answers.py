@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from birdcage.base.errors import NoReply, PositionUnknown
 from birdcage.protocol.hal.answers import parse_position, parse_setting
-from birdcage.protocol.types import Position
+from birdcage.rotator.values import Position
 
 
 @pytest.mark.parametrize(

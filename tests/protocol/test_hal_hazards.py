@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import pytest
 from birdcage.protocol import HAL205Protocol
-from birdcage.protocol.types import Position
+from birdcage.rotator.values import Position
 from birdcage.rotator.verdict import Grade
+
+from .judged import Judged
 
 HARMLESS, SETTING, MOVES, RUINS = Grade.HARMLESS, Grade.SETTING, Grade.MOVES, Grade.RUINS
 
 
 @pytest.fixture
 def dish():
-    made = HAL205Protocol()
-    made.gate.see(Position(180.0, 45.0, 90.0))
-    return made
+    return Judged(HAL205Protocol(), Position(180.0, 45.0, 90.0))
 
 
 @pytest.mark.parametrize(
@@ -67,7 +67,7 @@ def test_raw_motions_are_held_against_the_limits(dish, line, limit, motion):
     verdict = dish.judge(line, "motor", homed=True)
     assert limit in verdict.limit
     assert bool(verdict.limit) == bool(limit)
-    assert verdict.motion == motion
+    assert (verdict.aim and verdict.aim.single) == motion
 
 
 def test_every_documented_command_is_listed(dish):

@@ -5,8 +5,10 @@ from __future__ import annotations
 import pytest
 from birdcage.protocol.command_list import parse_help
 from birdcage.protocol.g2 import CarryoutG2Protocol
-from birdcage.protocol.types import Position
+from birdcage.rotator.values import Position
 from birdcage.rotator.verdict import Grade
+
+from .judged import Judged
 
 SETTING, MOVES, RUINS = Grade.SETTING, Grade.MOVES, Grade.RUINS
 DANGERS = [
@@ -72,9 +74,7 @@ HARMLESS = {
 
 @pytest.fixture
 def dish():
-    protocol = CarryoutG2Protocol()
-    protocol.gate.see(Position(100.0, 40.0))
-    return protocol
+    return Judged(CarryoutG2Protocol(), Position(100.0, 40.0))
 
 
 @pytest.mark.parametrize(("menu", "line", "grade", "word"), DANGERS)
@@ -185,18 +185,18 @@ def test_a_counted_cable_is_a_limit_too(dish):
 
 
 def test_a_no_go_sector_is_a_limit_too(dish):
-    from birdcage.protocol.gate import Sector
+    from birdcage.antenna.gate import Sector
 
     dish.gate.update(sectors=(Sector(150.0, 160.0, 50.0),))
     assert "no-go sector" in dish.judge("a 0 155", "mot", homed=True).limit
 
 
 def test_the_target_is_read_off_where_it_stands_there(dish):
-    assert dish.judge("a 0 200.5", "mot", homed=True).motion == (0, 200.5)
-    assert dish.judge("A 1  30", "mot", homed=True).motion == (1, 30.0)
-    assert dish.judge("a 1 +5", "mot", homed=True).motion is None
-    assert dish.judge("g 100 40", "mot", homed=True).motion is None
-    assert dish.judge("a", "mot", homed=True).motion is None
+    assert dish.judge("a 0 200.5", "mot", homed=True).aim.single == (0, 200.5)
+    assert dish.judge("A 1  30", "mot", homed=True).aim.single == (1, 30.0)
+    assert dish.judge("a 1 +5", "mot", homed=True).aim.single is None
+    assert dish.judge("g 100 40", "mot", homed=True).aim.single is None
+    assert dish.judge("a", "mot", homed=True).aim is None
 
 
 def test_alignment_does_not_shift_what_was_typed_in_the_dish_own_degrees(dish):

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import pytest
 from birdcage.protocol.g2 import CarryoutG2Protocol
-from birdcage.protocol.types import Position
+from birdcage.rotator.values import Position
 from birdcage.rotator.verdict import Grade
+
+from .judged import Judged
 
 MOVES, RUINS = Grade.MOVES, Grade.RUINS
 
 
 @pytest.fixture
 def dish():
-    protocol = CarryoutG2Protocol()
-    protocol.gate.see(Position(100.0, 40.0))
-    return protocol
+    return Judged(CarryoutG2Protocol(), Position(100.0, 40.0))
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.protocol.model import MeasuredTimes
+from birdcage.rotator.axis import MeasuredTimes
 
 TRAVLER = MeasuredTimes(((0.5, 0.3), (1.0, 0.5)), from_deg=2.0, scale_s=3.23, per_deg=0.84, less_s=0.48)
 

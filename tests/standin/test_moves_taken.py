@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from birdcage.base.clock import Outcome
 from birdcage.base.errors import NotTaken
-from birdcage.protocol.model import SecondMove
+from birdcage.rotator.facts import SecondMove
 from birdcage.station.events import End, LinkChanged, MoveEnded
 from birdcage.station.requests import Goto
 from birdcage.station.state import Link

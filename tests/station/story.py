@@ -6,7 +6,7 @@ import random
 
 from birdcage.base.config import Settings
 from birdcage.base.geometry import shortest_turn
-from birdcage.protocol.model import Turn
+from birdcage.rotator.facts import Turn
 from birdcage.station import requests as ask
 from birdcage.station.raw import CONSOLE, Grade
 from birdcage.station.state import MOVING, Activity
@@ -68,7 +68,7 @@ class Story(Bench):
         self._releasing = False
         super().__init__("g2?" + "&".join(options), {"remark": self._note})
         station = self.station
-        protocol, desk, talk = station._antenna.protocol, station._desk, station._talk
+        protocol, desk, talk = station._antenna.rotator.protocol, station._desk, station._talk
         interject, serve, tick = protocol.interject, desk.serve, talk.tick
 
         def interjecting(lines):

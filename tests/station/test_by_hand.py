@@ -12,7 +12,7 @@ from birdcage.base.errors import (
     PositionUnknown,
     Stopped,
 )
-from birdcage.protocol.model import Turn
+from birdcage.rotator.facts import Turn
 from birdcage.station.requests import AcquireLease, Engage, Goto, Home, Release, ReleaseMotors, SetSpeed, Stow
 from birdcage.station.state import Activity
 

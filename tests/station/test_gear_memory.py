@@ -7,9 +7,9 @@ from datetime import UTC, datetime
 from statistics import fmean
 
 import pytest
+from birdcage.antenna.gear import Gear, GearFact, GearKind, GearOrigin
 from birdcage.base.errors import ConfigError
 from birdcage.link.identity import dish_folder
-from birdcage.protocol.gear import Gear, GearFact, GearKind, GearOrigin
 from birdcage.station.gear_memory import FILE, GearFile
 from birdcage.station.pursuit import Phase
 from birdcage.station.report import status_report

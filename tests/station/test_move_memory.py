@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from birdcage.link.identity import dish_folder
-from birdcage.protocol.model import SecondMove
+from birdcage.rotator.facts import SecondMove
 from birdcage.station.requests import Connect, Goto
 
 from .conftest import Bench

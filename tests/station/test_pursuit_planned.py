@@ -8,7 +8,7 @@ import pytest
 from birdcage.base.clock import VirtualClock
 from birdcage.base.config import FeedProfile, Settings
 from birdcage.base.geometry import separation
-from birdcage.protocol.model import Turn
+from birdcage.rotator.facts import Turn
 from birdcage.station.mounting import mount_of
 from birdcage.station.pursuit import Phase
 from birdcage.station.requests import Goto, Home

@@ -98,7 +98,7 @@ def test_a_dish_that_does_not_take_its_speed_back_is_a_fault(bench):
     def refuse(_motor, _speed):
         raise CommandRefused("The dish shows 7°/s.", reason="bad_parameter")
 
-    bench.station._antenna.protocol.set_speed = refuse
+    bench.station._antenna.rotator.protocol.set_speed = refuse
     bench.do(EndPursuit("you"))
     bench.step(3)
     assert bench.state.fault.reason == "speed"

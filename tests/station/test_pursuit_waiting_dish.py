@@ -23,7 +23,7 @@ def connected(address=WAITS + "&az=-180"):
     bench.watch("position")
     bench.step(2.0)
     bench.owed = []
-    console = bench.station._antenna.protocol.console
+    console = bench.station._antenna.rotator.protocol.console
     send = console._wire.send
 
     def sending(line, takes_s=0.0, permit=None):

@@ -9,7 +9,7 @@ from .queued_bench import connected
 
 def test_a_skew_that_stop_kept_back_is_not_turned_by_the_next_slew():
     bench = connected("sk=90")
-    protocol = bench.station._antenna.protocol
+    protocol = bench.station._antenna.rotator.protocol
     send = protocol._send_move
 
     def stopped_just_before(motor, degrees, busy_s):

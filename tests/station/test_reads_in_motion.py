@@ -23,7 +23,7 @@ class Counted:
         self.bench.do(Goto(100.0, 40.0, "you"))
         self.bench.step(3.0)
         self.reads, self._since = 0, self.bench.clock.monotonic()
-        belief = self.bench.station._antenna.protocol.belief
+        belief = self.bench.station._antenna._readings.belief
         read = belief.read
 
         def counting(once, clock):

@@ -78,7 +78,7 @@ class Watched:
 
     def _wrap_stopper(self):
         """Lines that STOP itself interjects are known by who calls."""
-        protocol = self.bench.station._antenna.protocol
+        protocol = self.bench.station._antenna.rotator.protocol
         interject = protocol.interject
 
         def interjecting(lines):

@@ -13,7 +13,7 @@ def stopped_at(before_first_byte: bool):
     bench.step(20.0)
     position = bench.state.position
     assert position is not None
-    begun, permit = bench.station._antenna, bench.station._antenna.protocol.permit
+    begun, permit = bench.station._antenna, bench.station._antenna.permit
     pressed: list[float] = []
 
     def press() -> None:
@@ -25,7 +25,7 @@ def stopped_at(before_first_byte: bool):
             if not before_first_byte:
                 bench.station.stop("you")
 
-    begun.protocol.permit = press
+    begun.permit = press
     since = bench.clock.monotonic()
     bench.station.submit(Goto(position.az_deg + 3.0, position.el_deg, "you"))
     bench.step(6.0)

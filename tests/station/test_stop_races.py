@@ -65,7 +65,7 @@ def test_a_second_stop_does_not_move_a_dish_that_the_first_kept_at_rest(bench):
 
 def test_a_refused_move_leaves_stop_nothing_to_repeat(bench):
     bench.do(Goto(60, 45, "you"))
-    protocol = bench.station._antenna.protocol
+    protocol = bench.station._antenna.rotator.protocol
     send = protocol._send_move
 
     def refuse(motor, degrees, busy_s):

@@ -9,7 +9,7 @@ from birdcage.base.errors import (
     NoReply,
     Stopped,
 )
-from birdcage.protocol.model import Turn
+from birdcage.rotator.facts import Turn
 from birdcage.station.raw import CONSOLE, Grade
 from birdcage.station.requests import (
     Goto,

@@ -6,7 +6,7 @@ import pytest
 from birdcage.base.clock import RealClock
 from birdcage.base.config import Settings
 from birdcage.base.errors import BirdcageError, CommandRefused, Held, LeaseDenied
-from birdcage.protocol.model import Turn
+from birdcage.rotator.facts import Turn
 from birdcage.station.inhibitor import SleepInhibitor
 from birdcage.station.raw import CONSOLE, Grade
 from birdcage.station.requests import (

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.protocol.model import Turn
+from birdcage.rotator.facts import Turn
 from birdcage.station.raw import CONSOLE, Grade
 from birdcage.station.report import status_report
 from birdcage.station.requests import AcquireLease, Goto, Home, Raw, ReleaseLease

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from birdcage.base.errors import NoReply, Stopped
 from birdcage.base.geometry import shortest_turn
-from birdcage.protocol.model import SecondMove
+from birdcage.rotator.facts import SecondMove
 from birdcage.station.events import ActivityChanged, MoveEnded, StopSent
 from birdcage.station.requests import Goto, Jog, Release
 from birdcage.station.state import Activity, Link

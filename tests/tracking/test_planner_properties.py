@@ -7,9 +7,9 @@ from dataclasses import replace
 
 import numpy as np
 from birdcage.antenna.alignment import Alignment
-from birdcage.protocol.gate import Bounds, MotionGate
+from birdcage.antenna.gate import Bounds, MotionGate
 from birdcage.protocol.hal.model import TRAVLER
-from birdcage.protocol.types import Position
+from birdcage.rotator.values import Position
 from birdcage.sky.horizon import HorizonMask
 from birdcage.sky.reach_limits import NoGo
 from birdcage.tracking.plan import Part

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import pytest
+from birdcage.antenna.gate import Bounds, MotionGate
 from birdcage.base.errors import MotionRefused
 from birdcage.base.geometry import wrap_360
 from birdcage.kinematics import Slew
-from birdcage.protocol.gate import Bounds, MotionGate
-from birdcage.protocol.types import Position
+from birdcage.rotator.values import Position
 from birdcage.sky.reach_limits import NoGo
 from birdcage.tracking.plan import Part
 from birdcage.tracking.planning.planner import plan_pass

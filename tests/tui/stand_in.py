@@ -12,8 +12,8 @@ from birdcage.base.clock import VirtualClock
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.hal.model import TRAVLER
 from birdcage.protocol.menu_raw import MenuRaw
-from birdcage.protocol.model import Turn
 from birdcage.protocol.registry import get_protocol
+from birdcage.rotator.facts import Turn
 from birdcage.signal.tuner import TUNER_FACTS
 from birdcage.station.menu_commands import MenuCommands
 from birdcage.station.state import (

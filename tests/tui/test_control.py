@@ -9,7 +9,7 @@ import pytest
 import stage
 import stand_in
 from birdcage.base.config.sections import NoGoSector
-from birdcage.protocol.model import Turn
+from birdcage.rotator.facts import Turn
 from birdcage.station.events import End, MoveEnded
 from birdcage.station.requests import Goto
 from birdcage_tui.control.layout import sizes

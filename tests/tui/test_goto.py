@@ -10,8 +10,8 @@ import track_stand_in
 from birdcage.base.clock import VirtualClock
 from birdcage.base.config.sections import NoGoSector
 from birdcage.base.presets import Preset
-from birdcage.protocol.model import Turn
 from birdcage.pursuit.now import Located
+from birdcage.rotator.facts import Turn
 from birdcage.sky.targets.direction import Part, Wish, read_direction
 from birdcage.station.requests import Goto
 from birdcage_tui.goto import GotoLine, foretell

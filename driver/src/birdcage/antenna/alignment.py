@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from birdcage.antenna.gate import Sector
 from birdcage.antenna.pointing_model import PointingModel
 from birdcage.base.geometry import wrap_360
-from birdcage.protocol.gate import Sector
 
 _ALL_ROUND_DEG = 360.0 - 1e-9
 """The width of a sector that leaves no azimuth out: one of 360 would read as one of 0."""

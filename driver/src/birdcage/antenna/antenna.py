@@ -6,28 +6,38 @@ import threading
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
+from typing import Any
 
 from birdcage.antenna.alignment import Alignment
+from birdcage.antenna.belief import Belief, Expected
 from birdcage.antenna.blocking import MoveCommands, Without, running
 from birdcage.antenna.config import AntennaConfig, DialectBaud
 from birdcage.antenna.foresight import foresee
+from birdcage.antenna.gate import MotionGate
+from birdcage.antenna.gear import Gear
 from birdcage.antenna.latch import Latch
+from birdcage.antenna.maintenance import Maintenance
 from birdcage.antenna.motion import STOP_LATENCY_S, DishMotion, start_motion
 from birdcage.antenna.odometer import Odometer
+from birdcage.antenna.reading import Readings
 from birdcage.antenna.rest import RestWatch
+from birdcage.antenna.skew import SkewGoal
 from birdcage.antenna.steering import sent_to, steered
-from birdcage.base.clock import Clock
+from birdcage.base.clock import Clock, RealClock
 from birdcage.base.errors import CommandRefused, Held, MotionRefused, Stopped, WrongThread
 from birdcage.base.geometry import shortest_turn, wrap_360
 from birdcage.kinematics import rest_point
 from birdcage.leapfrog import apply_leapfrog
 from birdcage.link.link import Link
-from birdcage.protocol.belief import Belief, Expected
-from birdcage.protocol.gear import Gear
-from birdcage.protocol.menu_raw import MenuRaw
-from birdcage.protocol.protocol import FirmwareProtocol
-from birdcage.protocol.types import MOTOR_AZIMUTH, MOTOR_ELEVATION, Position
+from birdcage.rotator.adapting import as_rotator
+from birdcage.rotator.hooks import Hooks
+from birdcage.rotator.ladder import StopBy, StopOrder
 from birdcage.rotator.raw import RawLines
+from birdcage.rotator.rotator import Rotator
+from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION, Position
+
+CLOSE_S = 2.0
+"""How long leaving may try to bring the console back to its root menu."""
 
 
 class BirdcageAntenna:
@@ -38,10 +48,17 @@ class BirdcageAntenna:
     """
 
     def __init__(
-        self, protocol: FirmwareProtocol, config: AntennaConfig | None = None, alignment: Alignment | None = None
+        self,
+        machine: Any,  # noqa: ANN401 - a `FirmwareProtocol`, which this room does not know, or a `Rotator`
+        config: AntennaConfig | None = None,
+        alignment: Alignment | None = None,
     ) -> None:
-        self._protocol, self._config = protocol, config or AntennaConfig()
-        self.raw: RawLines | None = MenuRaw(protocol)
+        self._machine, self._config = machine, config or AntennaConfig()
+        self.rotator: Rotator = as_rotator(machine)
+        """The machine, as all above the seam know it."""
+        self.raw: RawLines | None = self.rotator.raw
+        self.permit: Callable[[], None] | None = None
+        """Asked, with writing locked, just before anything that moves the dish; raises to keep it from going out."""
         self.alignment = alignment or Alignment()
         self._owner: threading.Thread | None = None
         self._last_position: Position | None = None
@@ -60,8 +77,12 @@ class BirdcageAntenna:
         self._begun_by: dict[int, float] = {}
         """When each axis had taken its last command."""
         self._modelling = threading.RLock()
+        self.gate = MotionGate(self.rotator.facts)
+        self._readings = Readings(self.gate)
+        self.skew = SkewGoal()
+        self.maintenance = Maintenance(self.rotator, self.gate)
         self.gear = Gear()
-        self.kind = protocol.model
+        self.kind = self.rotator.facts
         """The dish as it was seen to take commands; `protocol.model` is what is known of all that are like it."""
         self.model = self.kind
         """The same with the speeds that are in force now."""
@@ -76,24 +97,24 @@ class BirdcageAntenna:
         return self._config
 
     @property
-    def protocol(self) -> FirmwareProtocol:
-        """The dialect."""
-        return self._protocol
+    def protocol(self) -> Any:  # noqa: ANN401 - as above
+        """The machine as it was given: the dialect, for scripts."""
+        return self._machine
 
     @property
     def is_connected(self) -> bool:
         """Whether a port is open."""
-        return self._protocol.is_connected
+        return self.rotator.is_open
 
     @property
     def _clock(self) -> Clock:
-        return self._protocol.clock
+        return self.rotator.clock
 
     def align(self, alignment: Alignment) -> None:
         """Use another alignment from now on. Only while nothing moves."""
         self._check_thread()
         self.alignment = alignment
-        self._protocol.gate.update(
+        self.gate.update(
             floor_deg=self._config.min_elevation - alignment.el_offset_deg,
             az_offset_deg=alignment.az_offset_deg, el_offset_deg=alignment.el_offset_deg,
         )  # fmt: skip
@@ -112,13 +133,13 @@ class BirdcageAntenna:
 
     def remember_blocking(self, *, blocks: bool) -> None:
         """Count the dish among those that take no command of a move while a motor runs, or no longer."""
-        self.kind = self.gear.on(self._protocol.model.blocking() if blocks else self._protocol.model)
+        self.kind = self.gear.on(self.rotator.facts.blocking() if blocks else self.rotator.facts)
         self.use_speeds(self.speeds_deg_s)
 
     def doubt(self) -> None:
         """From now on take no reading of the position as true that neither goes on nor comes twice."""
-        self._protocol.belief = Belief(self._protocol.model)
-        self._protocol.belief.foresee = self._foresee
+        belief = self._readings.belief = Belief(self.rotator.facts)
+        belief.foresee = self._foresee
 
     def _foresee(self, last: Position, last_at: float, now: float) -> Expected | None:
         motion = self.motion
@@ -136,26 +157,33 @@ class BirdcageAntenna:
         """Open the port of the configuration; the dialect's baud unless one was given."""
         self._check_thread()
         given = not isinstance(self._config.baudrate, DialectBaud)
-        baud = self._config.baudrate if given else self._protocol.model.baud
-        self._protocol.connect(self._config.port, int(baud))
-        self._honour_held(self._config.port)
+        baud = self._config.baudrate if given else self.rotator.facts.baud
+        self._open(self._config.port, int(baud), RealClock(), None)
 
     def attach(self, link: Link, clock: Clock) -> None:
         """Use an open link instead of `connect`."""
         self._check_thread()
-        self._protocol.attach(link, clock)
-        self._honour_held(link.name)
+        self._open(link.name, None, clock, lambda _address, _baud: link)
+
+    def _open(self, port: str, baud: int | None, clock: Clock, dial: Callable[[str, int], Link] | None) -> None:
+        self._honour_held(port)
+        self.rotator.open(port, baud, clock, Hooks(dial=dial, permit=self.check_permit))
+
+    def check_permit(self) -> None:
+        """Raise what keeps the dish from being moved now."""
+        if self.permit is not None:
+            self.permit()
 
     def _honour_held(self, port: str) -> None:
         """Let nothing move a dish that is HELD. A station has taken that over where it asks for itself."""
-        if self._protocol.permit is None or self._latch is not None:
+        if self.permit is None or self._latch is not None:
             self._latch = Latch(port)
-            self._protocol.permit = self._latch.check
+            self.permit = self._latch.check
 
     def disconnect(self) -> None:
         """Close the port; `q` goes out only from a proven submenu."""
         self._check_thread()
-        self._protocol.disconnect()
+        self.rotator.close(CLOSE_S)
         self._last_position = None
 
     def initialize(self) -> None:
@@ -163,19 +191,24 @@ class BirdcageAntenna:
         self._check_thread()
         if not self.is_connected:
             self.connect()
-        self._protocol.initialize()
+        self.gate.forget("unread")  # a search that moves the dish may end with it
+        self.rotator.begin(lambda _words: None)
 
     def get_position(self) -> Position:
         """Read where the dish points, in true degrees. PositionUnknown when it is not homed."""
         self._check_thread()
-        return self._seen(self._protocol.get_position())
+        return self._read(lambda: self.rotator.look(busy_s=self.commands.busy_s()))
 
     def glance(self) -> Position:
         """Read where the dish points within a stream of targets: NoReply (`late`) where waiting would hold that up."""
         self._check_thread()
-        return self._seen(self._protocol.glance())
+        return self._read(lambda: self.rotator.look(hurry=True))
 
-    def _seen(self, dish: Position) -> Position:
+    def _read(self, once: Callable[[], Position]) -> Position:
+        if self.gate.position is None:
+            self.skew.forget()  # whatever made the position doubtful may have turned the skew as well
+        dish = self._readings.take(once, self._clock)
+        self.skew.see(dish)
         with self._modelling:
             now = self._clock.monotonic()
             if self.motion is not None:
@@ -218,7 +251,7 @@ class BirdcageAntenna:
         self._check_thread()
         if self._latch is not None:
             self._latch.check()
-        gate = self._protocol.gate
+        gate = self.gate
         current = self.get_position()
         dish_az, dish_el = self.to_dish(az_deg, el_deg, clamp=clamp)
         gate.check(dish_az, dish_el)
@@ -235,7 +268,7 @@ class BirdcageAntenna:
 
     def to_dish(self, az_deg: float, el_deg: float, *, clamp: bool = False) -> tuple[float, float]:
         """Return the dish angles of a true direction; `clamp` as in `point`."""
-        gate = self._protocol.gate
+        gate = self.gate
         dish_az, dish_el = self.alignment.to_dish(az_deg, el_deg)
         return dish_az, min(max(dish_el, gate.el_floor_deg), gate.el_max_deg) if clamp else dish_el
 
@@ -264,12 +297,12 @@ class BirdcageAntenna:
 
     def turn_known(self, dish_az: float) -> float | None:
         """Return how far the azimuth will turn; None when the turn of the cable is not known."""
-        gate = self._protocol.gate
+        gate = self.gate
         turns, cable = gate.cable_turns(dish_az), gate.cable_deg
         return turns[0] - cable if turns and cable is not None else None
 
     def _send(self, dish_az: float, dish_el: float, on_begun: Callable[[], None]) -> None:
-        gate = self._protocol.gate
+        gate = self.gate
         start = gate.position
         assert start is not None, "the gate has just checked this"
         now, rate = self._clock.monotonic(), self._clock.rate
@@ -312,7 +345,7 @@ class BirdcageAntenna:
         answer did not come in time: the dish may have taken it or not, and the next one may follow.
         """
         self._check_thread()
-        gate, clock = self._protocol.gate, self._clock
+        gate, clock = self.gate, self._clock
         azimuth = self.model.azimuth
         turns_az = motor == azimuth.index
         if turns_az and azimuth.max_deg - azimuth.min_deg >= 360.0:
@@ -336,38 +369,38 @@ class BirdcageAntenna:
                 self._begun_by[motor] = clock.monotonic()
             self.taken += 1
 
-    def stop_lines(self) -> tuple[str, ...]:
-        """Return the lines that stop the motion under way, computed for this moment; empty at rest. Any thread.
+    def stop_order(self) -> StopOrder | None:
+        """Return what stops the motion under way, computed for this moment; None at rest. Any thread.
 
-        Where moves queue, that of one axis can't be called back: empty too. What ends a silent slew leaves its model
+        Where moves queue, that of one axis can't be called back: None too. What ends a silent slew leaves its model
         alone; any other motion is modelled as stopped from then on, so that a second STOP aims where the first did.
         """
         with self._modelling:
             if self.motion is None:
-                return ()
+                return None
             if self.motion.silent:
-                return self._protocol.abort_lines()
+                return StopOrder(StopBy.ABORT)
             if self.model.moves_in_turn:
-                return ()  # a move of one axis can't be called back
+                return None  # a move of one axis can't be called back
             self.motion = self.motion.stopped(self._clock.monotonic(), self._clock.rate)
-            az_deg, el_deg = self.motion.rest
-            gate = self._protocol.gate  # an axis may rest a little beyond its limit, where it cannot be sent
-            return self._protocol.stop_lines(az_deg, min(max(el_deg, gate.el_min_deg), gate.el_max_deg))
+            return self._retarget(*self.motion.rest)
 
-    def stop_lines_seen(
-        self, earlier: Position, earlier_at: float, later: Position, later_at: float
-    ) -> tuple[str, ...]:
-        """Return the lines that stop an unasked motion, from two readings of the dish's own angles."""
+    def _retarget(self, az_deg: float, el_deg: float) -> StopOrder:
+        gate = self.gate  # an axis may rest a little beyond its limit, where it cannot be sent
+        el_deg = min(max(el_deg, gate.el_min_deg), gate.el_max_deg)
+        return StopOrder(StopBy.RETARGET, {MOTOR_AZIMUTH: az_deg, MOTOR_ELEVATION: el_deg})
+
+    def stop_order_seen(self, earlier: Position, earlier_at: float, later: Position, later_at: float) -> StopOrder:
+        """Return what stops an unasked motion, from two readings of the dish's own angles."""
         now, rate = self._clock.monotonic(), self._clock.rate
         elapsed_s = max((later_at - earlier_at) * rate, 1e-3)
         lead_s = (now - later_at) * rate + STOP_LATENCY_S * rate
-        model = self._protocol.model
+        model = self.rotator.facts
         az_rate = shortest_turn(earlier.azimuth, later.azimuth) / elapsed_s
         el_rate = (later.elevation - earlier.elevation) / elapsed_s
         az_deg = rest_point(later.azimuth, az_rate, model.azimuth.acceleration_deg_s2, lead_s)
         el_deg = rest_point(later.elevation, el_rate, model.elevation.acceleration_deg_s2, lead_s)
-        gate = self._protocol.gate
-        return self._protocol.stop_lines(wrap_360(az_deg), min(max(el_deg, gate.el_min_deg), gate.el_max_deg))
+        return self._retarget(wrap_360(az_deg), el_deg)
 
     def stop(self) -> None:
         """Reset the move counter and bring the dish to rest: a new target just ahead of where it is.
@@ -381,8 +414,8 @@ class BirdcageAntenna:
             return
         if not self.motion.silent:
             self.get_position()  # tells which way the azimuth turns, if the turn of the cable was not known
-        lines, left_s = self.stop_lines(), self.motion.eta(self._clock.rate) - self._clock.monotonic()
-        if not lines and self.model.moves_in_turn:
+        order, left_s = self.stop_order(), self.motion.eta(self._clock.rate) - self._clock.monotonic()
+        if order is None and self.model.moves_in_turn:
             if left_s > 0:
                 raise CommandRefused(
                     f"The {self.model.name} can't call back a move of one axis: it ends in {left_s:.0f} s, at its "
@@ -390,11 +423,10 @@ class BirdcageAntenna:
                     reason="queued",
                 )
             self.motion = None
-        if not lines:
+        if order is None:
             return
-        self._protocol.interject(lines)
-        console = self._protocol.console
-        for refusal in map(console.refusal, console.settle(2.0)):
+        self.rotator.stop_now(order)
+        for refusal in self.rotator.settle(2.0):
             if refusal is not None:
                 raise refusal
         self.motion = None

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 from birdcage.antenna.motion import AxisMotion, DishMotion, longest_s
 from birdcage.antenna.overshoot import OvershootWatch
 from birdcage.base.geometry import shortest_turn
-from birdcage.protocol.model import SecondMove
-from birdcage.protocol.types import Position, Taken
+from birdcage.rotator.facts import SecondMove
+from birdcage.rotator.values import Position, Taken
 
 if TYPE_CHECKING:
     from birdcage.antenna.antenna import BirdcageAntenna
@@ -38,7 +38,6 @@ class MoveCommands:
 
     def __init__(self, antenna: BirdcageAntenna) -> None:
         self._antenna = antenna
-        antenna.protocol.busy_s = self.busy_s
         self.answers: dict[int, Taken] = {}
         """What the dish answered to the last command of each motor."""
         self.overshoots = OvershootWatch()
@@ -48,18 +47,18 @@ class MoveCommands:
         """Told when the dish was seen to take no command while a motor runs."""
 
     def send(self, motor: int, dish_deg: float, runs: tuple[AxisMotion, ...], *, known: bool, without: Without) -> None:
-        """Send one axis to its dish angle; raises as `FirmwareProtocol.move_motor`.
+        """Send one axis to its dish angle; raises as `Rotator.send`.
 
         `runs` are the axes that this program has sent, and that may be on their way; `known`: whether the dish was
         seen at rest before that. Else somebody else may have sent it anywhere. `without` is what the axis does if the
         dish does not take the command.
         """
         antenna = self._antenna
-        protocol, clock = antenna.protocol, antenna.protocol.clock
+        rotator, clock = antenna.rotator, antenna.rotator.clock
         now, rate = clock.monotonic(), clock.rate
         self._open.pop(motor, None)
         usual_s, runs_s = (
-            protocol.console.round_trip_s or 0.0,
+            rotator.line.round_trip_s or 0.0,
             max((axis.eta(rate) - now for axis in runs), default=0.0),
         )
         busy_s = max((axis.ends_by(rate) - now for axis in runs), default=0.0)
@@ -68,7 +67,8 @@ class MoveCommands:
         if antenna.model.has_speeds and not antenna.speeds_deg_s:
             busy_s *= SLOWER  # it may have been set to less than such dishes can do
         self.overshoots.sent(motor)
-        answer = self.answers[motor] = protocol.move_motor(motor, dish_deg, busy_s=max(0.0, busy_s))
+        antenna.gate.check_axis(motor, dish_deg)
+        answer = self.answers[motor] = rotator.send(motor, dish_deg, busy_s=max(0.0, busy_s))
         if answer.sure:
             self.overshoots.taken(motor, antenna.motion)
         if not answer.sure and abs(shortest_turn(without.deg, dish_deg)) > SEEN_DEG:
@@ -81,16 +81,17 @@ class MoveCommands:
             self.on_blocking()
 
     def steer(self, motor: int, dish_deg: float) -> None:
-        """Send one axis as one of a stream; raises as `FirmwareProtocol.steer_motor`."""
+        """Send one axis as one of a stream; raises as `Rotator.send`."""
         self.overshoots.sent(motor)
-        answer = self.answers[motor] = self._antenna.protocol.steer_motor(motor, dish_deg)
+        self._antenna.gate.check_axis(motor, dish_deg)
+        answer = self.answers[motor] = self._antenna.rotator.send(motor, dish_deg, hurry=True)
         if answer.sure:
             self.overshoots.taken(motor, self._antenna.motion)
 
     def busy_s(self) -> float:
         """Return how long the dish may leave a reading unanswered: one that waits for its motors may wait with that."""
         antenna = self._antenna
-        motion, clock = antenna.motion, antenna.protocol.clock
+        motion, clock = antenna.motion, antenna.rotator.clock
         if motion is None or antenna.model.second_same is not SecondMove.BLOCK:
             return 0.0
         return max(0.0, motion.over_by(clock.rate) - clock.monotonic())
@@ -102,8 +103,8 @@ class MoveCommands:
 
     def see(self, dish: Position, motion: DishMotion, rate: float) -> None:
         """Take in where the dish is: an axis that goes from rest as it was sent has taken its command."""
-        protocol = self._antenna.protocol
-        asked_at = protocol.clock.monotonic() - protocol.console.took_s
+        rotator = self._antenna.rotator
+        asked_at = rotator.clock.monotonic() - rotator.line.took_s
         self.overshoots.see(dish, motion, asked_at, rate)
         for axis, here in ((motion.azimuth, dish.azimuth), (motion.elevation, dish.elevation)):
             without = self._open.get(axis.axis.index)

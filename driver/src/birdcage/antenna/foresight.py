@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from birdcage.antenna.belief import JITTER_S, NEAR_DEG, Expected, Span
 from birdcage.antenna.motion import STOP_LATENCY_S, AxisMotion, DishMotion
 from birdcage.base.geometry import shortest_turn
 from birdcage.kinematics import Slew
-from birdcage.protocol.belief import JITTER_S, NEAR_DEG, Expected, Span
-from birdcage.protocol.types import Position
+from birdcage.rotator.values import Position
 
 _HALVINGS = 24
 _STREAM_EARLY_S = 0.25

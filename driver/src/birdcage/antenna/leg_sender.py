@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.blocking import Without
 from birdcage.antenna.legs import Leg, leg_motion, plan_legs, skew_leg
-from birdcage.protocol.types import MOTOR_AZIMUTH, Position
+from birdcage.rotator.values import MOTOR_AZIMUTH, Position
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,20 +51,28 @@ class LegSender:
 
         Stopped, CommandRefused and MotionRefused: nothing of it moves.
         """
-        antenna, protocol = self._antenna, self._antenna.protocol
-        now = protocol.clock.monotonic()
+        antenna, rotator = self._antenna, self._antenna.rotator
+        now = rotator.clock.monotonic()
         with antenna.begun(leg_motion(antenna.model, self._start, leg, antenna.turn_known(leg.az_deg), now)):
             if leg.motor is None:
-                protocol.begin_slew(leg.az_deg, leg.el_deg)
+                antenna.gate.check(leg.az_deg, leg.el_deg)
+                rotator.begin_slew(leg.az_deg, leg.el_deg, antenna.skew.to_name(self._start, now))
             elif leg.skew_deg is not None:
-                protocol.turn_skew(leg.skew_deg)
+                self._turn_skew(leg.motor, leg.skew_deg)
             else:
                 stands = self._start.azimuth if leg.motor == MOTOR_AZIMUTH else self._start.elevation
                 antenna.commands.send(leg.motor, leg.target_deg, (), known=True, without=Without(stands, moving=False))
             antenna.taken += 1
 
+    def _turn_skew(self, motor: int, deg: float) -> None:
+        antenna, clock = self._antenna, self._antenna.rotator.clock
+        antenna.gate.check_skew(deg)
+        antenna.skew.forget()  # until it is taken: a slew must not turn the skew to where STOP kept it from going
+        antenna.rotator.send(motor, deg)
+        antenna.skew.taken(antenna.model.axis(motor), deg, clock.monotonic(), clock.rate)
+
     @property
     def _start(self) -> Position:
-        start = self._antenna.protocol.gate.position
+        start = self._antenna.gate.position
         assert start is not None, "it was read just now"
         return start

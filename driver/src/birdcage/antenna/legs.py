@@ -11,8 +11,9 @@ from dataclasses import dataclass
 from birdcage.antenna.motion import DishMotion, move_axis, plan_axis
 from birdcage.base.errors import MotionRefused
 from birdcage.base.geometry import shortest_turn
-from birdcage.protocol.model import Axis, DishModel
-from birdcage.protocol.types import MOTOR_AZIMUTH, MOTOR_ELEVATION, Position
+from birdcage.rotator.axis import Axis
+from birdcage.rotator.facts import Facts
+from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION, Position
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +45,7 @@ class Leg:
 
 
 def plan_legs(
-    model: DishModel, start: Position, az_deg: float, el_deg: float, az_turn_deg: float | None, first: int
+    model: Facts, start: Position, az_deg: float, el_deg: float, az_turn_deg: float | None, first: int
 ) -> tuple[Leg, ...]:
     """Return the legs from `start` to dish angles; empty when the dish is there, to a step.
 
@@ -73,7 +74,7 @@ def plan_legs(
     return tuple(legs)
 
 
-def skew_leg(model: DishModel, start: Position, deg: float) -> Leg:
+def skew_leg(model: Facts, start: Position, deg: float) -> Leg:
     """Return the leg that turns the skew. MotionRefused (`unsupported`) on a dish without that axis."""
     axis = model.skew
     if axis is None:
@@ -83,7 +84,7 @@ def skew_leg(model: DishModel, start: Position, deg: float) -> Leg:
     return Leg(start.azimuth, start.elevation, axis.index, seconds, seconds, skew_deg=deg)
 
 
-def leg_motion(model: DishModel, start: Position, leg: Leg, az_turn_deg: float | None, now: float) -> DishMotion:
+def leg_motion(model: Facts, start: Position, leg: Leg, az_turn_deg: float | None, now: float) -> DishMotion:
     """Model a leg that begins now."""
     az_end, el_end, skew = start.azimuth, start.elevation, None
     if leg.skew_deg is not None and model.skew is not None:

@@ -7,8 +7,9 @@ from dataclasses import dataclass, replace
 
 from birdcage.base.geometry import shortest_turn
 from birdcage.kinematics import Slew, plan_slew, plan_timed, rest_point
-from birdcage.protocol.model import Axis, DishModel
-from birdcage.protocol.types import MOTOR_AZIMUTH, Position
+from birdcage.rotator.axis import Axis
+from birdcage.rotator.facts import Facts
+from birdcage.rotator.values import MOTOR_AZIMUTH, Position
 
 STOP_LATENCY_S = 0.1
 """The longest that a STOP line normally takes to act on a retargetable dish (SEAMS *Figures*: 20 to 100 ms)."""
@@ -197,7 +198,7 @@ class DishMotion:
 
 
 def start_motion(
-    model: DishModel,
+    model: Facts,
     start: Position,
     az_turn_deg: float,
     el_deg: float,
@@ -226,12 +227,12 @@ def start_motion(
     return DishMotion(azimuth, elevation, longest_s=longest_s)
 
 
-def longest_s(model: DishModel) -> float:
+def longest_s(model: Facts) -> float:
     """Return how long a motion takes at the longest, from wherever to wherever, and in turn; mechanical seconds."""
     return sum(plan_axis(axis, axis.min_deg, axis.max_deg).duration_s for axis in (model.azimuth, model.elevation))
 
 
-def stop_power_s(model: DishModel) -> float:
+def stop_power_s(model: Facts) -> float:
     """Return how long a retarget needs to bring the faster axis to rest from top speed."""
     return STOP_LATENCY_S + max(
         axis.speed_deg_s / axis.acceleration_deg_s2 for axis in (model.azimuth, model.elevation)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from birdcage.antenna.motion import AxisMotion, DishMotion
 from birdcage.base.geometry import shortest_turn
-from birdcage.protocol.types import Position
+from birdcage.rotator.values import Position
 
 SETTLED_S = 0.1
 """An axis that should have come to rest so long before it was asked stands."""

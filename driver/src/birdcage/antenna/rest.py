@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from birdcage.base.geometry import shortest_turn
-from birdcage.protocol.types import Position
+from birdcage.rotator.values import Position
 
 STILL_DEG = 0.015
 """Two readings this close, one poll apart, are a dish at rest: both axes print hundredths."""

@@ -6,11 +6,11 @@ from dataclasses import replace
 
 from birdcage.antenna.motion import AxisMotion, DishMotion, plan_axis
 from birdcage.base.geometry import shortest_turn
-from birdcage.protocol.model import DishModel
-from birdcage.protocol.types import MOTOR_AZIMUTH, Position
+from birdcage.rotator.facts import Facts
+from birdcage.rotator.values import MOTOR_AZIMUTH, Position
 
 
-def resting(model: DishModel, here: Position, now: float) -> DishMotion:
+def resting(model: Facts, here: Position, now: float) -> DishMotion:
     """Return the model of a dish that stands still at dish angles."""
     axes = ((model.azimuth, here.azimuth), (model.elevation, here.elevation))
     azimuth, elevation = (AxisMotion(axis, plan_axis(axis, deg, deg), now, deg, now) for axis, deg in axes)
@@ -28,7 +28,7 @@ def sent_to(motion: DishMotion) -> tuple[float | None, float | None]:
 
 
 def steered(
-    model: DishModel,
+    model: Facts,
     under_way: DishMotion | None,
     here: Position,
     motor: int,

@@ -25,6 +25,7 @@ the dish, what to do.
 from __future__ import annotations
 
 from birdcage.base.text import clean
+from birdcage.base.trouble import MotorTrouble
 
 
 class BirdcageError(Exception):
@@ -63,9 +64,16 @@ class NoReply(BirdcageError):
 
 
 class CommandRefused(BirdcageError):
-    """The firmware answered with an error: nothing was done. Reasons: unknown_command, bad_parameter, wrong_menu."""
+    """The firmware answered with an error: nothing was done. Reasons: unknown_command, bad_parameter, wrong_menu.
+
+    `trouble` is what that answer says of a motor; None if it says nothing of one.
+    """
 
     reason = "unknown_command"
+
+    def __init__(self, message: str, *, reason: str | None = None, trouble: MotorTrouble | None = None) -> None:
+        super().__init__(message, reason=reason)
+        self.trouble = trouble
 
 
 class MotionRefused(BirdcageError):

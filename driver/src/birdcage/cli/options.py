@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from birdcage.base.beam import Beam
     from birdcage.base.config import Settings
     from birdcage.base.paths import Paths
-    from birdcage.station.known import DishModel
+    from birdcage.station.known import Facts
 
 DEFAULT_PORT = "/dev/ttyUSB0"
 DEFAULT_FIRMWARE = "hal205"
@@ -54,14 +54,14 @@ class Wanted:
     paths: Paths
 
     @property
-    def model(self) -> DishModel | None:
+    def model(self) -> Facts | None:
         """What that firmware drives; None for one that this version does not speak."""
         from birdcage.station.known import model_of
 
         return model_of(self.firmware)
 
     @property
-    def named_model(self) -> DishModel | None:
+    def named_model(self) -> Facts | None:
         """The same where somebody named the firmware: what is computed without a dish guesses none."""
         return self.model if self.firmware_given else None
 

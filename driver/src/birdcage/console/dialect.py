@@ -6,6 +6,8 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from birdcage.base.trouble import MotorTrouble
+
 UNKNOWN_TOKEN = ""
 """Stands for a prompt that no source tells: it is learnt from the dish (decision 0010)."""
 
@@ -26,6 +28,10 @@ class ConsoleDialect:
     echo: bool = True
     refusals: tuple[tuple[re.Pattern[str], str], ...] = ()
     """Reply lines that mean that nothing was done, each with the `CommandRefused` reason it stands for."""
+    troubles: tuple[tuple[re.Pattern[str], bool], ...] = ()
+    """Lines that tell of a motor in trouble: the group `axis` names it, and whether it failed to find its reference."""
+    axis_names: Mapping[str, str] = field(default_factory=dict)
+    """The names of axes by what `axis` then holds, in capitals."""
     root_marks: frozenset[str] = frozenset()
     """Commands that only the root's help of this firmware lists: they tell it from others, and from its submenus."""
     root_hints: frozenset[str] = frozenset()
@@ -40,6 +46,13 @@ class ConsoleDialect:
     """Commands in a menu's help that show, where no root mark stands beside them, that this is another firmware."""
     stranger: str = ""
     """What to say to a person whose dish is another firmware; `{prompt}` is what it shows. Empty: nothing is said."""
+
+    def trouble_in(self, text: str) -> MotorTrouble | None:
+        """Return what a line says of a motor; None for any other line."""
+        for pattern, homing in self.troubles:
+            if found := pattern.search(text):
+                return MotorTrouble(self.axis_names[found["axis"].upper()], homing, text.strip())
+        return None
 
     @property
     def learnt(self) -> bool:

@@ -85,7 +85,9 @@ class Talker:
             for pattern, reason in self.dialect.refusals:
                 if pattern.search(line):
                     return CommandRefused(
-                        f"The dish refused `{reply.command}` in menu `{reply.menu}`: {line.strip()}", reason=reason
+                        f"The dish refused `{reply.command}` in menu `{reply.menu}`: {line.strip()}",
+                        reason=reason,
+                        trouble=self.dialect.trouble_in(line),
                     )
         return None
 

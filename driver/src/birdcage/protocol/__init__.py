@@ -13,18 +13,18 @@ if TYPE_CHECKING:
     from birdcage.protocol.hal import HAL205Protocol
     from birdcage.protocol.protocol import FirmwareProtocol
     from birdcage.protocol.registry import FIRMWARE_REGISTRY, get_protocol
-    from birdcage.protocol.types import MOTOR_AZIMUTH, MOTOR_ELEVATION, Position, RssiReading
+    from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION, Position, RssiReading
 
 _HOMES = {
-    "CarryoutG2Protocol": "g2",
-    "FIRMWARE_REGISTRY": "registry",
-    "FirmwareProtocol": "protocol",
-    "HAL205Protocol": "hal",
-    "MOTOR_AZIMUTH": "types",
-    "MOTOR_ELEVATION": "types",
-    "Position": "types",
-    "RssiReading": "types",
-    "get_protocol": "registry",
+    "CarryoutG2Protocol": "birdcage.protocol.g2",
+    "FIRMWARE_REGISTRY": "birdcage.protocol.registry",
+    "FirmwareProtocol": "birdcage.protocol.protocol",
+    "HAL205Protocol": "birdcage.protocol.hal",
+    "MOTOR_AZIMUTH": "birdcage.rotator.values",
+    "MOTOR_ELEVATION": "birdcage.rotator.values",
+    "Position": "birdcage.rotator.values",
+    "RssiReading": "birdcage.rotator.values",
+    "get_protocol": "birdcage.protocol.registry",
 }
 
 __all__ = [
@@ -43,4 +43,4 @@ __all__ = [
 def __getattr__(name: str) -> Any:  # noqa: ANN401 - PEP 562
     if name not in _HOMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(f"birdcage.protocol.{_HOMES[name]}"), name)
+    return getattr(import_module(_HOMES[name]), name)

@@ -2,23 +2,33 @@
 
 from __future__ import annotations
 
+import math
 import re
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, ClassVar
 
 from birdcage.base.clock import Clock, RealClock
-from birdcage.base.errors import BirdcageError, CommandRefused, LinkError, PositionUnknown
+from birdcage.base.errors import BelowFloor, BirdcageError, CommandRefused, LinkError, MotionRefused
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.session import Console
-from birdcage.protocol.belief import Belief
-from birdcage.protocol.gate import MotionGate
 from birdcage.protocol.hazard import HazardTable
-from birdcage.protocol.model import DishModel
-from birdcage.protocol.raw_motion import with_motion
-from birdcage.protocol.types import Position, RssiReading, Survey, Taken
-from birdcage.protocol.unhomed import UnreadablePosition, says_unhomed
+from birdcage.protocol.raw_aim import aimed
+from birdcage.protocol.unhomed import unreadable
+from birdcage.rotator.adapting import as_rotator
+from birdcage.rotator.facts import Facts
 from birdcage.rotator.raw import CommandDoc
+from birdcage.rotator.readings import settled
+from birdcage.rotator.rotator import Rotator
+from birdcage.rotator.values import (
+    MOTOR_AZIMUTH,
+    MOTOR_ELEVATION,
+    MOTOR_SKEW,
+    Position,
+    RssiReading,
+    Survey,
+    Taken,
+)
 from birdcage.rotator.verdict import Grade, Verdict
 
 if TYPE_CHECKING:
@@ -26,6 +36,7 @@ if TYPE_CHECKING:
     from birdcage.link.link import Link
 
 BOOT_TIMEOUT_S = 180.0
+LIMIT_REASONS = {MOTOR_AZIMUTH: "az_limit", MOTOR_ELEVATION: "el_limit", MOTOR_SKEW: "skew_limit"}
 STALLED = re.compile(r"\bSTALLED\b")
 """An obstacle, which is said of the motion under way and not of the question."""
 
@@ -38,7 +49,7 @@ class FirmwareProtocol(ABC):
     """
 
     name: ClassVar[str]
-    model: ClassVar[DishModel]
+    model: ClassVar[Facts]
     dialect: ClassVar[ConsoleDialect]
     boot_marks: ClassVar[tuple[str, ...]] = ()
     """Words in unasked lines that mean that the dish has just started."""
@@ -56,13 +67,8 @@ class FirmwareProtocol(ABC):
     def __init__(self) -> None:
         self._link: Link | None = None
         self._console: Console | None = None
-        self.gate = MotionGate(self.model)
-        self.belief: Belief | None = None
-        """What readings of the position must pass before anything counts with them; None: each is taken as printed."""
         self.printed_deg = 0.01
         """How fine the angles are that the dish prints, as its last reading showed."""
-        self.busy_s: Callable[[], float] = lambda: 0.0
-        """Asked how long a move may keep the dish from answering a reading of its position."""
         self.on_busy: Callable[[], None] = lambda: None
         """Told when the dish leaves the command of a move unanswered, and may be waiting for a motor that runs."""
         self.permit: Callable[[], None] | None = None
@@ -141,58 +147,57 @@ class FirmwareProtocol(ABC):
     def enter_motor_menu(self) -> None:
         """Go into the motor menu; nothing is sent when the dish is there already."""
 
-    @abstractmethod
     def get_position(self) -> Position:
-        """Read where the dish is. PositionUnknown when the axes are not homed."""
+        """Read where the dish is. PositionUnknown when the axes are not homed, or it says twice what is no position."""
+        return settled(self.read_position)
 
-    def _believed(self, once: Callable[[], Position]) -> Position:
-        """Return what `once` reads.
+    def read_position(self, *, busy_s: float = 0.0) -> Position:
+        """Ask once where the dish is; `busy_s`: how long a move may keep it from answering.
 
-        PositionUnknown (`unhomed`, `unreadable`) where the dish says twice what is no position: it answers, so it can
-        be homed all the same.
+        UnreadablePosition for an answer that is no position: it may be damaged, and `get_position` asks once more.
         """
-        belief = self.belief
+        return self._once(lambda: self._read_position(busy_s))
 
-        def read() -> Position:
-            try:
-                return once() if belief is None else belief.read(once, self.clock)
-            except CommandRefused as refused:
-                if refused.reason in ("wrong_menu", "unknown_command") or STALLED.search(str(refused)):
-                    raise
-                raise UnreadablePosition(str(refused), (str(refused),)) from refused
+    @abstractmethod
+    def _read_position(self, busy_s: float) -> Position:
+        """Ask once where the dish is."""
 
+    @staticmethod
+    def _once(read: Callable[[], Position]) -> Position:
         try:
-            try:
-                return read()
-            except UnreadablePosition as once_more:
-                first = once_more
-            try:
-                return read()
-            except UnreadablePosition as again:
-                if again.repeats(first):
-                    raise _unreadable(again) from again
+            return read()
+        except CommandRefused as refused:
+            if refused.reason in ("wrong_menu", "unknown_command") or refused.trouble is not None:
                 raise
-        except PositionUnknown as unknown:
-            self.gate.forget(unknown.reason)
-            raise
+            raise unreadable(str(refused), (str(refused),)) from refused
 
     def move_motor(self, motor_id: int, degrees: float, *, busy_s: float = 0.0) -> Taken:
-        """Send one axis to an absolute angle, through the gate. Returns when the dish has answered the command.
+        """Send one axis to an absolute angle. Returns when the dish has answered the command.
 
         `busy_s`: how long a motor may still run, and a dish that waits for it (section 2.6) not answer. NoReply
         (`busy`) when it has not answered 2 s later.
-        MotionRefused (nothing sent) outside the limits or with an unknown position; KeyError for an unknown motor.
+        MotionRefused (nothing sent) outside the range of the axis; KeyError for an unknown motor. The cable, no-go
+        sectors and limits of yours are for the antenna to see to.
         """
-        self._check_move(motor_id, degrees)
+        self._check_range(motor_id, degrees)
         return self._send_move(motor_id, degrees, busy_s)
 
-    def _check_move(self, motor_id: int, degrees: float) -> None:
+    def _check_range(self, motor_id: int, degrees: float) -> None:
         axis = self.model.axis(motor_id)
-        if self.gate.position is None:
-            self.get_position()
-        self.gate.check(
-            degrees if axis is self.model.azimuth else None, degrees if axis is self.model.elevation else None
+        if not math.isfinite(degrees):
+            raise MotionRefused(
+                f"The {axis.name} asked for is {degrees}, which is not an angle. Nothing was sent.",
+                reason="not_a_number",
+            )
+        limit = min(max(degrees, axis.min_deg), axis.max_deg)
+        by = abs(degrees - limit)
+        said = (
+            f"{axis.name.capitalize()} {degrees:.2f}° is {by:.2f}° beyond the limit of {limit:.2f}°. Nothing was sent."
         )
+        if degrees < limit and axis is self.model.elevation:
+            raise BelowFloor(said, limit_deg=limit, by_deg=by)
+        if by > 0.0:
+            raise MotionRefused(said, reason=LIMIT_REASONS[motor_id], limit_deg=limit, by_deg=by)
 
     def steer_motor(self, motor_id: int, degrees: float) -> Taken:
         """Send one axis to an absolute angle as `move_motor`, as one of a stream of commands that replace each other.
@@ -203,8 +208,8 @@ class FirmwareProtocol(ABC):
         return self.move_motor(motor_id, degrees)
 
     def glance(self) -> Position:
-        """Read where the dish is as `get_position`, within such a stream: NoReply (`late`) as `steer_motor`."""
-        return self.get_position()
+        """Read where the dish is as `read_position`, within such a stream: NoReply (`late`) as `steer_motor`."""
+        return self.read_position()
 
     @abstractmethod
     def _send_move(self, motor_id: int, degrees: float, busy_s: float) -> Taken:
@@ -221,11 +226,11 @@ class FirmwareProtocol(ABC):
         """Return what ends a silent slew at once; empty on a firmware without one."""
         return ()
 
-    def begin_slew(self, az_deg: float, el_deg: float) -> None:
-        """Send all axes at once, through the gate, in the way that any byte aborts; returns as soon as it is sent.
+    def begin_slew(self, az_deg: float, el_deg: float, skew_deg: float | None) -> None:  # noqa: ARG002
+        """Send all axes at once in the way that any byte aborts; returns as soon as it is sent.
 
-        Until `slew_is_over` nothing else may be sent, but what aborts it. MotionRefused as `move_motor`;
-        CommandRefused (`unsupported`) on a firmware without such a move.
+        Until `slew_is_over` nothing else may be sent, but what aborts it. CommandRefused (`unsupported`) on a firmware
+        without such a move, or where it needs a skew and None is known.
         """
         raise self._lacks(f"a combined move to {az_deg:.2f}°/{el_deg:.2f}°")
 
@@ -233,17 +238,14 @@ class FirmwareProtocol(ABC):
         """Return whether the dish has given its prompt back since `begin_slew`. Sends nothing, and does not wait."""
         return True
 
-    def turn_skew(self, degrees: float) -> None:
-        """Send the skew axis to an angle; MotionRefused (nothing sent) outside its range.
-
-        CommandRefused (`unsupported`) on a dish without one.
-        """
-        raise self._lacks(f"turning its skew to {degrees:g}°")
-
     def judge(self, line: str, menu: str | None, *, homed: bool | None) -> Verdict:
         """Say what a raw line would do in a menu (None: not known). Sends nothing; any thread."""
         verdict, match = self.hazards.judge(line, menu, homed=homed)
-        return with_motion(verdict, match, self.gate)
+        return aimed(verdict, match)
+
+    def says_restart(self, line: str) -> bool:
+        """Return whether a line is of those that it prints only when it starts."""
+        return any(mark in line for mark in self.boot_marks)
 
     def only_asks(self, line: str, prompt: str) -> bool:
         """Return whether a line at this prompt changes nothing but the menu, in every menu that has such a prompt.
@@ -312,10 +314,11 @@ class FirmwareProtocol(ABC):
 
     @abstractmethod
     def kill_search(self) -> None:
-        """End the firmware's automatic TV search, as far as this firmware can: see `DishModel.search_switch`."""
+        """End the firmware's automatic TV search, as far as this firmware can: see `Facts.search_switch`."""
 
 
-def _unreadable(answer: UnreadablePosition) -> PositionUnknown:
-    if says_unhomed(answer.printed):
-        return PositionUnknown(f"The dish reports that it is not homed. {answer}", reason="unhomed")
-    return PositionUnknown(f"The position reply can't be read. {answer}", reason="unreadable")
+@as_rotator.register
+def _(machine: FirmwareProtocol) -> Rotator:
+    from birdcage.protocol.menu_rotator import MenuRotator
+
+    return MenuRotator(machine)

@@ -1,12 +1,11 @@
-"""Which firmware is spoken by which dialect."""
+"""Which firmware is spoken by which dialect, as document 003 has it: found by entry point."""
 
 from __future__ import annotations
 
-from birdcage.protocol.g2 import CarryoutG2Protocol
-from birdcage.protocol.hal import HAL205Protocol
 from birdcage.protocol.protocol import FirmwareProtocol
+from birdcage.rotator.machines import DIALECTS, class_of, names_in
 
-FIRMWARE_REGISTRY: dict[str, type[FirmwareProtocol]] = {"hal205": HAL205Protocol, "g2": CarryoutG2Protocol}
+FIRMWARE_REGISTRY: dict[str, type[FirmwareProtocol]] = {name: class_of(name) for name in names_in(DIALECTS)}
 
 
 def get_protocol(name: str) -> FirmwareProtocol:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from birdcage.base.errors import NoReply
+from birdcage.rotator.readings import UnreadablePosition
 
 INT_MAX = 2147483647
 """What an unhomed G2 holds as its azimuth (reference section 7.2); in which form it prints it no source tells."""
@@ -31,16 +31,7 @@ def says_unhomed(lines: Iterable[str]) -> bool:
     return any(_WORDS.search(line) for line in lines)
 
 
-class UnreadablePosition(NoReply):
-    """An answer to the question for the position that is no position. `printed` is what the dish said."""
-
-    reason = "garbage"
-
-    def __init__(self, message: str, printed: Iterable[str]) -> None:
-        super().__init__(message)
-        self.printed = tuple(printed)
-
-    def repeats(self, other: UnreadablePosition) -> bool:
-        """Return whether the dish said the same before, with every byte legible: then no damage made it of an angle."""
-        legible = not any("\N{REPLACEMENT CHARACTER}" in line for line in self.printed)
-        return legible and self.printed == other.printed
+def unreadable(message: str, printed: Iterable[str]) -> UnreadablePosition:
+    """Return the error of an answer that is no position."""
+    lines = tuple(printed)
+    return UnreadablePosition(message, lines, unhomed=says_unhomed(lines))

@@ -1,1 +1,1 @@
-"""What any machine is to those above: an interface, facts and values (SEAMS *Rotator*). Languages implement it."""
+"""The seam: what any machine is that points something. Facts, values and the interface; nothing that talks."""

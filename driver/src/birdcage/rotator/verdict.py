@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import IntEnum
 
@@ -18,6 +19,25 @@ class Grade(IntEnum):
 
 
 @dataclass(frozen=True, slots=True)
+class Aim:
+    """Where a raw line sends the dish, in its own frame."""
+
+    angles_deg: Mapping[int, float]
+    """By motor number."""
+    relative: bool = False
+    """Whether they count from where the dish stands (source document 001: undocumented, one firmware only).
+
+    Its target is judged and not told, as another firmware may take it as it is written.
+    """
+
+    @property
+    def single(self) -> tuple[int, float] | None:
+        """The axis and the absolute angle that the line sends it to; None if it is no such line."""
+        (found, *others) = self.angles_deg.items()
+        return None if others or self.relative else found
+
+
+@dataclass(frozen=True, slots=True)
 class Verdict:
     """What is to be said of one line before it is sent."""
 
@@ -28,8 +48,8 @@ class Verdict:
     """What no longer holds afterwards: of `position`, `turn`, `homed`, `limits`, `search`, `settings`."""
     limit: str = ""
     """Which limit a raw motion would break and by how much, as a sentence; empty when none, or not a motion."""
-    motion: tuple[int, float] | None = None
-    """The axis and the absolute angle (dish frame, degrees) that the line sends it to, when that can be read off it."""
+    aim: Aim | None = None
+    """Where the line sends the dish, when that can be read off it."""
     listed: bool = True
     """Whether the table knows the line."""
     takes_s: float = 0.0

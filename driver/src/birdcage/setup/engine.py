@@ -23,7 +23,7 @@ from birdcage.setup.steps.link import LinkStep
 from birdcage.setup.steps.north import NorthStep
 from birdcage.setup.steps.place import PlaceStep
 from birdcage.setup.steps.search import SearchStep
-from birdcage.station.known import DishModel, PortInfo, SystemFacts, list_ports, look_at_system
+from birdcage.station.known import Facts, PortInfo, SystemFacts, list_ports, look_at_system
 from birdcage.station.requests import Unwatch, Watch
 from birdcage.station.session import Session
 
@@ -34,7 +34,7 @@ CLEAR_QUESTION = (
 """To be answered with yes once a run, before anything that moves is taken."""
 
 
-def clear_question(dish: DishModel | None) -> str:
+def clear_question(dish: Facts | None) -> str:
     """Return `CLEAR_QUESTION`, with what the papers of this dish say must keep away from it."""
     clearance = "" if dish is None else dish.handling.clearance
     return f"{CLEAR_QUESTION} {clearance}".rstrip()

@@ -7,8 +7,8 @@ from dataclasses import replace
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.errors import BirdcageError, LinkError, NoReply
-from birdcage.base.wake import Wake
-from birdcage.protocol.protocol import FirmwareProtocol
+from birdcage.rotator.hooks import Hooks
+from birdcage.rotator.rotator import Rotator
 from birdcage.station.board import Board
 from birdcage.station.events import LinkChanged
 from birdcage.station.look import Look
@@ -29,11 +29,11 @@ class Connection:
     """The state of the link is on the board; `due` says when to try again."""
 
     def __init__(
-        self, board: Board, antenna: BirdcageAntenna, settings: StationSettings, look: Look, wake: Wake,
-        on_wake: Callable[[], None], on_line: Callable[[str], None],
+        self, board: Board, antenna: BirdcageAntenna, settings: StationSettings, look: Look, hooks: Hooks,
     ) -> None:  # fmt: skip
+        """`hooks` are what the machine is opened with."""
         self._board, self._antenna, self._settings, self._look = board, antenna, settings, look
-        self._wake, self._on_wake, self._on_line = wake, on_wake, on_line
+        self._hooks = hooks
         self._retry_s = FIRST_RETRY_S
         self._port, self._baud = settings.port, settings.baud
         self.due: float | None = None
@@ -42,8 +42,8 @@ class Connection:
         """Told which port is about to be opened: its dish may be held."""
 
     @property
-    def _protocol(self) -> FirmwareProtocol:
-        return self._antenna.protocol
+    def _rotator(self) -> Rotator:
+        return self._antenna.rotator
 
     @property
     def asked_port(self) -> str:
@@ -53,7 +53,7 @@ class Connection:
     @property
     def baud(self) -> int:
         """The present rate: as asked for, or the firmware's own."""
-        return self._baud or self._protocol.model.baud
+        return self._baud or self._rotator.facts.baud
 
     @property
     def is_up(self) -> bool:
@@ -71,11 +71,11 @@ class Connection:
 
     def attempt(self) -> bool:
         """Try once to come up; return whether the dish answers."""
-        if not self._protocol.is_connected and not self._open():
+        if not self._rotator.is_open and not self._open():
             return False
         try:
-            self._protocol.console.synchronize()
-            self._board.change(menu=self._protocol.console.menu)
+            self._rotator.meet()
+            self._board.change(menu=self._rotator.line.place)
             self._look.first()
             self._look.clear_up()
         except LinkError as error:
@@ -112,15 +112,11 @@ class Connection:
             return False
         self.on_port(port)
         try:
-            link = self._settings.open_link(port, self.baud)
+            self._rotator.open(port, self._baud, self._board.clock, self._hooks)
         except LinkError as error:
             self._retry_later(Link.LOST, str(error), error.reason)
             return False
-        self._protocol.attach(
-            link, self._board.clock, delay_s=self._settings.delay_s,
-            wake=self._wake, on_wake=self._on_wake, on_line=self._on_line,
-        )  # fmt: skip
-        self._board.change(port=port, demo=link.demo)
+        self._board.change(port=port, demo=self._rotator.is_simulated)
         return True
 
     def find(self) -> str | None:
@@ -134,7 +130,7 @@ class Connection:
 
     def let_go(self) -> None:
         """Close the port with nothing sent, and forget what may change meanwhile."""
-        self._protocol.disconnect(within_s=0.0)
+        self._rotator.close(0.0)
         self._forget()
         self._look.forget_survey()
         self._retry_s = FIRST_RETRY_S
@@ -160,12 +156,10 @@ class Connection:
 
     def note_reply(self) -> None:
         """Copy the console's own figures onto the board."""
-        console = self._protocol.console
+        line = self._rotator.line
         link = self._board.state.link
-        link = replace(
-            link, last_reply=console.last_reply, round_trip_s=console.round_trip_s, stray_bytes=console.stray_bytes
-        )
-        self._board.change(link=link, menu=console.menu)
+        link = replace(link, last_reply=line.last_reply, round_trip_s=line.round_trip_s, stray_bytes=line.stray_bytes)
+        self._board.change(link=link, menu=line.place)
 
     def _retry_later(self, state: Link, detail: str, reason: str = "") -> None:
         if not self._settings.reconnect:
@@ -187,5 +181,5 @@ class Connection:
     def close(self) -> None:
         """Give the port back."""
         self.due = None
-        self._protocol.disconnect(within_s=CLOSE_S)
+        self._rotator.close(CLOSE_S)
         self._set(Link.CLOSED, "closed")

@@ -168,14 +168,14 @@ class Desk:
 
         A pursuit that has changed the dish's speeds ends before that, so the whole way is judged for it here.
         """
-        gate = self._antenna.protocol.gate
+        gate = self._antenna.gate
         if self._pursuing.speeds.are_changed:
             self._antenna.aim(az_deg, el_deg, leapfrog=False, clamp=clamp)
         elif gate.position is not None:
             gate.check_limits(*self._antenna.to_dish(az_deg, el_deg, clamp=clamp))
 
     def _turn_skew(self, request: ask.TurnSkew, future: Future[object]) -> None:
-        self._antenna.protocol.gate.check_skew(request.deg)
+        self._antenna.gate.check_skew(request.deg)
         self._control.refuse(request.holder)
         previous = self._take_for(request, lambda: self._mover.check_skew(request.deg))
         here = self._board.state.position
@@ -199,12 +199,12 @@ class Desk:
         return (base[0] + jog.d_az_deg) % 360.0, base[1] + jog.d_el_deg
 
     def _home(self, request: ask.Home) -> None:
-        protocol = self._antenna.protocol
-        if protocol.model.homing_s is None:
+        rotator = self._antenna.rotator
+        if rotator.facts.homing_s is None:
             raise MotionRefused(
-                f"The {protocol.model.name} homes only by itself, at power-up. Nothing was sent.", reason="unsupported"
+                f"The {rotator.facts.name} homes only by itself, at power-up. Nothing was sent.", reason="unsupported"
             )
-        axes = (protocol.model.azimuth.index, protocol.model.elevation.index)
+        axes = (rotator.facts.azimuth.index, rotator.facts.elevation.index)
         if not set(request.axes) <= set(axes):
             raise MotionRefused(f"This dish has the axes {axes} only. Nothing was sent.", reason="unsupported")
         self._ready(request.holder)
@@ -215,14 +215,14 @@ class Desk:
         self._stopper.homing = True
         try:
             for motor in request.axes or axes:
-                self._mover.activity(Activity.HOMING, protocol.model.axis(motor).name)
-                protocol.home_motor(motor)
+                self._mover.activity(Activity.HOMING, rotator.facts.axis(motor).name)
+                self._antenna.maintenance.home(motor)
         finally:
             self._stopper.homing = False
             self._mover.activity(Activity.UNKNOWN, "")
             self._stopper.resume()
         if self._look.position() is not None and not request.axes:
-            protocol.gate.count_cable()
+            self._antenna.gate.count_cable()
             self._look.position()
         self._mover.activity(Activity.IDLE, "")
 

@@ -11,12 +11,12 @@ from pathlib import Path
 from typing import Any
 
 from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.gear import AXES, MOST_DEG, Gear, GearFact, GearKind, GearOrigin
 from birdcage.antenna.overshoot import OvershootWatch
 from birdcage.base.errors import ConfigError
 from birdcage.base.paths import write_aside_and_rename
 from birdcage.link.identity import dish_folder, dish_identity
-from birdcage.protocol.gear import AXES, MOST_DEG, Gear, GearFact, GearKind, GearOrigin
-from birdcage.protocol.model import SecondMove
+from birdcage.rotator.facts import SecondMove
 from birdcage.station.board import Board
 from birdcage.station.events import Event, PositionRead
 
@@ -47,7 +47,9 @@ class GearMemory:
             return
         self._key, self._file = identity or port, None
         if identity is not None and self._state_folder is not None:
-            self._file = GearFile(dish_folder(self._state_folder, identity) / FILE, self._antenna.protocol.name)
+            self._file = GearFile(
+                dish_folder(self._state_folder, identity) / FILE, self._antenna.rotator.facts.firmware
+            )
         self._antenna.commands.overshoots = OvershootWatch()
         self._use(Gear() if self._file is None else self._file.read())
 

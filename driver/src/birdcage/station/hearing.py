@@ -8,7 +8,6 @@ from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.errors import CommandRefused, NoReply
 from birdcage.station.board import Board
 from birdcage.station.look import Look
-from birdcage.station.stalls import stalled_axis
 from birdcage.station.watches import RSSI_PERIOD_S, RSSI_READS, Watches
 from birdcage.tracking.steps import Hear
 
@@ -72,7 +71,7 @@ class Hearing:
         try:
             self._look.signal()
         except CommandRefused as refused:
-            if stalled_axis(str(refused)) is not None:
+            if refused.trouble is not None:
                 raise
             self._refused = True
             self.end()
@@ -90,5 +89,5 @@ class Hearing:
         self._watches.end_excursion()
         if self.under_way:
             self.under_way = False
-            self._antenna.protocol.enter_motor_menu()
+            self._antenna.rotator.make_ready()
             self._look.elsewhere = False

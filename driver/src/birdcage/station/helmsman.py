@@ -16,7 +16,6 @@ from birdcage.station.look import Look
 from birdcage.station.mover import ARRIVED_DEG, POLL_S, Job, Mover
 from birdcage.station.queued_mover import ASTRAY_S, STILL_S
 from birdcage.station.speeds import Speeds
-from birdcage.station.stalls import stalled_axis
 from birdcage.station.state import Activity, Motion, Pointing
 from birdcage.station.stop_power import stop_power
 from birdcage.station.watches import Watches
@@ -163,7 +162,7 @@ class Helmsman:
 
     def unrolled(self, dish_az_deg: float) -> float:
         """Return an azimuth as the course counts it."""
-        cable_deg = self._antenna.protocol.gate.cable_deg
+        cable_deg = self._antenna.gate.cable_deg
         reference = cable_deg if cable_deg is not None else self._az_deg
         return dish_az_deg if reference is None else reference + shortest_turn(reference, dish_az_deg)
 
@@ -177,7 +176,7 @@ class Helmsman:
         if queues and not self._is_free():
             return None
         elevation, deg = step.axis == model.elevation.index, step.deg
-        gate = self._antenna.protocol.gate
+        gate = self._antenna.gate
         if elevation:
             limit = min(max(deg, gate.el_floor_deg), gate.el_max_deg)
             deg = limit if abs(limit - deg) <= ROUNDING_DEG else deg
@@ -265,7 +264,7 @@ class Helmsman:
         return any(_over_at(axis, rate) + POLL_S < here.told_at and off > ARRIVED_DEG for axis, off in offs)
 
     def _way_deg(self, step: Send) -> float:
-        position, motion = self._antenna.protocol.gate.position, self._antenna.motion
+        position, motion = self._antenna.gate.position, self._antenna.motion
         if position is None:
             return 0.0
         az_deg, el_deg = (position.azimuth, position.elevation) if motion is None else motion.rest
@@ -278,7 +277,7 @@ class Helmsman:
 
         It is answered when it begins, as any other: whoever steers counts its time from then on.
         """
-        position, motion = self._antenna.protocol.gate.position, self._antenna.motion
+        position, motion = self._antenna.gate.position, self._antenna.motion
         assert position is not None, "its way was measured from there"
         az_deg, el_deg = (position.azimuth, position.elevation) if motion is None else motion.rest
         to = (az_deg, step.deg) if step.axis == self._antenna.model.elevation.index else (step.deg, el_deg)
@@ -323,7 +322,7 @@ class Helmsman:
             self._late += 1
             return
         self._lost, self._late = self._lost + 1, 0
-        if self._lost > MOST_LOST or stalled_axis(str(error)) is not None:
+        if self._lost > MOST_LOST or (isinstance(error, CommandRefused) and error.trouble is not None):
             raise error
 
     def _limit(self, step: Limit) -> Answer:
@@ -355,7 +354,7 @@ class Helmsman:
         return Answer(self.now_s, None, self.unrolled(here.dish_az_deg), here.dish_el_deg, self.now_s)
 
     def _go(self, az_deg: float, el_deg: float) -> None:
-        azimuth, gate = self._antenna.model.azimuth, self._antenna.protocol.gate
+        azimuth, gate = self._antenna.model.azimuth, self._antenna.gate
         limit = min(max(el_deg, gate.el_floor_deg), gate.el_max_deg)
         el_deg = limit if abs(limit - el_deg) <= ROUNDING_DEG else el_deg
         whole = azimuth.max_deg - azimuth.min_deg >= 360.0

@@ -37,7 +37,7 @@ class Interruption:
     @classmethod
     def now(cls, reason: str, at: float, stops: int, state: StationState, antenna: BirdcageAntenna) -> Interruption:
         """Note how the dish is left."""
-        motion, here, cable = antenna.motion, state.position, antenna.protocol.gate.cable_deg
+        motion, here, cable = antenna.motion, state.position, antenna.gate.cable_deg
         rest = None if here is None else (here.dish_az_deg, here.dish_el_deg)
         if motion is not None:
             rest = motion.rest

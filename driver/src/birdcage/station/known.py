@@ -5,25 +5,25 @@ from __future__ import annotations
 from birdcage.link.opening import has_speed
 from birdcage.link.ports import PortInfo, list_ports
 from birdcage.link.system import Hindrance, SystemFacts, look_at_system
-from birdcage.protocol.model import DishModel, SearchSwitch, Turn
-from birdcage.protocol.registry import FIRMWARE_REGISTRY
+from birdcage.rotator import machines
+from birdcage.rotator.facts import Facts, SearchSwitch, Turn
 
 __all__ = [
-    "DishModel", "Hindrance", "PortInfo", "SearchSwitch", "SystemFacts", "Turn", "has_speed", "list_firmwares",
+    "Facts", "Hindrance", "PortInfo", "SearchSwitch", "SystemFacts", "Turn", "has_speed", "list_firmwares",
     "list_models", "list_ports", "look_at_system", "model_of",
 ]  # fmt: skip
 
 
 def list_firmwares() -> tuple[str, ...]:
     """Return the short names of the firmwares that this version speaks."""
-    return tuple(sorted(FIRMWARE_REGISTRY))
+    return machines.names()
 
 
-def list_models() -> tuple[DishModel, ...]:
+def list_models() -> tuple[Facts, ...]:
     """Return what each of those firmwares drives, in the same order."""
-    return tuple(FIRMWARE_REGISTRY[name].model for name in list_firmwares())
+    return tuple(map(machines.facts_of, machines.names()))
 
 
-def model_of(firmware: str | None) -> DishModel | None:
+def model_of(firmware: str | None) -> Facts | None:
     """Return what a firmware drives; None for none, and for one that this version does not speak."""
     return next((model for model in list_models() if model.firmware == firmware), None)

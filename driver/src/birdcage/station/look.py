@@ -12,8 +12,8 @@ from birdcage.antenna.rest import STILL_DEG
 from birdcage.base.config.sections import NoGoSector
 from birdcage.base.errors import CommandRefused, PositionUnknown
 from birdcage.base.geometry import shortest_turn, wrap_360
-from birdcage.protocol.model import SearchSwitch, Turn
-from birdcage.protocol.types import Survey
+from birdcage.rotator.facts import SearchSwitch, Turn
+from birdcage.rotator.values import Survey
 from birdcage.station.board import Board
 from birdcage.station.events import PositionRead
 from birdcage.station.settings import Rules, StationSettings
@@ -43,9 +43,9 @@ class Look:
 
     def forget(self, why: str) -> None:
         """The position and the turn of the cable no longer hold; `why` is for the board."""
-        self._antenna.protocol.gate.forget("unread")
+        self._antenna.gate.forget("unread")
         self._board.change(position_lost=why, position_text="", turn=self._turn())
-        if self._antenna.protocol.model.search_switch is SearchSwitch.UNTIL_POWER_UP:
+        if self._antenna.rotator.facts.search_switch is SearchSwitch.UNTIL_POWER_UP:
             # It may have been without power meanwhile, and then it searches again.
             self._board.change(search=Search.UNKNOWN)
 
@@ -61,14 +61,14 @@ class Look:
             self.on_forgotten()
 
     def _turn(self) -> Turn:
-        gate = self._antenna.protocol.gate
+        gate = self._antenna.gate
         if gate.cable_deg is None:
             return gate.model.turn
         return Turn.REMEMBERED if gate.remembers_cable else Turn.COUNTED
 
     def first(self) -> None:
         """Look where the dish is, after the link came up."""
-        self._antenna.protocol.enter_motor_menu()
+        self._antenna.rotator.make_ready()
         self.position()
 
     def position(self, *, glance: bool = False) -> Pointing | None:
@@ -84,7 +84,7 @@ class Look:
             self._board.change(activity=Activity.IDLE)
             return None
         self.elsewhere = False
-        gate = self._antenna.protocol.gate
+        gate = self._antenna.gate
         dish = gate.position
         assert dish is not None, "it was read just now"
         self.on_read()
@@ -126,21 +126,21 @@ class Look:
 
     def signal(self) -> None:
         """Read the tuner's signal strength; it is of the middle between question and answer."""
-        reading = self._antenna.protocol.get_rssi(RSSI_ITERATIONS)
+        reading = self._antenna.rotator.signal(RSSI_ITERATIONS)
         at, utc = self._board.stamp()
-        ago_s = self._antenna.protocol.console.took_s / 2.0
+        ago_s = self._antenna.rotator.line.took_s / 2.0
         middle = at - ago_s, utc - timedelta(seconds=ago_s * self._board.clock.rate)
         self._board.read("rssi", float(reading.average), "counts", middle)
 
     def clear_up(self) -> None:
         """Account for what an earlier program may have sent, so that the survey need not wait for a quiet line."""
         if self._settings.survey and not self._board.state.surveyed:
-            self._antenna.protocol.console.clear_up()
+            self._antenna.rotator.catch_up()
 
     @property
     def may_leave(self) -> bool:
         """Whether the console can leave its menu at once: else it would first have to wait for a quiet line."""
-        return self._antenna.protocol.console.in_step
+        return self._antenna.rotator.line.is_settled
 
     @property
     def wants_survey(self) -> bool:
@@ -150,7 +150,7 @@ class Look:
     def survey(self) -> None:
         """Read identity and limits, and come back to the motor menu."""
         try:
-            survey = self._antenna.protocol.survey()
+            survey = self._antenna.rotator.survey()
         except CommandRefused as refused:
             if refused.reason == "wrong_menu":
                 raise
@@ -160,11 +160,11 @@ class Look:
             self._board.read(name, text)
         self.note_speeds(survey.speeds)
         self._board.change(firmware_version=survey.version)
-        if self._antenna.protocol.model.search_switch is SearchSwitch.FOR_GOOD:
+        if self._antenna.rotator.facts.search_switch is SearchSwitch.FOR_GOOD:
             self._board.change(search=Search.OFF if survey.search_disabled else Search.UNKNOWN)
         self.limit(survey)
         try:
-            self._antenna.protocol.enter_motor_menu()
+            self._antenna.rotator.make_ready()
         finally:
             # Last: who waits for it may close the port, and a dish that is left in a menu costs the next one time.
             self._board.change(surveyed=True)
@@ -183,7 +183,7 @@ class Look:
         """
         if survey is not None:
             self._survey = survey
-        gate, offset, told = self._antenna.protocol.gate, self._antenna.alignment.el_offset_deg, self._survey
+        gate, offset, told = self._antenna.gate, self._antenna.alignment.el_offset_deg, self._survey
         axis, cable, user = gate.model.elevation, gate.model.cable, self.rules
         low = Limit.of(told.el_min_deg, axis.min_deg).at_least(user.min_elevation_deg)
         high = Limit.of(told.el_max_deg, axis.max_deg).at_most(user.max_elevation_deg)

@@ -44,7 +44,7 @@ class Motors:
             if self._stopper.count != stops_seen:
                 raise Stopped("STOP came after this request: the motors keep their current. Ask again.")
 
-        self._antenna.protocol.release_motors(permit=permit)
+        self._antenna.maintenance.release_motors(permit=permit)
         self._mover.fail(End.STOPPED, "motors released", Stopped("The motors were released."))
         self._antenna.motion = None
         self._look.unknown(PositionUnknown("The motors were released.", reason="released"))
@@ -56,12 +56,12 @@ class Motors:
         self._control.admit(holder)
         self._wire_free()
         refuse_while_moving(self._board, self._antenna, "The motors are not engaged")
-        self._antenna.protocol.engage_motors()
+        self._antenna.rotator.engage_motors()
         self._look.position()
 
     def stow(self, holder: str, future: Future[object]) -> None:
         """Fold the dish flat. The future resolves with where it came to rest; nothing is known to stop it."""
-        model, state = self._antenna.protocol.model, self._board.state
+        model, state = self._antenna.rotator.facts, self._board.state
         if not model.has_stow:
             raise MotionRefused(f"The {model.name} has no command to stow. Nothing was sent.", reason="unsupported")
         if not state.stow_allowed:
@@ -77,13 +77,13 @@ class Motors:
         if self._look.position() is None:
             raise PositionUnknown(
                 "The dish does not know where it points, so it can't stow. Home it first.",
-                reason=self._antenna.protocol.gate.unknown_reason,
+                reason=self._antenna.gate.unknown_reason,
             )
         self._mover.activity(Activity.STOWING, "")
         self._board.change(position_lost="stowing")
         self._stopper.homing = True
         try:
-            self._antenna.protocol.stow()
+            self._antenna.maintenance.stow()
         except BaseException:
             if self._board.state.activity is Activity.STOWING:
                 self._mover.activity(Activity.UNKNOWN, "")
@@ -97,20 +97,20 @@ class Motors:
 
     def set_speed(self, motor: int, speed_deg_s: float, holder: str) -> float:
         """Set the greatest speed of an axis until the dish restarts; return what it shows. Moves nothing."""
-        state, protocol = self._board.state, self._antenna.protocol
+        state, rotator = self._board.state, self._antenna.rotator
         if state.holder not in (None, holder):
             raise LeaseDenied(f"{state.holder} has control. Take control, or wait until it is free.")
-        if not protocol.model.has_speeds:
-            raise CommandRefused(f"The {protocol.model.name} has no command for its speed.", reason="unsupported")
-        if motor not in (protocol.model.azimuth.index, protocol.model.elevation.index):
+        if not rotator.facts.has_speeds:
+            raise CommandRefused(f"The {rotator.facts.name} has no command for its speed.", reason="unsupported")
+        if motor not in (rotator.facts.azimuth.index, rotator.facts.elevation.index):
             raise MotionRefused(f"This dish has no motor {motor}. Nothing was sent.", reason="unsupported")
         self._wire_free()
         refuse_while_moving(self._board, self._antenna, "No speed is set")
         try:
-            speeds = protocol.set_speed(motor, speed_deg_s)
+            speeds = rotator.set_speed(motor, speed_deg_s)
         except CommandRefused:
             self._look.note_speeds({})  # what is in force now is anybody's guess
             raise
         self._look.note_speeds(speeds)
-        protocol.enter_motor_menu()
+        rotator.make_ready()
         return speeds[motor]

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from birdcage.base.errors import BirdcageError
-from birdcage.protocol.model import DishModel
+from birdcage.rotator.facts import Facts
 from birdcage.station.reach_limits import reach_limits_of
 from birdcage.station.state import StationState
 from birdcage.tracking.mount import Mount, Standing
@@ -35,7 +35,7 @@ def mount_of(state: StationState, settings: Settings) -> Mount:
     )
 
 
-def own_speeds(model: DishModel, lent: Mapping[int, float]) -> DishModel:
+def own_speeds(model: Facts, lent: Mapping[int, float]) -> Facts:
     """Return the model without the speeds that a pursuit changes as it follows; `lent`: what they were before."""
     azimuth, elevation = model.azimuth, model.elevation
     return replace(
@@ -45,7 +45,7 @@ def own_speeds(model: DishModel, lent: Mapping[int, float]) -> DishModel:
     )
 
 
-def _in_force(model: DishModel, state: StationState) -> DishModel:
+def _in_force(model: Facts, state: StationState) -> Facts:
     """Return the model with the speeds that were read or set; without those that a pursuit changes as it follows."""
     read = {
         axis.index: float(told.value)

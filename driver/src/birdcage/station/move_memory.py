@@ -10,7 +10,7 @@ from pathlib import Path
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.paths import write_aside_and_rename
 from birdcage.link.identity import dish_folder
-from birdcage.protocol.model import SecondMove
+from birdcage.rotator.facts import SecondMove
 from birdcage.station.board import Board
 from birdcage.station.stop_ways import stop_way
 from birdcage.station.stopper import Stopper
@@ -31,7 +31,7 @@ class MoveMemory:
         self._state_folder, self._identify = state_folder, identify
         self._key: str | None = None
         self._file: Path | None = None
-        self._told = {"firmware": antenna.protocol.name, "second_move": SecondMove.BLOCK.value}
+        self._told = {"firmware": antenna.rotator.facts.firmware, "second_move": SecondMove.BLOCK.value}
         self.on_learnt: Callable[[], None] = lambda: None
         """Told when the dish was seen to wait."""
         antenna.commands.on_blocking = self._learn

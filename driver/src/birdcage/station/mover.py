@@ -12,7 +12,7 @@ from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import AGAINST_DEG_S
 from birdcage.base.errors import BirdcageError, MotionRefused, NoReply, NotTaken, Stopped
 from birdcage.base.geometry import separation, shortest_turn
-from birdcage.protocol.types import Position
+from birdcage.rotator.values import Position
 from birdcage.station.board import Board
 from birdcage.station.events import ActivityChanged, End, MoveEnded, MoveProgress, MoveStarted
 from birdcage.station.look import Look
@@ -99,7 +99,7 @@ class Mover(ABC):
 
     def check_skew(self, deg: float) -> None:
         """Raise MotionRefused where `turn_skew` would."""
-        self._antenna.protocol.gate.check_skew(deg)
+        self._antenna.gate.check_skew(deg)
 
     def turn_skew(self, job: Job) -> None:
         """Turn the skew to `job.skew_deg`. MotionRefused where that can't be done."""
@@ -207,7 +207,7 @@ class Mover(ABC):
 
     def _way(self, commanded: tuple[float, float]) -> float | None:
         """Return how far the azimuth will turn; None if it may go either way round."""
-        way = self._antenna.protocol.gate.way_to(self._antenna.alignment.to_dish(*commanded)[0])
+        way = self._antenna.gate.way_to(self._antenna.alignment.to_dish(*commanded)[0])
         return way.deg if way.other_deg is None else None
 
     def _seen_way(self, shown: Motion) -> float | None:

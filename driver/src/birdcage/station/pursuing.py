@@ -87,7 +87,7 @@ class Pursuing:
         if (link := self._board.state.link).state is not Link.UP:
             raise LinkError(f"No link to the dish, so nothing is followed ({link.detail}).", reason=link.state.value)
         voyage, name = voyage_for(request, self._board, self._antenna, self._hear)
-        self._antenna.protocol.gate.require_position()
+        self._antenna.gate.require_position()
         self._control.refuse(request.holder)
         if live is not None:
             if self._leads and live.holder != request.holder:
@@ -341,7 +341,7 @@ class Pursuing:
             except Held:
                 return
             if cut.cable_deg is not None:
-                self._antenna.protocol.gate.remember_cable(cut.cable_deg)
+                self._antenna.gate.remember_cable(cut.cable_deg)
         state = self._board.state
         at_rest = state.activity is Activity.IDLE and state.position is not None and state.position_lost is None
         if state.link.state is Link.UP and state.fault is None and at_rest:

@@ -16,7 +16,6 @@ from birdcage.station.events import End
 from birdcage.station.look import Look
 from birdcage.station.mover import ARRIVED_DEG, POLL_S, Job, Mover
 from birdcage.station.silence import MARGIN_S, Silence
-from birdcage.station.stalls import stalled_axis
 from birdcage.station.state import Activity, Pointing
 from birdcage.station.stop_power import stop_power
 
@@ -46,7 +45,7 @@ class QueuedMover(Mover):
         antenna, under_way = self._antenna, self._antenna.motion
         if under_way is not None:
             dish = antenna.to_dish(job.az_deg, job.el_deg, clamp=clamp)
-            antenna.protocol.gate.check_target(*dish)
+            antenna.gate.check_target(*dish)
             job.az_deg, job.el_deg = antenna.alignment.to_true(*dish)
             if under_way.silent and not self._ends_near(under_way, *dish):
                 self._silence.end()
@@ -77,7 +76,7 @@ class QueuedMover(Mover):
             self._send(job, legs.popleft())
         if self._job is before:  # else STOP has ended it meanwhile
             self._end(End.SUPERSEDED, "a newer target replaced it", Superseded("A newer target replaced this one."))
-        permit = self._antenna.protocol.permit
+        permit = self._antenna.permit
         if permit is not None:
             permit()  # STOP may have come with the last answer: it has ended this motion
         self._legs, self._plans, self._asked = legs, int(rests), asked
@@ -131,7 +130,7 @@ class QueuedMover(Mover):
 
     def _refused(self, job: Job, refused: CommandRefused | MotionRefused) -> None:
         """The dish, or the gate, does not let the present leg begin: the motion ends, at rest."""
-        if stalled_axis(str(refused)) is not None:
+        if isinstance(refused, CommandRefused) and refused.trouble is not None:
             raise refused  # whoever hears of stalls takes it from here
         if self._job is not job:
             return

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import DishMotion, start_motion
-from birdcage.protocol.types import MOTOR_AZIMUTH, Position
+from birdcage.rotator.values import MOTOR_AZIMUTH, Position
 from birdcage.rotator.verdict import Grade, Verdict
 from birdcage.station.board import Board
 from birdcage.station.events import TranscriptLine
@@ -56,10 +56,11 @@ class RawEffects:
 
         Another axis that is still on its way goes on in it.
         """
-        if verdict.motion is None or verdict.limit or verdict.grade is not Grade.MOVES or self.resurvey:
+        sent = None if verdict.aim is None else verdict.aim.single
+        if sent is None or verdict.limit or verdict.grade is not Grade.MOVES or self.resurvey:
             return None  # `resurvey`: at which speed it goes is not known any more
-        antenna, gate, clock = self._antenna, self._antenna.protocol.gate, self._board.clock
-        (axis, angle), under_way = verdict.motion, antenna.motion
+        antenna, gate, clock = self._antenna, self._antenna.gate, self._board.clock
+        (axis, angle), under_way = sent, antenna.motion
         start, velocity, now = gate.position, (0.0, 0.0), clock.monotonic()
         if under_way is not None:
             azimuth, elevation = (each.modelled(now, clock.rate) for each in (under_way.azimuth, under_way.elevation))
@@ -90,7 +91,7 @@ class RawEffects:
         """The dish has answered, and not with a refusal."""
         if not verdict.listed:
             self._forget(verdict)
-        gate = self._antenna.protocol.gate
+        gate = self._antenna.gate
         for axis in verdict.homes:
             gate.found_reference(axis)
             self._homed.add(axis)
@@ -111,7 +112,7 @@ class RawEffects:
         self._mover.activity(Activity.UNKNOWN, RAW_COMMAND)
 
     def _forget(self, verdict: Verdict) -> None:
-        forgets, gate = verdict.forgets, self._antenna.protocol.gate
+        forgets, gate = verdict.forgets, self._antenna.gate
         if verdict.grade >= Grade.MOVES:
             self._may_move()
         if "position" in forgets:

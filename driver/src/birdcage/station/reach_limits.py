@@ -6,7 +6,8 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from birdcage.base.beam import Beam, beam_of
-from birdcage.protocol.model import Axis, DishModel, Turn
+from birdcage.rotator.axis import Axis
+from birdcage.rotator.facts import Facts, Turn
 from birdcage.sky.horizon import HorizonMask
 from birdcage.sky.reach_limits import DEFAULT_TOLERANCE_DEG, NoGo, ReachLimits
 from birdcage.station.settings import rules_from
@@ -19,7 +20,7 @@ _KEYHOLE_TURN_DEG = 90.0
 """Where only times of moves are known, the rate is the mean over a move of this length: half a keyhole's turn."""
 
 
-def reach_limits(settings: Settings, model: DishModel | None, *, turn_known: bool = True) -> ReachLimits:
+def reach_limits(settings: Settings, model: Facts | None, *, turn_known: bool = True) -> ReachLimits:
     """Return the limits of a dish that is not connected: its model's, narrowed by `birdcage.toml`.
 
     `turn_known`: whether it is expected to be homed by then, so that its cable is counted. Without a model only the

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from birdcage.protocol.model import Turn
+from birdcage.rotator.facts import Turn
 from birdcage.station.state import Activity, HeldState, Link, Search, StationState, StopReport
 
 Value = str | float | bool | None

@@ -183,7 +183,7 @@ class ApplySettings:
 
 @dataclass(frozen=True, slots=True)
 class SetSearch:
-    """Switch the firmware's own TV search off, or walk that back (see `DishModel.search_switch`).
+    """Switch the firmware's own TV search off, or walk that back (see `Facts.search_switch`).
 
     By a setting: for good, after a backup of the dish's settings, with effect from the next power cycle on; its future
     resolves with the path of the backup. Where it can only be ended while it runs, that is done at once, and the future

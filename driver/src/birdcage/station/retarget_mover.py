@@ -25,7 +25,7 @@ class RetargetMover(QueuedMover):
         if self._antenna.model.moves_in_turn:
             super().go(job, clamp=clamp, leapfrog=leapfrog)
             return
-        job.whole, clock, permit = True, self._board.clock, self._antenna.protocol.permit
+        job.whole, clock, permit = True, self._board.clock, self._antenna.permit
         now, start = clock.monotonic(), self._board.state.position
 
         def begin(commanded: tuple[float, float]) -> None:

@@ -10,7 +10,7 @@ from birdcage.base.wake import Wake
 from birdcage.console.probe import USUAL_BAUDS, BaudFinding, Saw, probe
 from birdcage.link.opening import has_speed
 from birdcage.protocol.recognise import known_tokens
-from birdcage.protocol.types import Survey
+from birdcage.rotator.values import Survey
 from birdcage.station.board import Board
 from birdcage.station.connection import Connection
 from birdcage.station.look import Look
@@ -86,7 +86,7 @@ class Rewire:
         the dish moves.
         """
         self._refuse_while_moving("The port is not changed")
-        gate = self._antenna.protocol.gate
+        gate = self._antenna.gate
         # The same port has most likely the same dish: that its motors were released must not be forgotten then.
         released = set(gate.released) if port in (self._board.state.port, self._connection.asked_port) else set()
         self._connection.let_go()

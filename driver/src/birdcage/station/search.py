@@ -7,7 +7,7 @@ from pathlib import Path
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.errors import ConfigError, StoreError
 from birdcage.base.paths import write_aside_and_rename
-from birdcage.protocol.model import SearchSwitch as Switch
+from birdcage.rotator.facts import SearchSwitch as Switch
 from birdcage.station.applying import refuse_while_moving
 from birdcage.station.board import Board
 from birdcage.station.look import Look
@@ -16,7 +16,7 @@ from birdcage.station.state import Activity, Search
 
 
 class SearchSwitch:
-    """What the switch does depends on the dish: see `DishModel.search_switch`."""
+    """What the switch does depends on the dish: see `Facts.search_switch`."""
 
     def __init__(self, board: Board, antenna: BirdcageAntenna, look: Look, settings: StationSettings) -> None:
         self._board, self._antenna, self._look, self._folder = board, antenna, look, settings.backup_folder
@@ -27,28 +27,28 @@ class SearchSwitch:
         A search that is to be ended at once may well move the dish; a motion of ours must not be aborted by it.
         """
         if self._until_power_up and not disabled:
-            self._antenna.protocol.restore_search()  # says why not
+            self._antenna.rotator.restore_search()  # says why not
         if self._until_power_up and self._board.state.activity is not Activity.MOVING_UNASKED:
             refuse_while_moving(self._board, self._antenna, "The search is not ended")
 
     @property
     def _until_power_up(self) -> bool:
-        return self._antenna.protocol.model.search_switch is Switch.UNTIL_POWER_UP
+        return self._antenna.rotator.facts.search_switch is Switch.UNTIL_POWER_UP
 
     def set(self, *, disabled: bool) -> Path | None:
         """Switch the search off, or back on; return the path of the backup, None if no setting was written."""
-        protocol = self._antenna.protocol
+        rotator = self._antenna.rotator
         if self._until_power_up:
-            protocol.kill_search()
-            protocol.enter_motor_menu()
+            self._antenna.maintenance.end_search()
+            rotator.make_ready()
             self._board.change(search=Search.OFF_UNTIL_POWER_UP)
             self._look.position()
             return None
-        backup = self._back_up(protocol.settings_table())
+        backup = self._back_up(rotator.settings_table())
         if disabled:
-            protocol.kill_search()
+            self._antenna.maintenance.end_search()
         else:
-            protocol.restore_search()
+            rotator.restore_search()
         self._look.survey()
         if self._board.state.search is not Search.OFF:
             # Written, but the search process that the dish started at power-up goes on until the next one.
@@ -59,7 +59,7 @@ class SearchSwitch:
         if self._folder is None:
             raise ConfigError("No folder for a backup of the dish's settings. Nothing was written.")
         stamp = self._board.clock.utc().strftime("%Y%m%dT%H%M%SZ")
-        path = self._folder / f"nvs-{self._antenna.protocol.name}-{stamp}.txt"
+        path = self._folder / f"nvs-{self._antenna.rotator.facts.firmware}-{stamp}.txt"
         demo = "# DEMO\n" if self._board.state.demo else ""
         try:
             write_aside_and_rename(path, (demo + "\n".join(lines) + "\n").encode())

@@ -5,6 +5,7 @@ from __future__ import annotations
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import DishMotion
 from birdcage.base.errors import NoReply
+from birdcage.rotator.ladder import StopBy, StopOrder
 from birdcage.station.board import Board
 
 MARGIN_S = 0.5
@@ -38,7 +39,7 @@ class Silence:
 
     def _ask(self) -> None:
         self._sent += 1
-        self._antenna.protocol.interject(self._antenna.protocol.abort_lines())
+        self._antenna.rotator.stop_now(StopOrder(StopBy.ABORT))
 
     def lasts(self, motion: DishMotion) -> bool:
         """Return whether nothing may be sent yet. A prompt that never came is asked for from then on."""
@@ -46,7 +47,7 @@ class Silence:
             return False
         clock = self._board.clock
         now, started, rate = clock.monotonic(), motion.azimuth.started, clock.rate
-        if self._prompt_at is None and self._antenna.protocol.slew_is_over():
+        if self._prompt_at is None and self._antenna.rotator.slew_is_over():
             self._prompt_at = now
         modelled_s, longest_s = (motion.eta(rate) - started), motion.longest_s / rate
         if self._prompt_at is None:
@@ -66,12 +67,12 @@ class Silence:
         if self._over:
             return True
         try:
-            self._antenna.protocol.console.settle(ANSWER_S)
+            self._antenna.rotator.settle(ANSWER_S)
         except NoReply:
             if self._sent >= MOST_REPEATS:
                 raise
             self._ask()
             return False
         self._over = True
-        self._antenna.protocol.slew_is_over()  # takes note of what it answered
+        self._antenna.rotator.slew_is_over()  # takes note of what it answered
         return True

@@ -1,15 +1,11 @@
-"""What a firmware says of a motor that does not turn, or does not find its reference (reference section 4)."""
+"""The faults of motors that do not turn, or do not find their reference, in sentences for a person."""
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 
-from birdcage.protocol.model import DishModel
-
-_STALLED = re.compile(r"\b(AZ|EL|SK)\w*\s+MOTOR\s+STALLED\b", re.IGNORECASE)
-_NOT_HOMED = re.compile(r"\b(AZ|EL|SK)\w*\s+Motor\s+Home\s+Failure\b", re.IGNORECASE)
-_NAMES = {"AZ": "azimuth", "EL": "elevation", "SK": "skew"}
+from birdcage.base.trouble import MotorTrouble
+from birdcage.rotator.facts import Facts
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,25 +29,15 @@ def blocked(axis: str, sentence: str) -> MotorFault:
     )  # fmt: skip
 
 
-def motor_fault(text: str, dish: DishModel) -> MotorFault | None:
-    """Return what a line of a dish says of a motor; None for any other line."""
-    stalled, unhomed = _STALLED.search(text), _NOT_HOMED.search(text)
-    found = stalled or unhomed
-    if found is None:
-        return None
-    axis = _NAMES[found[1].upper()]
-    if stalled is not None:
-        return blocked(axis, f"The {axis} is stalled: the dish says {text.strip()!r}")
+def motor_fault(trouble: MotorTrouble, dish: Facts) -> MotorFault:
+    """Return the fault that a dish tells of."""
+    axis = trouble.axis
+    if not trouble.homing:
+        return blocked(axis, f"The {axis} is stalled: the dish says {trouble.said!r}")
     again = "" if dish.homing_s is None else ", or acknowledge and home it"
     freed = f"Find what blocks it, and free it. Then switch it off and on{again}."
     return MotorFault(
-        axis, homing=True, what=f"The {axis} did not home: the dish says {text.strip()!r}",
+        axis, homing=True, what=f"The {axis} did not home: the dish says {trouble.said!r}",
         meaning="It lost its reference, so its angles are meaningless.",
         remedy=dish.handling.home_remedies.get(axis, freed),
     )  # fmt: skip
-
-
-def stalled_axis(text: str) -> str | None:
-    """Return the name of the axis that a line says is stalled, or has failed to home; None for any other line."""
-    found = _STALLED.search(text) or _NOT_HOMED.search(text)
-    return None if found is None else _NAMES[found[1].upper()]

@@ -9,11 +9,11 @@ from enum import Enum
 from types import MappingProxyType
 
 from birdcage.antenna.alignment import Alignment
+from birdcage.antenna.gear import Gear
 from birdcage.base.beam import Beam
 from birdcage.base.config.sections import NoGoSector
 from birdcage.base.held import HeldNote
-from birdcage.protocol.gear import Gear
-from birdcage.protocol.model import DishModel, Turn
+from birdcage.rotator.facts import Facts, Turn
 from birdcage.station.pursuit import Pursuit
 
 
@@ -232,7 +232,7 @@ class StationState:
     link: LinkState = field(default_factory=LinkState)
     port: str = ""
     demo: bool = False
-    dish: DishModel | None = None
+    dish: Facts | None = None
     firmware_version: str | None = None
     position: Pointing | None = None
     position_lost: str | None = None

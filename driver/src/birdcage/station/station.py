@@ -15,7 +15,8 @@ from birdcage.antenna.odometer import Way
 from birdcage.base.clock import Clock
 from birdcage.base.errors import BirdcageError, LinkError, NoReply, Stopped
 from birdcage.base.wake import Wake
-from birdcage.protocol.registry import get_protocol
+from birdcage.rotator import machines
+from birdcage.rotator.hooks import Hooks
 from birdcage.station.applying import Applying
 from birdcage.station.board import Board, Listener
 from birdcage.station.connection import Connection
@@ -56,13 +57,13 @@ class Station:
     """
 
     def __init__(self, clock: Clock, settings: StationSettings) -> None:
-        protocol = get_protocol(settings.firmware)
+        rotator = machines.make(settings.firmware)
         config = AntennaConfig(settings.port, min_elevation=NO_FLOOR_DEG, leapfrog_enabled=False)
         self.clock, self.settings = clock, settings
-        self._antenna = antenna = BirdcageAntenna(protocol, config, settings.alignment)
-        protocol.permit = self._permit
+        self._antenna = antenna = BirdcageAntenna(rotator, config, settings.alignment)
+        antenna.permit = self._permit
         antenna.doubt()
-        state = StationState(port=settings.port, dish=protocol.model, turn=protocol.model.turn)
+        state = StationState(port=settings.port, dish=rotator.facts, turn=rotator.facts.turn)
         self._board = board = Board(clock, state)
         self._wake = Wake()
         self._inbox: deque[tuple[Request, Future[object], int]] = deque()
@@ -71,10 +72,9 @@ class Station:
         """Whether what is said to the dish now is what has to be said before the end."""
         self._control = Control(board, settings.held_keeper)
         self._look = look = Look(board, antenna, settings)
-        queues = protocol.model.moves_in_turn
+        queues = rotator.facts.moves_in_turn
         self._mover = QueuedMover(board, antenna, look) if queues else RetargetMover(board, antenna, look)
         self._stopper = Stopper(board, antenna, self._control, self._mover, look)
-        protocol.on_busy = self._mover.busy
         self._moves = MoveMemory(board, antenna, self._stopper, settings.state_folder, settings.identify)
         self._gears = GearMemory(board, antenna, settings.state_folder, settings.identify)
         applying = Applying(board, antenna, self._mover, self._stopper, look)
@@ -90,19 +90,26 @@ class Station:
         if settings.state_folder is not None:
             self._pursuing.speeds.remember(LentSpeeds(settings.state_folder, settings.port, settings.firmware))
         self._turns = TurnMemory(
-            board, protocol.gate, settings.firmware, settings.state_folder, settings.identify
+            board, antenna.gate, settings.firmware, settings.state_folder, settings.identify
         )  # fmt: skip
         look.on_read, self._vigil.on_restart = self._turns.recall, self._turns.drop
         self._pursued = False
         """Whether the last piece of work was the pursuit's: then a request has its turn."""
-        self._connection = Connection(board, antenna, settings, look, self._wake, self._on_wake, self._vigil.on_line)
+        self._connection = Connection(
+            board, antenna, settings, look,
+            Hooks(
+                dial=settings.open_link, delay_s=settings.delay_s, permit=antenna.check_permit, wake=self._wake,
+                on_wake=self._on_wake, on_line=self._vigil.on_line, on_restart=self._vigil.restarted,
+                on_trouble=self._vigil.troubled, on_busy=self._mover.busy,
+            ),
+        )  # fmt: skip
         self._connection.on_port = self._meet
         rewire = Rewire(
             board, antenna, settings, self._connection, self._stopper, look, self._vigil, self._wake, self._on_wake
         )
         self._talk = Talk(
             board, antenna, self._control, self._mover, self._stopper, look, self._watches, self._vigil,
-            RawEffects(board, antenna, self._mover, settings.remark, self._vigil.on_line),
+            RawEffects(board, antenna, self._mover, settings.remark, self._vigil.restarted),
             self._permit,
         )  # fmt: skip
         self._desk = Desk(
@@ -223,9 +230,9 @@ class Station:
 
     def _listen(self, until: float) -> None:
         """Wait; take in what comes unasked."""
-        protocol = self._antenna.protocol
-        if protocol.is_connected:
-            protocol.console.listen(until)
+        rotator = self._antenna.rotator
+        if rotator.is_open:
+            rotator.listen(until)
         else:
             self.clock.wait(None, until, self._wake)
 

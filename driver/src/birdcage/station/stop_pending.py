@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import Enum
 
+from birdcage.rotator.ladder import StopOrder
 from birdcage.station.state import Pointing, StopReport
 from birdcage.station.stop_ways import Grip
 
@@ -45,7 +46,7 @@ class Pending:
     """Whether what follows the answer was done."""
     note: str = ""
     """What else came of it."""
-    lines: tuple[str, ...] = ()
+    order: StopOrder | None = None
     """What was sent, and is repeated as it was: a dish whose answers alone were lost must not be sent on."""
     unsent: Grip | None = None
     """What the port has not taken, until it does."""

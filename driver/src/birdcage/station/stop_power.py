@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from birdcage.antenna.motion import DishMotion, stop_power_s
-from birdcage.protocol.model import DishModel
+from birdcage.rotator.facts import Facts
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,7 +17,7 @@ class StopPower:
     rests_at: float | None = None
 
 
-def stop_power(model: DishModel, motion: DishMotion | None, rate: float) -> StopPower:
+def stop_power(model: Facts, motion: DishMotion | None, rate: float) -> StopPower:
     """Return what STOP can do about this motion; without one, about the first that may begin."""
     if motion is None or not model.moves_in_turn:
         return StopPower(stop_power_s(model), model.stop_ladder[0].name)

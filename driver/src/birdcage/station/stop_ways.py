@@ -12,8 +12,9 @@ from birdcage.antenna.motion import longest_s, stop_power_s
 from birdcage.antenna.rest import STILL_DEG
 from birdcage.base.errors import CommandRefused
 from birdcage.base.geometry import shortest_turn
-from birdcage.protocol.model import SecondMove
-from birdcage.protocol.types import Position
+from birdcage.rotator.facts import SecondMove
+from birdcage.rotator.ladder import StopBy, StopOrder
+from birdcage.rotator.values import Position
 from birdcage.station.board import Board
 from birdcage.station.state import Activity, Pointing, Search
 
@@ -33,17 +34,17 @@ QUEUED_STILL_S = 0.3
 
 @dataclass(frozen=True, slots=True)
 class Grip:
-    """What is sent, and why; no lines when nothing can be, or need be."""
+    """What is sent, and why; no order when nothing can be, or need be."""
 
     means: str
     sentence: str
-    lines: tuple[str, ...] = ()
+    order: StopOrder | None = None
 
 
 BEHIND = Grip(
     "look",
     "The dish has not confirmed the last line: a bare Enter was sent. Reading where it goes, to aim.",
-    ("",),
+    StopOrder(StopBy.KNOCK),
 )
 """Behind a line that the dish may read later than it goes out, a target that is aimed now may lead it back."""
 NOTHING = Grip("nothing moved", "Nothing was moving. Looking where the dish is.")
@@ -104,16 +105,16 @@ class Retarget(StopWay):
         """Aim ahead of the motion as it is modelled."""
         motion, activity = self._antenna.motion, self._board.state.activity
         if motion is not None or activity in (Activity.UNKNOWN, Activity.MOVING_UNASKED):
-            unanswered_s = self._antenna.protocol.console.unanswered_s()
+            unanswered_s = self._antenna.rotator.line.unanswered_s()
             unsure = motion is not None and not self._antenna.commands.are_sure
             if (unanswered_s > LATE_S or unsure) and self.retarget_works is not False:
                 return BEHIND
         if motion is not None:
             self._seen = motion.azimuth.least_speed_deg_s, motion.elevation.least_speed_deg_s
         if self.retarget_works is not False:
-            lines = self._antenna.stop_lines()
-            if lines:
-                return Grip("retarget", "A new target just ahead of the dish was sent.", lines)
+            order = self._antenna.stop_order()
+            if order is not None:
+                return Grip("retarget", "A new target just ahead of the dish was sent.", order)
         elif motion is not None:
             return Grip("none", "This dish takes new targets only at the end of a move. Cut its power.")
         unknown = self._board.state.activity in (Activity.UNKNOWN, Activity.MOVING_UNASKED)
@@ -122,15 +123,15 @@ class Retarget(StopWay):
     def on_sight(self, earlier: Pointing, later: Pointing) -> Grip:
         """Aim ahead of the motion as it was seen."""
         seen = [(Position(each.dish_az_deg, each.dish_el_deg), each.at) for each in (earlier, later)]
-        lines = self._antenna.stop_lines_seen(*seen[0], *seen[1])
-        return Grip("retarget", "The dish was seen moving: retargeted ahead of it.", lines)
+        order = self._antenna.stop_order_seen(*seen[0], *seen[1])
+        return Grip("retarget", "The dish was seen moving: retargeted ahead of it.", order)
 
     def still_s(self, *, slowest: bool) -> float:
         """Return how long an axis takes, at the least speed that may be in force, to be seen elsewhere."""
-        model, motion, known = self._antenna.protocol.model, self._antenna.motion, self._antenna.speeds_deg_s
+        model, motion, known = self._antenna.rotator.facts, self._antenna.motion, self._antenna.speeds_deg_s
         axes = model.azimuth, model.elevation
         seen = (None, None) if motion is None else self._seen
-        printed_deg = self._antenna.protocol.printed_deg
+        printed_deg = self._antenna.rotator.printed_deg
         # A dish that brakes or turns round is slow for a moment: hundredths show it in that time, whole degrees do not.
         still_s = printed_deg / CREEPS_DEG_S if printed_deg > PRINTED_DEG else 0.0
         for axis, seen_deg_s in zip(axes, seen, strict=True):
@@ -165,7 +166,7 @@ class Queued(StopWay):
     def at_once(self) -> Grip:
         """Send a byte wherever it may do good: it moves nothing."""
         antenna, state = self._antenna, self._board.state
-        motion, enter = antenna.motion, antenna.protocol.abort_lines()
+        motion, enter = antenna.motion, StopOrder(StopBy.ABORT)
         if motion is not None and motion.silent:
             return Grip("abort", "A byte that ends the slew was sent.", enter)
         if motion is not None and antenna.is_kept:
@@ -184,20 +185,20 @@ class Queued(StopWay):
 
     def on_sight(self, earlier: Pointing, later: Pointing) -> Grip:  # noqa: ARG002
         """End whatever it is."""
-        enter = self._antenna.protocol.abort_lines()
+        enter = StopOrder(StopBy.ABORT)
         return Grip("search", "The dish was seen moving: a bare Enter was sent, and the TV search is ended.", enter)
 
     def answered(self, means: str) -> None:
         """Take note of how the slew ended, or end the search and be in the motor menu again."""
-        protocol = self._antenna.protocol
+        rotator = self._antenna.rotator
         if means == "abort":
             with suppress(CommandRefused):  # it has ended in either case
-                protocol.slew_is_over()
+                rotator.slew_is_over()
         if means != "search":
             return
-        protocol.kill_search()
+        self._antenna.maintenance.end_search()
         self._board.change(search=Search.OFF_UNTIL_POWER_UP)
-        protocol.enter_motor_menu()
+        rotator.make_ready()
 
     def still_s(self, *, slowest: bool) -> float:  # noqa: ARG002
         """Return a time in which a dish that goes is seen to: its speeds can't be set."""

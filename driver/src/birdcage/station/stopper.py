@@ -77,8 +77,8 @@ class Stopper:
             self._last_call = now
             grip = done = self._grip()
             try:
-                if grip.lines:
-                    self._antenna.protocol.interject(grip.lines)
+                if grip.order is not None:
+                    self._antenna.rotator.stop_now(grip.order)
             except LinkError as error:
                 done = Grip("no link", f"Nothing could be sent: cut the power of the dish. {error}")
             self.reach = self._reach(done)
@@ -89,7 +89,7 @@ class Stopper:
     def _grip(self) -> Grip:
         """Return what to do at once, by what is known of the dish."""
         state = self._board.state
-        if not self._antenna.protocol.is_connected:
+        if not self._antenna.rotator.is_open:
             return Grip("no link", "No link to the dish: nothing could be sent. Cut its power.")
         if self.homing:
             what = "Stowing" if state.activity is Activity.STOWING else "Homing"
@@ -102,7 +102,7 @@ class Stopper:
         return self.way.at_once()
 
     def _reach(self, grip: Grip) -> Reach:
-        if grip.means in GRIPS or (grip.lines and self.way.anywhere):
+        if grip.means in GRIPS or (grip.order is not None and self.way.anywhere):
             return Reach.SENT
         if grip.means in LOOKING:
             return Reach.LOOKING if grip.means == "look" else Reach.CHECKING
@@ -126,23 +126,24 @@ class Stopper:
         """Publish the STOPs that were called since, on the station's thread."""
         while self._calls:
             report, grip, reason = self._calls.popleft()
-            lines = grip.lines
+            order = grip.order
             self._control.hold(report.by, reason, keep=False)  # the call has done that
             self._mover.fail(End.STOPPED, f"STOP by {report.by}", Stopped(f"STOP by {report.by} ended the motion."))
             self._publish(report, sent=True)
             if report.means == "no link":
                 self._publish(replace(report, confirmed=False), sent=False)
-                if not lines:
+                if order is None:
                     continue  # there was no port; where it took nothing it is tried again
             slowest = self._may_crawl(report.means)
             self._mover.activity(Activity.STOPPING, "")
-            if report.means == "look" and not lines:
+            if report.means == "look" and order is None:
                 self._antenna.motion = None  # by the time that it can be aimed for, it is long outdated
             now = self._board.clock.monotonic()
             repeats = self._pending.sent if self._pending is not None else 0
             self._pending = Pending(
-                report, repeats + bool(lines), not lines, None, now + self._lasts_s(report.means, slowest=slowest),
-                slowest, lines=lines, grip_is_complete=grip.means not in GRIPS,
+                report, repeats + (order is not None), order is None, None,
+                now + self._lasts_s(report.means, slowest=slowest),
+                slowest, order=order, grip_is_complete=grip.means not in GRIPS,
                 unsent=grip if report.means == "no link" else None,
             )  # fmt: skip
             self.due = now
@@ -191,7 +192,7 @@ class Stopper:
         now = self._board.clock.monotonic()
         self.due = now + POLL_S
         if pointing is None:
-            released = bool(self._antenna.protocol.gate.released)
+            released = bool(self._antenna.gate.released)
             self._finish(pending, None, RELEASED if released else UNKNOWN)
         elif pending.still_from is None:
             pending.still_from = pointing
@@ -210,7 +211,7 @@ class Stopper:
         if self._pending is pending and pending.still_from is not None:
             # An answer that is asked for a little too soon proves nothing, and keeps the wire from one that would.
             proof_at = self._proof_at(pending, pending.still_from)
-            round_trip_s = self._antenna.protocol.console.round_trip_s or 0.0
+            round_trip_s = self._antenna.rotator.line.round_trip_s or 0.0
             self.due = proof_at if now + POLL_S < proof_at < now + round_trip_s else self.due
 
     def _rests(self, pending: Pending, still_from: Pointing, asked: float, now: float) -> bool:
@@ -241,21 +242,21 @@ class Stopper:
 
     def _lasts_s(self, means: str, *, slowest: bool) -> float:
         """Return how long the dish may take to rest, and to be seen at rest by readings that take their time."""
-        protocol = self._antenna.protocol
-        round_trip_s = protocol.console.round_trip_s if protocol.is_connected else None
+        rotator = self._antenna.rotator
+        round_trip_s = rotator.line.round_trip_s if rotator.is_open else None
         lasts_s = self.way.lasts_s(means) + self.way.still_s(slowest=slowest)
         return lasts_s / self._board.clock.rate + READINGS * (round_trip_s or 0.0)
 
     def _answered(self, pending: Pending) -> bool:
-        console, motion, clock = self._antenna.protocol.console, self._antenna.motion, self._board.clock
+        rotator, motion, clock = self._antenna.rotator, self._antenna.motion, self._board.clock
         within_s = ANSWER_S
         if pending.sent >= MOST_REPEATS:
-            within_s = console.delay_s
+            within_s = rotator.line.delay_s
             if pending.report.means == "look" and motion is not None:
                 # It may be waiting for a motor before it reads on.
                 within_s += max(0.0, motion.over_by(clock.rate) - clock.monotonic())
         try:
-            return bool(console.settle(within_s))
+            return bool(rotator.settle(within_s))
         except NoReply:
             return False
 
@@ -278,7 +279,8 @@ class Stopper:
             self._finish(pending, False, "STOP was sent five times and not answered: cut the power of the dish.")
             return
         pending.sent += 1
-        self._antenna.protocol.interject(pending.lines)
+        if pending.order is not None:
+            self._antenna.rotator.stop_now(pending.order)
         if pending.unsent is not None:
             self._look_on(pending, pending.unsent)
             pending.unsent = None
@@ -288,13 +290,13 @@ class Stopper:
         if pending.report.means in LOOKING:
             grip = self.way.on_sight(earlier, pointing)
             self._antenna.motion = None  # it goes otherwise than it was modelled
-            if not grip.lines:
+            if grip.order is None:
                 self._look_on(pending, grip)
                 pending.deadline = now + self._lasts_s(grip.means, slowest=pending.slowest)
                 return
-            self._antenna.protocol.interject(grip.lines)
+            self._antenna.rotator.stop_now(grip.order)
             self.reach = Reach.SENT
-            pending.lines = grip.lines
+            pending.order = grip.order
             pending.report = replace(pending.report, means=grip.means, sentence=grip.sentence)
             pending.deadline = now + self._lasts_s(grip.means, slowest=pending.slowest)
             pending.answered = pending.grip_is_complete = False
@@ -312,7 +314,7 @@ class Stopper:
 
     def _release(self, pending: Pending) -> None:
         """Climb the last rung: only if the user enabled it."""
-        self._antenna.protocol.release_motors()
+        self._antenna.maintenance.release_motors()
         self._look.unknown(PositionUnknown("STOP released the motors.", reason="released"))
         pending.report = replace(pending.report, means="release", confirmed=None)
         self._finish(pending, None, "The motors were released. The dish's position is not known: home it.")

@@ -7,6 +7,7 @@ from concurrent.futures import Future
 from dataclasses import replace
 
 from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.raw_limits import limited
 from birdcage.base.errors import CommandRefused, ConfirmationNeeded, Held, LinkError, Stopped
 from birdcage.rotator.raw import CommandDoc, RawLines
 from birdcage.rotator.verdict import Grade, Verdict
@@ -55,7 +56,7 @@ class Talk:
         if self._antenna.raw is None:
             return Verdict(Grade.HARMLESS, "")  # none is ever sent
         state = self._board.state
-        verdict = self._raw.judge(line, state.menu, homed=state.homed)
+        verdict = limited(self._raw.judge(line, state.menu, homed=state.homed), self._antenna.gate)
         if verdict.grade >= Grade.MOVES and not verdict.limit and state.motion_refused_because is not None:
             return replace(verdict, limit=state.motion_refused_because)
         return verdict

@@ -9,11 +9,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+from birdcage.antenna.gate import MotionGate
 from birdcage.base.background import BackgroundWriter
 from birdcage.base.geometry import shortest_turn
 from birdcage.base.paths import write_aside_and_rename
 from birdcage.link.identity import dish_folder
-from birdcage.protocol.gate import MotionGate
 from birdcage.station.board import Board
 from birdcage.station.events import ActivityChanged, Event, PositionRead
 from birdcage.station.state import Activity

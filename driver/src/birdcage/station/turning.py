@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from birdcage.protocol.turning import AzimuthWay, azimuth_way, is_safe_at_any_turn
+from birdcage.antenna.turning import AzimuthWay, azimuth_way, is_safe_at_any_turn
 from birdcage.station.state import StationState
 
 __all__ = ["AzimuthWay", "cable_limits", "is_safe_at_any_turn", "way_to"]

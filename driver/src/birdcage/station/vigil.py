@@ -8,7 +8,8 @@ from collections.abc import Callable
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.rest import APART_S, STILL_DEG
 from birdcage.base.errors import BirdcageError, CommandRefused, Stopped
-from birdcage.protocol.model import SearchSwitch
+from birdcage.base.trouble import MotorTrouble
+from birdcage.rotator.facts import SearchSwitch
 from birdcage.station.board import Board
 from birdcage.station.control import Control
 from birdcage.station.events import End, FaultRaised, TranscriptLine
@@ -171,7 +172,7 @@ class Vigil:
 
     @property
     def _searches_when_met(self) -> bool:
-        return self._antenna.protocol.model.search_switch is SearchSwitch.UNTIL_POWER_UP
+        return self._antenna.rotator.facts.search_switch is SearchSwitch.UNTIL_POWER_UP
 
     def met(self) -> None:
         """The dish answers: see whether it moves."""
@@ -224,14 +225,22 @@ class Vigil:
         self._control.hold("birdcage", "fault")
 
     def on_line(self, line: str) -> None:
-        """Hear an unsolicited line; boot text means that the dish has forgotten everything."""
+        """Hear an unsolicited line."""
         self._board.tell(TranscriptLine(*self._board.stamp(), "<", line))
-        if self._met and self.hear_stall(line):
+        self._starting.hear(line, met=self._met)
+
+    def troubled(self, trouble: MotorTrouble) -> None:
+        """Hear unasked that an axis does not turn, or did not find its reference."""
+        self._board.tell(TranscriptLine(*self._board.stamp(), "<", trouble.said))
+        if self._met:
+            self.hear_trouble(trouble)
             return
-        self._hear_failed_homing(line)
-        if not any(mark in line for mark in self._antenna.protocol.boot_marks):
-            self._starting.hear(line, met=self._met)
-            return
+        self._hear_failed_homing(trouble)
+        self._starting.hear(trouble.said, met=self._met)
+
+    def restarted(self, line: str) -> None:
+        """Hear a line that tells that the dish has just started: it has forgotten everything."""
+        self._board.tell(TranscriptLine(*self._board.stamp(), "<", line))
         self._starting.ended()
         self.on_restart()
         fault = self._board.state.fault
@@ -249,11 +258,9 @@ class Vigil:
                 )  # fmt: skip
         self._failed_to_home = False
 
-    def hear_stall(self, text: str) -> bool:
-        """Raise the fault if a line says that an axis is stalled; return whether it does."""
-        found = motor_fault(text, self._antenna.protocol.model)
-        if found is None:
-            return False
+    def hear_trouble(self, trouble: MotorTrouble) -> None:
+        """End what moves, and raise the fault."""
+        found = motor_fault(trouble, self._antenna.rotator.facts)
         fault, motion = self._board.state.fault, self._antenna.motion
         self._mover.fail(End.FAULT, found.what, Stopped(found.what, reason="stall"))
         if motion is not None and motion.silent:
@@ -265,28 +272,30 @@ class Vigil:
             self._unsettled = True  # the other axis may still be on its way, as it was asked to
             self.look_again()
         if found.homing:
-            self._hear_failed_homing(text)
+            self._hear_failed_homing(trouble)
         elif fault is None:
             self._raise_stall(found)
-        return True
 
-    def _hear_failed_homing(self, line: str) -> None:
+    def _hear_failed_homing(self, trouble: MotorTrouble) -> None:
         """Of a dish that starts, and was not met yet, only a failed homing counts."""
-        found, fault = motor_fault(line, self._antenna.protocol.model), self._board.state.fault
-        if found is None or not found.homing:
+        found, fault = motor_fault(trouble, self._antenna.rotator.facts), self._board.state.fault
+        if not found.homing:
             return
         self._failed_to_home = True
         if fault is None or fault.reason in LESS_THAN_A_FAILED_HOMING:
             self._raise_stall(found)
 
     def hear_refusal(self, error: BirdcageError) -> bool:
-        """Return whether what the dish answered instead of its reply was that an axis is stalled."""
-        return isinstance(error, CommandRefused) and self.hear_stall(str(error).rpartition(": ")[2])
+        """Return whether what the dish answered instead of its reply was that an axis is in trouble."""
+        trouble = error.trouble if isinstance(error, CommandRefused) else None
+        if trouble is not None:
+            self.hear_trouble(trouble)
+        return trouble is not None
 
     def forget(self, reason: str) -> None:
         """Drop what is known of the position."""
         # A dish that starts finds its references, or says that it has none.
-        self._antenna.protocol.gate.released.clear()
+        self._antenna.gate.released.clear()
         self._antenna.motion = None
         self._look.forget_survey()
         self._look.forget(reason)

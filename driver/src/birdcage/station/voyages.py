@@ -36,19 +36,19 @@ def voyage_for(
     from birdcage.tracking.steering.choice import controller_for, lead_s
     from birdcage.tracking.voyage import Voyage
 
-    options, gate = request.options, antenna.protocol.gate
+    options, gate = request.options, antenna.gate
     name, controller = controller_for(antenna.model, options.controller, velocity_allowed=options.velocity_allowed)
     park = None
     if options.at_end == "park" and options.park_az_deg is not None and options.park_el_deg is not None:
         park = antenna.alignment.to_dish(options.park_az_deg, options.park_el_deg)
-    delay_s = antenna.protocol.console.delay_s
+    delay_s = antenna.rotator.line.delay_s
     beam, loss_db = board.state.beam, options.dead_band_db
     voyage = Voyage(
         request.plan, controller, lambda: own_speeds(antenna.model, board.state.speeds_lent), lambda: _bounds(board),
         hear, request.asked, park,
         gate.cable_limits if gate.cable_deg is not None else None, options.dead_band_steps,
         beam.at(request.plan.aim.frequency_hz).error_deg(loss_db) if beam is not None and loss_db is not None else 0.0,
-        lambda: antenna.protocol.console.answered, delay_s, lead_s(name, delay_s),
+        lambda: antenna.rotator.line.answered, delay_s, lead_s(name, delay_s),
     )  # fmt: skip
     return voyage, name
 

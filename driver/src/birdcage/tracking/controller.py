@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from birdcage.protocol.model import DishModel
+from birdcage.rotator.facts import Facts
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.steps import Activity
 
@@ -19,7 +19,7 @@ class Helm:
     """What a controller steers by. The course may be replaced while it steers: it is read anew for each command."""
 
     course: Callable[[], Curve]
-    model: DishModel
+    model: Facts
     """With the speeds in force."""
     start_az_deg: float
     """Where the dish stands, or was sent last, as the course counts it."""

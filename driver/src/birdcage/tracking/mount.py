@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 from birdcage.antenna.alignment import Alignment
 from birdcage.base.beam import Beam
-from birdcage.protocol.model import DishModel
+from birdcage.rotator.facts import Facts
 from birdcage.sky.reach_limits import ReachLimits
 
 
@@ -23,7 +23,7 @@ class Standing:
 class Mount:
     """An azimuth-elevation mount at one moment. `station.mounting` makes it from what the station knows."""
 
-    model: DishModel
+    model: Facts
     """With the speeds that are in force."""
     limits: ReachLimits
     """Floor, ceiling, horizon mask and no-go sectors are true; the cable is counted in the dish's own degrees."""

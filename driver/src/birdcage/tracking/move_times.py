@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from birdcage.protocol.model import Axis, MeasuredTimes
+from birdcage.rotator.axis import Axis, MeasuredTimes
 from birdcage.tracking.curve import Floats
 
 

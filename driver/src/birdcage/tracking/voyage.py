@@ -8,7 +8,7 @@ from datetime import UTC, datetime
 from enum import Enum
 
 from birdcage.base.geometry import shortest_turn
-from birdcage.protocol.model import DishModel
+from birdcage.rotator.facts import Facts
 from birdcage.tracking.controller import LEAD_S, Controller, Helm
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.plan import Leg, Plan
@@ -46,7 +46,7 @@ class Voyage:
 
     plan: Plan
     controller: Controller
-    model: Callable[[], DishModel]
+    model: Callable[[], Facts]
     """With the speeds in force at that moment."""
     bounds: Callable[[], Bounds]
     """Of elevation and cable, and no-go sectors, at that moment."""

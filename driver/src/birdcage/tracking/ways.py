@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from birdcage.base.geometry import shortest_turn
-from birdcage.protocol.model import DishModel
+from birdcage.rotator.facts import Facts
 from birdcage.tracking.planning.bounds import Bounds
 from birdcage.tracking.planning.routes import Point, route
 
@@ -21,7 +21,7 @@ class Way:
     seconds: float
 
 
-def way(bounds: Bounds, model: DishModel, here: Point, to: Point, *, turn_known: bool) -> Way:
+def way(bounds: Bounds, model: Facts, here: Point, to: Point, *, turn_known: bool) -> Way:
     """Return the way, in the turns of `to`; azimuth goes the short way unless the turn of the cable is known.
 
     `turn_known`: whether the turns of `to` tell that of the cable; it counts while the dish still knows its own.

@@ -14,7 +14,7 @@ from birdcage.cli.options import flags, global_options, wanted
 if TYPE_CHECKING:
     from birdcage.cli.dish import Dish
     from birdcage.station.events import Event
-    from birdcage.station.known import DishModel
+    from birdcage.station.known import Facts
 
 HOLDER = "birdcage init"
 PATIENCE_S = 180.0
@@ -164,7 +164,7 @@ def _describe(dish: Dish) -> None:
         )
 
 
-def _ends_at_once(model: DishModel | None) -> bool:
+def _ends_at_once(model: Facts | None) -> bool:
     """Return whether the TV search is ended while it runs, and by no setting."""
     from birdcage.station.known import SearchSwitch
 

@@ -6,13 +6,16 @@ import re
 
 from birdcage.base.beam import CountedBeam, Reflector
 from birdcage.console.dialect import ConsoleDialect
-from birdcage.protocol.model import Axis, CableRange, DishModel, Handling, SearchSwitch, SecondMove, StopMeans, Turn
+from birdcage.protocol.family import AXIS_NAMES, MOTOR_TROUBLES
+from birdcage.rotator.axis import Axis, CableRange
+from birdcage.rotator.facts import Facts, Handling, SearchSwitch, SecondMove, Turn
+from birdcage.rotator.ladder import Rung
 
 REFLECTOR = Reflector(0.3048, 0.3048, CountedBeam(6.4, 6.3, 12.45e9))
 """12 inches round (`12-IN G2` in its boot log). The width was scanned in counts, on satellites that stand alone
 (section 7.6)."""
 
-CARRYOUT_G2 = DishModel(
+CARRYOUT_G2 = Facts(
     name="Carryout G2",
     firmware="g2",
     baud=115200,
@@ -23,12 +26,12 @@ CARRYOUT_G2 = DishModel(
     second_same=SecondMove.UNKNOWN,
     second_other=SecondMove.UNKNOWN,
     stop_ladder=(
-        StopMeans(
+        Rung(
             "retarget",
             proven=False,
             sentence="a new target just ahead of the dish; no stop is documented for this firmware",
         ),
-        StopMeans(
+        Rung(
             "release",
             proven=False,
             sentence="the motors are released; the dish may fall under its own weight",
@@ -53,6 +56,8 @@ CARRYOUT_G2 = DishModel(
 )
 
 DIALECT = ConsoleDialect(
+    troubles=MOTOR_TROUBLES,
+    axis_names=AXIS_NAMES,
     prompts={
         "root": "TRK>",
         "mot": "MOT>",

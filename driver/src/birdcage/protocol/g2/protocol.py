@@ -18,12 +18,12 @@ from birdcage.protocol.g2.motor_values import HomingReport
 from birdcage.protocol.g2.rooms import Rooms
 from birdcage.protocol.g2.survey import survey
 from birdcage.protocol.hazard import HazardTable
-from birdcage.protocol.model import DishModel
 from birdcage.protocol.nvs import DISABLE_TRACKER, NvsRow
 from birdcage.protocol.protocol import BOOT_TIMEOUT_S, STALLED
-from birdcage.protocol.types import Position, RssiReading, Survey, Taken
-from birdcage.protocol.unhomed import UnreadablePosition, is_unhomed
+from birdcage.protocol.unhomed import is_unhomed, unreadable
+from birdcage.rotator.facts import Facts
 from birdcage.rotator.raw import CommandDoc
+from birdcage.rotator.values import Position, RssiReading, Survey, Taken
 
 _DEGREES = r"([-+]?\d+(?:\.\d+)?)(?=\s+[A-Za-z]|\s*$)"
 """A number with a word behind it, or nothing: what noise has cut in two is none."""
@@ -49,7 +49,7 @@ class CarryoutG2Protocol(Rooms):
     """The Carryout G2's console: prompts `TRK>`, `MOT>`, `DVB>`, …; homing and TV search switched by NVS 20."""
 
     name: ClassVar[str] = "g2"
-    model: ClassVar[DishModel] = CARRYOUT_G2
+    model: ClassVar[Facts] = CARRYOUT_G2
     dialect: ClassVar[ConsoleDialect] = DIALECT
     motor_menu: ClassVar[str] = "mot"
     hazards: ClassVar[HazardTable] = HAZARDS
@@ -109,21 +109,14 @@ class CarryoutG2Protocol(Rooms):
     def _another_firmware(self) -> NoReply:
         return NoReply(self.dialect.stranger.format(prompt=self.console.prompt), reason="wrong_firmware")
 
-    def get_position(self) -> Position:
-        """Read both axes with one `a` (section 7.4). PositionUnknown: not homed, or released since."""
-        position = self._believed(self._read_position)
-        self.gate.see(position)
-        return position
-
     def glance(self) -> Position:
         """Read both axes with one `a` within a stream of moves; a late answer is never taken for a later one's."""
-        position = self._believed(lambda: self._position_in(self.console.hurry("mot", "a", asks=True)))
-        self.gate.see(position)
-        return position
+        return self._once(lambda: self._position_in(self.console.hurry("mot", "a", asks=True)))
 
-    def _read_position(self) -> Position:
+    def _read_position(self, busy_s: float) -> Position:
+        """Read both axes with one `a` (section 7.4)."""
         self.enter_motor_menu()
-        reply = self.console.run("mot", "a", busy_s=self.busy_s())
+        reply = self.console.run("mot", "a", busy_s=busy_s)
         if not reply.lines:
             # Whatever it knows, `a` prints two lines: this was the answer to an Enter that was still under way.
             self.console.mistrust()
@@ -133,22 +126,15 @@ class CarryoutG2Protocol(Rooms):
         printed = {int(m[1]): m[2] for m in _ANGLE.finditer(" ".join(reply.lines))}
         angles = {axis: float(text) for axis, text in printed.items()}
         if set(angles) != {0, 1}:
-            self.gate.forget("unread")
             if _OTHER_ANGLES.search(" ".join(reply.lines)):
                 raise self._another_firmware()
-            raise UnreadablePosition(
-                f"The dish answered `a` with {' / '.join(reply.lines)!r}, not two angles.", reply.lines
-            )
+            raise unreadable(f"The dish answered `a` with {' / '.join(reply.lines)!r}, not two angles.", reply.lines)
         if any(map(is_unhomed, angles.values())):
-            self.gate.forget("unhomed")
             raise PositionUnknown(
                 "The dish is not homed, so it does not know where it points. Home it first.", reason="unhomed"
             )
         if not all(low <= angles[axis] <= high for axis, (low, high) in enumerate(_PLAUSIBLE)):
-            self.gate.forget("unread")
-            raise UnreadablePosition(
-                f"The dish answered `a` with {' / '.join(reply.lines)!r}: no such angles.", reply.lines
-            )
+            raise unreadable(f"The dish answered `a` with {' / '.join(reply.lines)!r}: no such angles.", reply.lines)
         self.printed_deg = max(10.0 ** -len(text.partition(".")[2]) for text in printed.values())
         return Position(angles[0], angles[1])
 
@@ -159,7 +145,7 @@ class CarryoutG2Protocol(Rooms):
 
     def steer_motor(self, motor_id: int, degrees: float) -> Taken:
         """Send one axis to an absolute angle, as one of a stream: each replaces the one before (section 7.4)."""
-        self._check_move(motor_id, degrees)
+        self._check_range(motor_id, degrees)
         line = self._move_line(motor_id, degrees)
         return self._take_move(motor_id, degrees, self.console.hurry("mot", line, permit=self.permit, judged=False))
 
@@ -186,27 +172,16 @@ class CarryoutG2Protocol(Rooms):
     def home_motor(self, motor_id: int) -> None:
         """Find one axis' reference by stall. Blocks the shell until it is done (section 7.4); can't be stopped."""
         self.model.axis(motor_id)
-        self.gate.forget("unread")
         self.console.run("mot", f"h {motor_id}", takes_s=_HOMING_S, permit=self.permit)
-        self.gate.found_reference(motor_id)
 
     def home_motors(self) -> HomingReport:
         """Find the references of both axes (`h *`, sections 7.4 and 7.9), as `home_motor`; return what it printed."""
-        self.gate.forget("unread")
         reply = self.console.run("mot", "h *", takes_s=2 * _HOMING_S, permit=self.permit)
-        for axis in (self.model.azimuth, self.model.elevation):
-            self.gate.found_reference(axis.index)
         return parse_homing(reply.lines)
 
     def release_motors(self, *, permit: Callable[[], None] | None = None) -> None:
         """Take the current off the motors (`r`): the dish may fall, and its position is then unknown."""
-
-        def goes_out() -> None:
-            if permit is not None:
-                permit()
-            self.gate.release()
-
-        self.console.run("mot", "r", permit=goes_out)
+        self.console.run("mot", "r", permit=permit)
 
     def engage_motors(self) -> None:
         """Put the current back on the motors (`e`, section 7.3)."""
@@ -218,7 +193,6 @@ class CarryoutG2Protocol(Rooms):
         No source says whether the prompt comes before the motion or after it, nor what stops it.
         """
         self.console.enter(self.dialect.root)
-        self.gate.forget("unread")
         self.console.run(self.dialect.root, "stow", takes_s=_STOW_S, permit=self.permit)
 
     def read_speeds(self) -> dict[int, float]:

@@ -9,7 +9,7 @@ from birdcage.protocol.g2.settings import SettingsMemory
 from birdcage.protocol.g2.stepper import Stepper
 from birdcage.protocol.g2.system import System
 from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, NvsRow
-from birdcage.protocol.types import Survey
+from birdcage.rotator.values import Survey
 
 
 def survey(system: System, nvs: SettingsMemory, stepper: Stepper) -> Survey:

@@ -21,7 +21,7 @@ from birdcage.protocol.g2.tuner_values import (
     read_snr_db,
     read_volts,
 )
-from birdcage.protocol.types import RssiReading
+from birdcage.rotator.values import RssiReading
 
 MOST_READS = 1000
 _RSSI = re.compile(r"Reads:(\d+)\s+RSSI\[avg:\s*(\d+)\s+cur:\s*(\d+)\]")

@@ -6,8 +6,8 @@ import re
 from collections.abc import Iterable
 
 from birdcage.base.errors import PositionUnknown
-from birdcage.protocol.types import Position
-from birdcage.protocol.unhomed import UnreadablePosition, is_unhomed
+from birdcage.protocol.unhomed import is_unhomed, unreadable
+from birdcage.rotator.values import Position
 
 _ANGLE = re.compile(r"\b(AZ|EL|(SK)) =\s+([-+]?\d+(?:\.\d+)?)(?!\S)(?(2)|(?=\s+[A-Za-z]|\s*$))")
 """Section 3 [P]: label, space, `=`, at least one space, a decimal; on one line or on three.
@@ -38,7 +38,7 @@ def parse_position(lines: Iterable[str]) -> Position:
     angles = {label: _angle(label, text) for label, text in found.items()}
     az_deg, el_deg = angles.get("AZ"), angles.get("EL")
     if az_deg is None or el_deg is None or ("SK" in angles and angles["SK"] is None):
-        raise UnreadablePosition(f"The dish answered `a` with {told!r}, not with an azimuth and an elevation.", printed)
+        raise unreadable(f"The dish answered `a` with {told!r}, not with an azimuth and an elevation.", printed)
     return Position(az_deg, el_deg, angles.get("SK"))
 
 

@@ -5,10 +5,13 @@ from __future__ import annotations
 import re
 
 from birdcage.console.dialect import UNKNOWN_TOKEN, ConsoleDialect
+from birdcage.protocol.family import AXIS_NAMES, MOTOR_TROUBLES
 
 MOTOR, SEARCH, NVS = "motor", "ngsearch", "nvs"
 
 DIALECT = ConsoleDialect(
+    troubles=MOTOR_TROUBLES,
+    axis_names=AXIS_NAMES,
     prompts=dict.fromkeys(("root", MOTOR, SEARCH, NVS), UNKNOWN_TOKEN),
     root_marks=frozenset({MOTOR, SEARCH}),
     root_hints=frozenset({MOTOR, SEARCH, NVS, "mot", "os", "reboot", "stow"}),

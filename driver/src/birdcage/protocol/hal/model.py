@@ -3,19 +3,9 @@
 from __future__ import annotations
 
 from birdcage.base.beam import Reflector
-from birdcage.protocol.model import (
-    END_OF_MOVE,
-    Axis,
-    CableRange,
-    DishModel,
-    Handling,
-    MeasuredTimes,
-    SearchSwitch,
-    SecondMove,
-    SilentSlew,
-    StopMeans,
-    Turn,
-)
+from birdcage.rotator.axis import Axis, CableRange, MeasuredTimes
+from birdcage.rotator.facts import Facts, Handling, SearchSwitch, SecondMove, SilentSlew, Turn
+from birdcage.rotator.ladder import END_OF_MOVE, Rung
 
 MOVE_TIMES = MeasuredTimes(((0.5, 0.3), (1.0, 0.5)), from_deg=2.0, scale_s=3.23, per_deg=0.84, less_s=0.48)
 """The measured law of section 3; the same for azimuth and elevation, and taken for the skew as well."""
@@ -46,7 +36,7 @@ HANDLING = Handling(
 )
 """From the papers of the SK-1000 and its owners (`docs/safety.md`)."""
 
-TRAVLER = DishModel(
+TRAVLER = Facts(
     name="Trav'ler",
     firmware="hal205",
     baud=57600,
@@ -57,7 +47,7 @@ TRAVLER = DishModel(
     second_same=SecondMove.QUEUE,
     second_other=SecondMove.QUEUE,
     stop_ladder=(
-        StopMeans("abort", proven=True, sentence="any byte ends a combined move"),
+        Rung("abort", proven=True, sentence="any byte ends a combined move"),
         END_OF_MOVE,
     ),
     slew=SilentSlew(5.0),

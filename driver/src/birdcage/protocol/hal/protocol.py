@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, ClassVar
 
 from birdcage.base.clock import Clock
-from birdcage.base.errors import CommandRefused, NoReply, PositionUnknown
+from birdcage.base.errors import CommandRefused, PositionUnknown
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.raw import Typed
 from birdcage.protocol.hal.answers import parse_position, parse_setting
@@ -14,12 +14,12 @@ from birdcage.protocol.hal.boot import BootWatch
 from birdcage.protocol.hal.commands import COMMANDS
 from birdcage.protocol.hal.dialect import DIALECT, MOTOR, NVS, SEARCH
 from birdcage.protocol.hal.hazards import HAZARDS
-from birdcage.protocol.hal.model import MOVE_TIMES, SKEW, TRAVLER
+from birdcage.protocol.hal.model import MOVE_TIMES, TRAVLER
 from birdcage.protocol.hazard import HazardTable
-from birdcage.protocol.model import DishModel
 from birdcage.protocol.protocol import FirmwareProtocol
-from birdcage.protocol.types import Position, Survey, Taken
+from birdcage.rotator.facts import Facts
 from birdcage.rotator.raw import CommandDoc
+from birdcage.rotator.values import Position, Survey, Taken
 
 if TYPE_CHECKING:
     from birdcage.base.wake import Wake
@@ -29,9 +29,8 @@ SEARCH_MINIMUM, SAFE_MINIMUM = 125, 127
 """Rows of the settings memory: the lowest elevation of the search, and of any motion (section 3)."""
 _QUEUED_S = MOVE_TIMES.seconds(455.0) + 2.0
 """How long a move may wait for the motor before it (section 2.6), should the prompt wait with it."""
-_SKEW_THERE_DEG = 0.1
-_SKEW_S = MOVE_TIMES.seconds(SKEW.max_deg - SKEW.min_deg)
-"""The longest that the skew turns; mechanical seconds."""
+_SLEW_S = sum(MOVE_TIMES.seconds(way) for way in (455.0, TRAVLER.elevation.max_deg - TRAVLER.elevation.min_deg)) + 2.0
+"""The longest that a combined move takes."""
 _STOW_S = 60.0
 """How long `stow` may keep the shell: no source says whether it does. Only a deadline depends on it."""
 
@@ -40,7 +39,7 @@ class HAL205Protocol(FirmwareProtocol):
     """The Trav'ler's console: submenu `motor`, search ended by `ngsearch`, `s`, `q`; prompts are learnt."""
 
     name: ClassVar[str] = "hal205"
-    model: ClassVar[DishModel] = TRAVLER
+    model: ClassVar[Facts] = TRAVLER
     dialect: ClassVar[ConsoleDialect] = DIALECT
     motor_menu: ClassVar[str] = MOTOR
     hazards: ClassVar[HazardTable] = HAZARDS
@@ -51,10 +50,6 @@ class HAL205Protocol(FirmwareProtocol):
     def __init__(self) -> None:
         super().__init__()
         self._slew: Typed | None = None
-        self._skew_goal: float | None = None
-        """Where the skew has taken to turn, and has not been seen yet."""
-        self._skew_rests_at = 0.0
-        """When it stands still at the latest, there or short of it; monotonic seconds."""
         self._boot = BootWatch(self.boot_marks)
         self._hear: Callable[[str], None] = lambda _text: None
 
@@ -76,7 +71,7 @@ class HAL205Protocol(FirmwareProtocol):
             if on_line is not None:
                 on_line(text)
 
-        self._slew = self._skew_goal = None
+        self._slew = None
         self._hear = hear
         super().attach(link, clock, delay_s=delay_s, wake=wake, on_wake=on_wake, on_line=hear)
 
@@ -106,23 +101,9 @@ class HAL205Protocol(FirmwareProtocol):
             return False
         return True
 
-    def get_position(self) -> Position:
-        """Read all axes with one `a` (section 3). PositionUnknown: not homed."""
-        if self.gate.position is None:
-            self._skew_goal = None  # whatever made the position doubtful may have turned the skew as well
-        try:
-            position = self._believed(lambda: parse_position(self.console.run(MOTOR, "a").lines))
-        except NoReply:
-            self.gate.forget("unread")
-            raise
-        self.gate.see(position)
-        if self._skew_goal is not None and position.skew is not None:
-            self._skew_goal = None if abs(position.skew - self._skew_goal) < _SKEW_THERE_DEG else self._skew_goal
-        return position
-
-    def move_motor(self, motor_id: int, degrees: float, *, busy_s: float = 0.0) -> Taken:
-        """Send one axis to an absolute angle, through the gate; the skew too."""
-        return self._turn(degrees) if motor_id == SKEW.index else super().move_motor(motor_id, degrees, busy_s=busy_s)
+    def _read_position(self, busy_s: float) -> Position:  # noqa: ARG002 - the prompt never waits for a motor
+        """Read all axes with one `a` (section 3)."""
+        return parse_position(self.console.run(MOTOR, "a").lines)
 
     def _send_move(self, motor_id: int, degrees: float, busy_s: float) -> Taken:
         # What it answers no source tells: all that is no refusal counts as taken.
@@ -138,24 +119,15 @@ class HAL205Protocol(FirmwareProtocol):
         """Two bare Enters: the first ends the slew, and may be swallowed by that; the second brings the prompt."""
         return ("", "")
 
-    def begin_slew(self, az_deg: float, el_deg: float) -> None:
-        """Send `g <az> <el> <sk>` (section 2.6) with the skew where it stands or was sent, and return at once.
-
-        CommandRefused (`unsupported`) when the dish does not tell its skew.
-        """
-        position = self.gate.position or self.get_position()
-        self.gate.check(az_deg, el_deg)
-        sk_deg = position.skew
-        if self._skew_goal is not None and (sk_deg is None or self.clock.monotonic() < self._skew_rests_at):
-            sk_deg = self._skew_goal  # one that has stopped short of it is not driven on by a slew
-        if sk_deg is None:
+    def begin_slew(self, az_deg: float, el_deg: float, skew_deg: float | None) -> None:
+        """Send `g <az> <el> <sk>` (section 2.6), and return at once."""
+        if skew_deg is None:
             raise CommandRefused(
                 "The dish did not report its skew, which a combined move needs. Nothing was sent.", reason="unsupported"
             )
-        takes_s = sum(MOVE_TIMES.seconds(way) for way in (455.0, el_deg - position.elevation)) + 2.0
-        line = f"g {_text(az_deg)} {_text(el_deg)} {_text(sk_deg)}"
+        line = f"g {_text(az_deg)} {_text(el_deg)} {_text(skew_deg)}"
         self.console.enter(MOTOR)
-        self._slew = self.console.type_line(line, takes_s=takes_s, permit=self.permit)
+        self._slew = self.console.type_line(line, takes_s=_SLEW_S, permit=self.permit)
 
     def slew_is_over(self) -> bool:
         """Return whether the prompt came since `begin_slew`; CommandRefused, once, when the dish refused the slew.
@@ -176,22 +148,9 @@ class HAL205Protocol(FirmwareProtocol):
             raise refusal
         return True
 
-    def turn_skew(self, degrees: float) -> None:
-        """Send `a 2 <deg>`: the skew may turn while another axis does (section 2.6)."""
-        self._turn(degrees)
-
-    def _turn(self, degrees: float) -> Taken:
-        self.gate.check_skew(degrees)
-        self._skew_goal = None  # until it is taken: a slew must not turn the skew to where STOP kept it from going
-        taken = self._send_move(SKEW.index, degrees, 0.0)
-        self._skew_goal = degrees
-        self._skew_rests_at = self.clock.monotonic() + _SKEW_S / self.clock.rate
-        return taken
-
     def stow(self) -> None:
         """Fold the dish flat (`stow` at the root: section 2.9). Nothing that is known stops it."""
         self.console.enter(self.dialect.root)
-        self.gate.forget("unread")
         self.console.run(self.dialect.root, "stow", takes_s=_STOW_S, permit=self.permit)
 
     def survey(self) -> Survey:
@@ -233,8 +192,6 @@ class HAL205Protocol(FirmwareProtocol):
         except CommandRefused as refused:
             if refused.reason != "failed":
                 raise  # `failed` is said of a search that does not run
-        finally:
-            self.gate.forget("unread")
         self.console.leave()
         self.enter_motor_menu()
 

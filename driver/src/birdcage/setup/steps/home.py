@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from birdcage.setup.step import Choice
 from birdcage.setup.steps.base import Plan, Step
-from birdcage.station.known import DishModel
+from birdcage.station.known import Facts
 from birdcage.station.requests import Home
 from birdcage.station.state import Activity
 
@@ -55,7 +55,7 @@ class HomeStep(Step):
             words.append(f"Homing can't be stopped: keep a hand on the {switch}.")
         return (*words, *self.trouble())
 
-    def _wait(self, dish: DishModel) -> tuple[str, ...]:
+    def _wait(self, dish: Facts) -> tuple[str, ...]:
         """Say that there is nothing to press: the power switch homes it."""
         if self.proven:
             return ("This dish homed by itself at power-up. There is no command for it.",)

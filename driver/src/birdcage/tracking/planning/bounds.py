@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from birdcage.antenna.turning import CLEAR_DEG, borders
 from birdcage.base.geometry import shortest_turn
-from birdcage.protocol.turning import CLEAR_DEG, borders
 from birdcage.tracking.curve import Floats
 from birdcage.tracking.mount import Mount
 

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from birdcage.base.beam import PEAK_LOSS_DB, Beam
-from birdcage.protocol.model import DishModel
+from birdcage.rotator.facts import Facts
 from birdcage.tracking.curve import Curve, Floats
 from birdcage.tracking.move_times import durations
 from birdcage.tracking.plan import Forecast
@@ -101,7 +101,7 @@ def following_times(stretches: tuple[Stretch, ...], step_s: float = _STEP_S) -> 
     )
 
 
-def saw_tooth_deg(model: DishModel, course: Curve, t: Floats, stretches: tuple[Stretch, ...]) -> tuple[Offsets, Floats]:
+def saw_tooth_deg(model: Facts, course: Curve, t: Floats, stretches: tuple[Stretch, ...]) -> tuple[Offsets, Floats]:
     """Return what is left between two commands, on the sky: its root mean square, and the greatest to expect.
 
     Commands that name where the target will be half an interval later leave a saw-tooth of rate x interval, and the
@@ -136,7 +136,7 @@ def saw_tooth_deg(model: DishModel, course: Curve, t: Floats, stretches: tuple[S
     return mean, rates.size_deg * most_s + steps.size_deg / 2.0 + loose.size_deg
 
 
-def _interval_s(model: DishModel, across: Floats, up: Floats) -> Floats:
+def _interval_s(model: Facts, across: Floats, up: Floats) -> Floats:
     """Return how long it takes until an axis is sent again."""
     one_s = LATENCY_S + _LINE_BITS / model.baud
     interval = np.full(len(across), 2.0 * one_s)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from birdcage.protocol.model import Axis, DishModel
+from birdcage.rotator.axis import Axis
+from birdcage.rotator.facts import Facts
 from birdcage.tracking.curve import Floats
 
 FIRST_SHARE = 0.9
@@ -26,7 +27,7 @@ def mean_rate_deg_s(axis: Axis) -> float:
     return axis.speed_deg_s if axis.times is None else _TURN_DEG / axis.times.seconds(_TURN_DEG)
 
 
-def azimuth_rates_deg_s(model: DishModel, t_s: Floats, el_deg: Floats, share: float | None) -> Floats:
+def azimuth_rates_deg_s(model: Facts, t_s: Floats, el_deg: Floats, share: float | None) -> Floats:
     """Return how fast the azimuth can be turned at each time while the elevation follows.
 
     Axes that move in turn leave the azimuth what the elevation does not take, times `share`.

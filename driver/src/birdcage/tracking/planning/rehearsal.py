@@ -10,8 +10,8 @@ import numpy as np
 
 from birdcage.antenna.motion import plan_axis
 from birdcage.kinematics import Slew
-from birdcage.protocol.model import DishModel
-from birdcage.protocol.types import MOTOR_AZIMUTH, MOTOR_ELEVATION
+from birdcage.rotator.facts import Facts
+from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION
 from birdcage.tracking.controller import Controller, Helm
 from birdcage.tracking.curve import Curve, Floats
 from birdcage.tracking.mount import Mount
@@ -65,7 +65,7 @@ def _spans(legs: Sequence[Span], within: Sequence[Span] | None) -> list[Span]:
 
 
 def _follow(
-    span: Span, course: Curve, model: DishModel, controller: Controller, chance: random.Random
+    span: Span, course: Curve, model: Facts, controller: Controller, chance: random.Random
 ) -> Callable[[Floats], tuple[Floats, Floats]]:
     """Return where both axes were over time."""
     start_s, end_s = span
@@ -110,7 +110,7 @@ class _Motion:
 class _Stage:
     """The dish and the wire to it."""
 
-    def __init__(self, model: DishModel, az_deg: float, el_deg: float, now_s: float, chance: random.Random) -> None:
+    def __init__(self, model: Facts, az_deg: float, el_deg: float, now_s: float, chance: random.Random) -> None:
         self._model, self._chance, self.now_s = model, chance, now_s
         self.axes = {MOTOR_AZIMUTH: _Motion(az_deg, now_s), MOTOR_ELEVATION: _Motion(el_deg, now_s)}
         self._queues = model.moves_in_turn

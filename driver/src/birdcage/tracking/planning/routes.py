@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from birdcage.antenna.motion import plan_axis
-from birdcage.protocol.model import DishModel
+from birdcage.rotator.facts import Facts
 from birdcage.tracking.curve import Floats
 from birdcage.tracking.planning.bounds import Bounds
 
@@ -38,7 +38,7 @@ class Route:
         return SLOW * self.seconds + STOP_S * len(self.stops)
 
 
-def route(bounds: Bounds, model: DishModel, start: Point, end: Point, *, either_way: bool = False) -> Route | None:
+def route(bounds: Bounds, model: Facts, start: Point, end: Point, *, either_way: bool = False) -> Route | None:
     """Return the way of a dish that rests, azimuths unrolled; None if a no-go sector closes it.
 
     Up first, across, then down where a no-go sector stands between. `either_way`: the dish may turn the other way
@@ -62,7 +62,7 @@ def route(bounds: Bounds, model: DishModel, start: Point, end: Point, *, either_
     return Route(start, tuple(stops), sum(_seconds(model, a, b) for a, b in zip(points, stops, strict=False)))
 
 
-def sampled(taken: Route, model: DishModel, start_s: float) -> tuple[Floats, Floats, Floats]:
+def sampled(taken: Route, model: Facts, start_s: float) -> tuple[Floats, Floats, Floats]:
     """Return times, azimuths and elevations along a route that begins at `start_s`; both axes together or in turn."""
     times: list[Floats] = []
     angles: list[Floats] = []
@@ -92,7 +92,7 @@ def _hops(start: Point, end: Point) -> list[Point]:
     return [*between, end]
 
 
-def _seconds(model: DishModel, start: Point, end: Point) -> float:
+def _seconds(model: Facts, start: Point, end: Point) -> float:
     az_s, el_s = (
         plan_axis(axis, a, b).duration_s
         for axis, a, b in ((model.azimuth, start[0], end[0]), (model.elevation, start[1], end[1]))

@@ -7,7 +7,7 @@ from functools import lru_cache
 from birdcage.antenna.motion import plan_axis
 from birdcage.base.geometry import shortest_turn
 from birdcage.kinematics import Slew
-from birdcage.protocol.model import Axis
+from birdcage.rotator.axis import Axis
 from birdcage.tracking.curve import Curve
 
 DOUBT_DEG = 0.1

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 from birdcage.base.errors import MotionRefused
-from birdcage.protocol.model import DishModel
+from birdcage.rotator.facts import Facts
 from birdcage.tracking.controller import LEAD_S, Controller
 from birdcage.tracking.steering.fast import fast
 from birdcage.tracking.steering.leapfrogging import leapfrog
@@ -20,14 +20,14 @@ CONTROLLERS: Mapping[str, Controller] = MappingProxyType(
 """By the names of `PursuitOptions.controller`."""
 
 
-def suited(model: DishModel) -> str:
+def suited(model: Facts) -> str:
     """Return the name of the controller that suits a dish. Never `leapfrog`, never `velocity`."""
     if not model.position_reported:
         return "modelled"
     return "queued" if model.moves_in_turn else "fast"
 
 
-def controller_for(model: DishModel, wanted: str = "auto", *, velocity_allowed: bool = False) -> tuple[str, Controller]:
+def controller_for(model: Facts, wanted: str = "auto", *, velocity_allowed: bool = False) -> tuple[str, Controller]:
     """Return name and controller: the one that suits the dish (`auto`), or the one asked for.
 
     MotionRefused (`controller`) where the dish cannot be steered so, or the owner has not allowed it; KeyError for a
@@ -45,7 +45,7 @@ def lead_s(name: str, delay_s: float) -> float:
     return PREPARES_S + 2.0 * delay_s if name == "velocity" else LEAD_S
 
 
-def _against(model: DishModel, name: str, *, velocity_allowed: bool) -> str:
+def _against(model: Facts, name: str, *, velocity_allowed: bool) -> str:
     dish = f"The {model.name}"
     if name in ("fast", "velocity") and model.moves_in_turn:
         return f"{dish} moves one axis at a time and would fall behind with the controller `{name}`; use `queued`."

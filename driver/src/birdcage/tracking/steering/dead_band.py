@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from birdcage.protocol.model import Axis
+from birdcage.rotator.axis import Axis
 from birdcage.tracking.controller import Helm
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from birdcage.protocol.model import DishModel
+from birdcage.rotator.facts import Facts
 from birdcage.tracking.steps import Answer
 
 SHARE = 0.15
@@ -41,7 +41,7 @@ class Latency:
     when the move is over (unknown of a G2) the move is taken off as well.
     """
 
-    def __init__(self, model: DishModel, first_s: float) -> None:
+    def __init__(self, model: Facts, first_s: float) -> None:
         self._baud = model.baud
         self._reply_s = REPLY_BYTES * BITS_A_BYTE / model.baud
         self._both = model.azimuth.index, model.elevation.index

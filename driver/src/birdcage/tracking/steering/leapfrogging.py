@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from birdcage.base.geometry import shortest_turn
 from birdcage.leapfrog import overshoot
-from birdcage.protocol.model import Axis
+from birdcage.rotator.axis import Axis
 from birdcage.tracking.controller import Helm
 from birdcage.tracking.steering.dead_band import dead_band_deg
 from birdcage.tracking.steps import Activity, Look, Send, Wait

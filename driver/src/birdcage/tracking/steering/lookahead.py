@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from birdcage.antenna.motion import plan_axis
-from birdcage.protocol.model import Axis
+from birdcage.rotator.axis import Axis
 from birdcage.tracking.curve import Curve, Floats
 from birdcage.tracking.move_times import durations, progress, ramps
 from birdcage.tracking.steering.axis_belief import spans

@@ -12,14 +12,14 @@ from typing import TypeAlias
 
 import numpy as np
 
-from birdcage.protocol.model import DishModel
+from birdcage.rotator.facts import Facts
 from birdcage.tracking.curve import Curve, Floats
 
 Pair: TypeAlias = tuple[float, float]
 
 
 def course_of_motors(
-    course: Curve, model: DishModel, az_span: tuple[float, float] | None = None,
+    course: Curve, model: Facts, az_span: tuple[float, float] | None = None,
     el_span: tuple[float, float] | None = None,
 ) -> Curve:  # fmt: skip
     """Return the course of the motors that keeps the shafts on `course`; itself where nothing is known of the gear.

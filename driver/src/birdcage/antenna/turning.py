@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 from birdcage.base.geometry import shortest_turn
-from birdcage.protocol.model import DishModel
+from birdcage.rotator.facts import Facts
 
 LONGEST_SURE_DEG = 175.0
 """Beyond this the last reading may be too old to tell which way is the shorter one."""
@@ -14,7 +14,7 @@ CLEAR_DEG = 1.0
 """How far a sure way keeps off where the dish might turn the other way round: more than an axis overshoots."""
 
 
-def borders(model: DishModel) -> tuple[float, ...]:
+def borders(model: Facts) -> tuple[float, ...]:
     """Return the azimuths at which a dish may turn the other way round: north, and the stops of its cable.
 
     At north, for a Trav'ler "usually crosses" it but sometimes turns round, and its cable ends at "usually 360 or 455"
@@ -25,7 +25,7 @@ def borders(model: DishModel) -> tuple[float, ...]:
     return tuple(sorted({0.0, model.cable.min_deg % 360.0, model.cable.max_deg % 360.0}))
 
 
-def goes_short(model: DishModel, start_deg: float, turn_deg: float) -> bool:
+def goes_short(model: Facts, start_deg: float, turn_deg: float) -> bool:
     """Return whether the azimuth goes by the short way `turn_deg` from `start_deg`, however far the cable has turned.
 
     It does where that way meets neither a stop of the cable nor north: it is safe for every turn then (DESIGN
@@ -58,7 +58,7 @@ class AzimuthWay:
 
 
 def azimuth_way(
-    model: DishModel, start_deg: float, az_deg: float, cable_deg: float | None, limits: tuple[float, float] | None
+    model: Facts, start_deg: float, az_deg: float, cable_deg: float | None, limits: tuple[float, float] | None
 ) -> AzimuthWay:
     """Return how the azimuth gets from `start_deg` to `az_deg`.
 
@@ -84,7 +84,7 @@ def azimuth_way(
     return AzimuthWay(short_deg, short_deg - math.copysign(360.0, short_deg))
 
 
-def is_safe_at_any_turn(model: DishModel, start_deg: float, az_deg: float, limits: tuple[float, float]) -> bool:
+def is_safe_at_any_turn(model: Facts, start_deg: float, az_deg: float, limits: tuple[float, float]) -> bool:
     """Return whether the cable stays within its limits on the way to `az_deg`, however far it has turned."""
     cable = model.cable
     if cable is None:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import pytest
+from birdcage.antenna.belief import Belief, Expected, Span
 from birdcage.base.errors import NoReply
-from birdcage.protocol.belief import Belief, Expected, Span
 from birdcage.protocol.g2.model import CARRYOUT_G2
-from birdcage.protocol.types import Position
+from birdcage.rotator.values import Position
 
 
 class Wire:

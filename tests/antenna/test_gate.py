@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 
 import pytest
+from birdcage.antenna.gate import MotionGate, Sector
 from birdcage.base.errors import BelowFloor, MotionRefused, PositionUnknown
 from birdcage.protocol.g2.model import CARRYOUT_G2
-from birdcage.protocol.gate import MotionGate, Sector
-from birdcage.protocol.types import Position
+from birdcage.rotator.values import Position
 from hypothesis import given
 from hypothesis import strategies as st
 

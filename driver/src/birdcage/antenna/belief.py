@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from birdcage.base.clock import Clock
 from birdcage.base.errors import NoReply
 from birdcage.base.geometry import shortest_turn
-from birdcage.protocol.model import DishModel
-from birdcage.protocol.types import Position
+from birdcage.rotator.facts import Facts
+from birdcage.rotator.values import Position
 
 NEAR_DEG = 0.05
 """How far apart two readings of a dish at rest may lie."""
@@ -66,7 +66,7 @@ class Belief:
     one damaged digit would make of the last that was believed may both be damaged: then a third must agree.
     """
 
-    def __init__(self, model: DishModel) -> None:
+    def __init__(self, model: Facts) -> None:
         self._model = model
         self._last: _Seen | None = None
         self._taken: _Seen | None = None

@@ -8,7 +8,8 @@ from datetime import datetime
 from enum import Enum
 from types import MappingProxyType
 
-from birdcage.protocol.model import Axis, DishModel
+from birdcage.rotator.axis import Axis
+from birdcage.rotator.facts import Facts
 
 
 class GearOrigin(Enum):
@@ -66,7 +67,7 @@ class Gear:
         facts = {key: each for key, each in self.facts.items() if key != (axis, kind)}
         return Gear(MappingProxyType(facts if fact is None else {**facts, (axis, kind): fact}))
 
-    def on(self, model: DishModel) -> DishModel:
+    def on(self, model: Facts) -> Facts:
         """Return the model of this dish."""
         return replace(model, azimuth=self._on(model.azimuth), elevation=self._on(model.elevation))
 

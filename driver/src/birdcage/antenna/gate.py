@@ -6,11 +6,11 @@ import math
 from copy import copy
 from dataclasses import dataclass, replace
 
+from birdcage.antenna.turning import LONGEST_SURE_DEG, AzimuthWay, azimuth_way, is_safe_at_any_turn
 from birdcage.base.errors import BelowFloor, MotionRefused, PositionUnknown
 from birdcage.base.geometry import shortest_turn
-from birdcage.protocol.model import DishModel
-from birdcage.protocol.turning import LONGEST_SURE_DEG, AzimuthWay, azimuth_way, is_safe_at_any_turn
-from birdcage.protocol.types import Position
+from birdcage.rotator.facts import Facts
+from birdcage.rotator.values import Position
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +49,7 @@ class Bounds:
 class MotionGate:
     """Judges targets. Holds what is known of the position; unknown is refused."""
 
-    def __init__(self, model: DishModel, bounds: Bounds | None = None) -> None:
+    def __init__(self, model: Facts, bounds: Bounds | None = None) -> None:
         self.model = model
         self.bounds = bounds or Bounds()
         self.position: Position | None = None
@@ -121,6 +121,13 @@ class MotionGate:
             position, az_deg if az_deg is not None else position.azimuth,
             el_deg if el_deg is not None else position.elevation,
         )  # fmt: skip
+
+    def check_axis(self, index: int, deg: float) -> None:
+        """Raise `MotionRefused` unless this one axis may go there, from where the dish stands."""
+        if self.model.axis(index).index == self.model.azimuth.index:
+            self.check(deg, None)
+        else:
+            self.check(None, deg)
 
     def check_target(self, az_deg: float, el_deg: float) -> None:
         """Raise `MotionRefused` unless the dish may stand there, whichever way it comes.

@@ -1,0 +1,229 @@
+"""A firmware's console as a machine: what stands between the seam and the languages with prompts and menus."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+
+from birdcage.base.clock import Clock
+from birdcage.base.errors import CommandRefused
+from birdcage.console.places import is_of_help
+from birdcage.console.session import Console
+from birdcage.link.link import Link
+from birdcage.protocol.menu_raw import MenuRaw
+from birdcage.protocol.protocol import FirmwareProtocol
+from birdcage.rotator.facts import Facts
+from birdcage.rotator.hooks import Hooks
+from birdcage.rotator.ladder import StopBy, StopOrder
+from birdcage.rotator.raw import RawLines
+from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION, Position, RssiReading, Survey, Taken
+
+_ANSWER = re.compile(r"=\s*\S|^\s*\S(\s|$)|>\s*$")
+"""A value, the echo of a command, or a prompt: an answer that comes late, and no log."""
+
+
+def _dial(clock: Clock) -> Callable[[str, int], Link]:
+    from birdcage.link.opening import open_link
+
+    return lambda address, baud: open_link(address, baud=baud, clock=clock)
+
+
+class ConsoleLine:
+    """A `Line` over an open console."""
+
+    def __init__(self, console: Console) -> None:
+        self._console = console
+
+    @property
+    def place(self) -> str | None:
+        """The menu that the last fresh prompt named."""
+        return self._console.menu
+
+    @property
+    def is_settled(self) -> bool:
+        """Whether all that was sent is accounted for."""
+        return self._console.in_step
+
+    @property
+    def last_reply(self) -> float | None:
+        """See `Line`."""
+        return self._console.last_reply
+
+    @property
+    def round_trip_s(self) -> float | None:
+        """See `Line`."""
+        return self._console.round_trip_s
+
+    @property
+    def took_s(self) -> float:
+        """See `Line`."""
+        return self._console.took_s
+
+    @property
+    def answered(self) -> int:
+        """See `Line`."""
+        return self._console.answered
+
+    @property
+    def stray_bytes(self) -> int:
+        """See `Line`."""
+        return self._console.stray_bytes
+
+    @property
+    def delay_s(self) -> float:
+        """See `Line`."""
+        return self._console.delay_s
+
+    def unanswered_s(self) -> float:
+        """See `Line`."""
+        return self._console.unanswered_s()
+
+
+class MenuRotator:
+    """A `Rotator` over a `FirmwareProtocol`, which does the work."""
+
+    def __init__(self, protocol: FirmwareProtocol) -> None:
+        self.protocol = protocol
+        self.raw: RawLines | None = MenuRaw(protocol)
+        self.facts: Facts = protocol.model
+        self.is_simulated = False
+
+    @property
+    def is_open(self) -> bool:
+        """See `Rotator`."""
+        return self.protocol.is_connected
+
+    @property
+    def clock(self) -> Clock:
+        """See `Rotator`."""
+        return self.protocol.clock
+
+    @property
+    def line(self) -> ConsoleLine:
+        """See `Rotator`."""
+        return ConsoleLine(self.protocol.console)
+
+    @property
+    def printed_deg(self) -> float:
+        """See `Rotator`."""
+        return self.protocol.printed_deg
+
+    def open(self, address: str, baud: int | None, clock: Clock, hooks: Hooks) -> None:
+        """See `Rotator`."""
+        link = (hooks.dial or _dial(clock))(address, baud or self.facts.baud)
+        self.is_simulated = link.demo
+        protocol = self.protocol
+        protocol.permit, protocol.on_busy = hooks.permit, hooks.on_busy
+
+        def hear(text: str) -> None:
+            if protocol.says_restart(text):
+                hooks.on_restart(text)
+            elif (trouble := protocol.dialect.trouble_in(text)) is not None:
+                hooks.on_trouble(trouble)
+            else:
+                hooks.on_line(text)
+
+        protocol.attach(link, clock, delay_s=hooks.delay_s, wake=hooks.wake, on_wake=hooks.on_wake, on_line=hear)
+
+    def close(self, within_s: float) -> None:
+        """See `Rotator`."""
+        self.protocol.disconnect(within_s=within_s)
+
+    def begin(self, tell: Callable[[str], None]) -> None:
+        """See `Rotator`."""
+        self.protocol.initialize(tell)
+
+    def meet(self) -> None:
+        """See `Rotator`."""
+        self.protocol.console.synchronize()
+
+    def make_ready(self) -> None:
+        """See `Rotator`."""
+        self.protocol.enter_motor_menu()
+
+    def catch_up(self) -> None:
+        """See `Rotator`."""
+        self.protocol.console.clear_up()
+
+    def survey(self) -> Survey:
+        """See `Rotator`."""
+        return self.protocol.survey()
+
+    def look(self, *, hurry: bool = False, busy_s: float = 0.0) -> Position:
+        """See `Rotator`."""
+        return self.protocol.glance() if hurry else self.protocol.read_position(busy_s=busy_s)
+
+    def send(self, motor: int, deg: float, *, hurry: bool = False, busy_s: float = 0.0) -> Taken:
+        """See `Rotator`."""
+        if hurry:
+            return self.protocol.steer_motor(motor, deg)
+        return self.protocol.move_motor(motor, deg, busy_s=busy_s)
+
+    def begin_slew(self, az_deg: float, el_deg: float, skew_deg: float | None) -> None:
+        """See `Rotator`."""
+        self.protocol.begin_slew(az_deg, el_deg, skew_deg)
+
+    def slew_is_over(self) -> bool:
+        """See `Rotator`."""
+        return self.protocol.slew_is_over()
+
+    def stop_now(self, order: StopOrder) -> None:
+        """See `Rotator`."""
+        protocol = self.protocol
+        match order.by:
+            case StopBy.RETARGET:
+                lines = protocol.stop_lines(order.aim_deg[MOTOR_AZIMUTH], order.aim_deg[MOTOR_ELEVATION])
+            case StopBy.ABORT:
+                lines = protocol.abort_lines()
+            case StopBy.KNOCK:
+                lines = ("",)
+        protocol.interject(lines)
+
+    def settle(self, within_s: float) -> tuple[CommandRefused | None, ...]:
+        """See `Rotator`."""
+        console = self.protocol.console
+        return tuple(map(console.refusal, console.settle(within_s)))
+
+    def listen(self, until: float) -> None:
+        """See `Rotator`."""
+        self.protocol.console.listen(until)
+
+    def is_answer(self, text: str) -> bool:
+        """See `Rotator`."""
+        return _ANSWER.search(text) is not None or is_of_help(text, self.protocol.dialect)
+
+    def home(self, motor: int) -> None:
+        """See `Rotator`."""
+        self.protocol.home_motor(motor)
+
+    def stow(self) -> None:
+        """See `Rotator`."""
+        self.protocol.stow()
+
+    def release_motors(self, permit: Callable[[], None]) -> None:
+        """See `Rotator`."""
+        self.protocol.release_motors(permit=permit)
+
+    def engage_motors(self) -> None:
+        """See `Rotator`."""
+        self.protocol.engage_motors()
+
+    def set_speed(self, motor: int, speed_deg_s: float) -> Mapping[int, float]:
+        """See `Rotator`."""
+        return self.protocol.set_speed(motor, speed_deg_s)
+
+    def signal(self, reads: int) -> RssiReading:
+        """See `Rotator`."""
+        return self.protocol.get_rssi(reads)
+
+    def settings_table(self) -> tuple[str, ...]:
+        """See `Rotator`."""
+        return self.protocol.settings_table()
+
+    def end_search(self) -> None:
+        """See `Rotator`."""
+        self.protocol.kill_search()
+
+    def restore_search(self) -> None:
+        """See `Rotator`."""
+        self.protocol.restore_search()

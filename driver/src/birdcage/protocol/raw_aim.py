@@ -1,0 +1,37 @@
+"""Reads off a raw line where it sends the dish."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import replace
+
+from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION
+from birdcage.rotator.verdict import Aim, Verdict
+
+
+def aimed(verdict: Verdict, match: re.Match[str] | None) -> Verdict:
+    """Add to a verdict where its line sends the dish.
+
+    `match` holds the groups `axis` and `angle`, or `az` and `el`, when the line is a motion.
+    """
+    groups = match.groupdict() if match is not None else {}
+    for name in ("angle", "az", "el"):
+        text = groups.get(name)
+        if text is not None and not math.isfinite(_number(text)):
+            return replace(verdict, limit=f"`{text}` is not an angle: where the dish goes then is not known.")
+    if groups.get("angle") is not None:
+        axis, angle = int(groups["axis"]), _number(groups["angle"])
+        return replace(verdict, aim=Aim({axis: angle}, relative=groups["angle"][0] in "+-"))
+    if groups.get("az") is not None:
+        both = {MOTOR_AZIMUTH: _number(groups["az"]), MOTOR_ELEVATION: _number(groups["el"])}
+        return replace(verdict, aim=Aim(both))
+    return verdict
+
+
+def _number(text: str) -> float:
+    """Return the angle; NaN for what is none."""
+    try:
+        return float(text)
+    except ValueError:
+        return math.nan

@@ -1,0 +1,145 @@
+"""What a machine is and can do, as data: every language declares its `Facts`, and every face reads them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from enum import Enum
+
+from birdcage.base.beam import Reflector
+from birdcage.rotator.axis import Axis, CableRange
+from birdcage.rotator.ladder import END_OF_MOVE, POWER_SWITCH, Rung
+
+
+class Turn(Enum):
+    """How well the turn of the cable is known (SEAMS *Frames*)."""
+
+    REPORTED = "reported"
+    COUNTED = "counted"
+    """From a homing that this program saw."""
+    REMEMBERED = "remembered"
+    """Counted when it was last left, and the dish stands where it stood then."""
+    UNKNOWN = "unknown"
+
+
+class SecondMove(Enum):
+    """What the command of a move does while a motor still runs."""
+
+    RETARGET = "retarget"
+    """It is taken at once."""
+    QUEUE = "queue"
+    """It is answered, and waits for the motor."""
+    BLOCK = "block"
+    """The shell waits for the motor, and answers nothing meanwhile."""
+    UNKNOWN = "unknown"
+
+    @property
+    def waits(self) -> bool:
+        """Whether the move begins only when the motor stands."""
+        return self in (SecondMove.QUEUE, SecondMove.BLOCK)
+
+
+class SearchSwitch(Enum):
+    """How the firmware's own TV search is switched off."""
+
+    FOR_GOOD = "for good"
+    """By a setting, which holds from the next power-up on."""
+    UNTIL_POWER_UP = "until power-up"
+    """By ending it while it runs; it begins again at each power-up."""
+
+
+@dataclass(frozen=True, slots=True)
+class SilentSlew:
+    """A combined move that any byte aborts: while it lasts nothing is asked, and the position is modelled."""
+
+    least_deg: float
+    """An axis that has further to go than this is sent by it, as a queued move cannot be called back (SEAMS *STOP*)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Handling:
+    """What a person at the dish has to know of it as a machine: sentences from its papers, empty if none is known.
+
+    `docs/safety.md` has them all, with who says so.
+    """
+
+    clearance: str = ""
+    """What must keep away from it."""
+    weight: str = ""
+    coax: str = ""
+    """What voltage its coax carries, and what that forbids."""
+    north: str = ""
+    """How its base is marked."""
+    home_remedies: Mapping[str, str] = field(default_factory=dict)
+    """What helps an axis that fails to home, by the name of the axis."""
+
+
+@dataclass(frozen=True, slots=True)
+class Facts:
+    """A dish. What it lacks is None or False here, and every face greys it out and says why."""
+
+    name: str
+    firmware: str
+    baud: int
+    azimuth: Axis
+    elevation: Axis
+    cable: CableRange | None
+    turn: Turn
+    second_same: SecondMove
+    """What a second move does on the axis that moves."""
+    second_other: SecondMove
+    """What it does on the other one."""
+    stop_ladder: tuple[Rung, ...]
+    slew: SilentSlew | None
+    """How long ways are gone; None if each axis is always sent by itself."""
+    search_switch: SearchSwitch
+    homing_s: float | None
+    """The longest that homing one axis takes; None when it homes only by itself."""
+    homing_stoppable: bool
+    boot_s: float
+    """The longest that a boot takes; waiting for it never lasts longer unless asked."""
+    has_motor_power: bool
+    """Whether its motors can be released and engaged by command."""
+    has_speeds: bool
+    """Whether the greatest speed of an axis can be read and lowered; `Axis.speed_deg_s` is the most it is known to do.
+    """
+    has_rssi: bool
+    has_nvs: bool
+    has_stow: bool
+    position_reported: bool
+    power_switch: str
+    """What a person switches off where no STOP helps: `12 V switch`, `power switch`."""
+    reflector: Reflector | None = None
+    """As sold; None if its size is not known. It makes the beam, together with the feed."""
+    skew: Axis | None = None
+    """The axis that turns the feed about the beam; None if there is none."""
+    handling: Handling = Handling()
+
+    @property
+    def axes(self) -> tuple[Axis, ...]:
+        """Every axis that it has."""
+        return tuple(axis for axis in (self.azimuth, self.elevation, self.skew) if axis is not None)
+
+    @property
+    def axes_together(self) -> bool:
+        """Whether both axes are known to move at once."""
+        return not self.second_other.waits
+
+    @property
+    def moves_in_turn(self) -> bool:
+        """Whether it moves one axis at a time, or takes a command only when the one before is done."""
+        return self.second_same.waits or self.second_other.waits
+
+    def blocking(self) -> Facts:
+        """Return the same dish, seen to answer no command of a move while a motor runs (reference section 2.6)."""
+        kept = tuple(rung for rung in self.stop_ladder if rung.name != "retarget")
+        return replace(
+            self,
+            second_same=SecondMove.BLOCK,
+            second_other=SecondMove.BLOCK,
+            stop_ladder=(END_OF_MOVE, *kept, POWER_SWITCH),
+        )
+
+    def axis(self, index: int) -> Axis:
+        """Return the axis that the firmware counts as `index`; KeyError for any other."""
+        return {axis.index: axis for axis in self.axes}[index]
