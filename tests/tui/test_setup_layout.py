@@ -213,3 +213,10 @@ def test_the_wiring_on_the_screen_tells_what_to_do_and_not_who_said_so():
         assert word not in text, word
     assert text.count("silence") == 1, "one heading for all that it may mean"
     assert "Swap the two wires of the TX pair." in text
+
+
+def test_the_notes_on_the_screen_say_of_which_dish_each_is():
+    rows = ["".join(part for _, part in line) for line in wiring.lines(CONNECTORS, 120)]
+    for each in CONNECTORS:
+        heading = rows.index(f"Notes: {each.dishes}")
+        assert rows[heading + 1 : heading + 1 + len(each.notes)] == [f"· {note}" for note in each.notes]

@@ -42,7 +42,7 @@ def lines(connectors: Sequence[Connector], width: int) -> list[Line]:
     for heading, texts in (
         ("Beware", CAUTIONS),
         *[(f"You see {saw.value}", [_symptom(each) for each in SYMPTOMS if each.saw is saw]) for saw in _SAWS],
-        ("Notes", [note for each in connectors for note in each.notes]),
+        *[(f"Notes: {each.dishes}", each.notes) for each in connectors],
         ("RS-422 and RS-485", [FOUR_WIRES, *LINES]),
         ("Adapters", [f"{each.name}, for {each.used_with}. {each.notes}" for each in ADAPTERS]),
         ("Termination and bias", BIAS),
