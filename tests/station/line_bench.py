@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 from birdcage.base.errors import LinkError
-from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.line_session import LineDialect, LineSession
 from birdcage.link.link import Link
-from birdcage.protocol.g2 import CarryoutG2Protocol
+from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.hazard import Hazard, HazardTable
 from birdcage.protocol.line_raw import LineRaw
-from birdcage.protocol.protocol import FirmwareProtocol
-from birdcage.protocol.registry import FIRMWARE_REGISTRY
-from birdcage.protocol.types import Position
+from birdcage.rotator import machines
 from birdcage.rotator.raw import CommandDoc
+from birdcage.rotator.values import Position, Survey
 from birdcage.rotator.verdict import Grade
 from birdcage.station.raw import CONSOLE
 from birdcage.station.requests import Raw
@@ -28,83 +27,100 @@ HAZARDS = HazardTable(
         Hazard(EVERYWHERE, re.compile("az el|ve|gs|")),
         Hazard(EVERYWHERE, re.compile("sa se"), Grade.SETTING, "Stops both axes."),
         Hazard(
-            EVERYWHERE, re.compile(r"(?:az|el)\d\S*"), Grade.MOVES, "Turns an axis at once.", frozenset({"position"})
+            EVERYWHERE,
+            re.compile(r"az(?P<az>\d\S*)|el(?P<el>\d\S*)"),
+            Grade.MOVES,
+            "Turns an axis at once.",
+            frozenset({"position"}),
         ),
     ),
     unlisted={"": "Undocumented command."},
 )
+BOOT_MARKS = ("READY",)
 COMMANDS = (CommandDoc(None, "AZ", "AZ<deg>", "turns to an azimuth"), CommandDoc(None, "VE", "VE", "version"))
 POSITION = re.compile(r"AZ([\d.]+) EL([\d.]+)")
 
 
 class LineWire(LineSession):
-    """What a station asks of an open console beside lines, answered for a wire on which none of it is needed."""
+    """A `Line` on which nothing but lines passes."""
 
-    menu, owed, answered, took_s, round_trip_s, in_step, last_reply = None, 0, 0, 0.0, 0.02, True, None
-
-    def synchronize(self):
-        self.ask("AZ EL", POSITION)
-
-    def clear_up(self):
-        return True
-
-    def settle(self, _within_s):
-        return ("heard",)  # what stops it is not answered; positions tell whether it stands
+    place, is_settled, last_reply, round_trip_s, took_s, answered = None, True, None, 0.02, 0.02, 0
 
     def unanswered_s(self):
         return 0.0
 
 
-class LineDish(FirmwareProtocol):
-    """The language of `LineMachine`."""
+class LineRotator:
+    """The language of `LineMachine`: what the raw console needs of a `Rotator`, and what a station asks at rest."""
 
-    name, model, motor_menu, dialect = "lines", CarryoutG2Protocol.model, "", ConsoleDialect(prompts={})
-    boot_marks = ("READY",)
+    facts = replace(CARRYOUT_G2, name="line machine", has_rssi=False, has_nvs=False, has_speeds=False)
+    printed_deg = 0.1
+    is_simulated = True
 
     def __init__(self):
-        super().__init__()
-        self.raw = LineRaw(self._session, HAZARDS, COMMANDS, self.boot_marks)
+        self._wire = None
+        self.raw = LineRaw(lambda: self.line, HAZARDS, COMMANDS, BOOT_MARKS)
 
-    def _session(self):
-        return self.console
+    @property
+    def is_open(self):
+        return self._wire is not None
 
-    def attach(self, link, clock, *, delay_s=2.0, wake=None, on_wake=None, on_line=None):
-        self._link = link
+    @property
+    def line(self):
+        if self._wire is None:
+            raise LinkError("not open", reason="closed")
+        return self._wire
+
+    @property
+    def clock(self):
+        return self.line.clock
+
+    def open(self, address, baud, clock, hooks):
+        def hear(line):
+            (hooks.on_restart if line.text.startswith(BOOT_MARKS) else hooks.on_line)(line.text)
+
         dialect = LineDialect(b"\n", ((re.compile("^ERR"), "unknown_command"),))
-        self._console = LineWire(
-            link, clock, dialect, delay_s=delay_s, wake=wake, on_wake=on_wake, on_line=lambda line: on_line(line.text)
+        self._wire = LineWire(
+            hooks.dial(address, baud or self.facts.baud), clock, dialect, delay_s=hooks.delay_s, wake=hooks.wake,
+            on_wake=hooks.on_wake, on_line=hear,
         )  # fmt: skip
 
-    def disconnect(self, *, within_s=2.0):
-        link, self._link, self._console = self._link, None, None
-        if link is not None:
-            link.close()
+    def close(self, _within_s):
+        wire, self._wire = self._wire, None
+        if wire is not None:
+            wire.link.close()
 
-    def initialize(self, callback=None, *, timeout_s=0.0):
+    def meet(self):
+        self.look()
+
+    def make_ready(self):
         pass
 
-    def enter_motor_menu(self):
+    def catch_up(self):
         pass
 
-    def get_position(self):
-        position = Position(*map(float, self.console.ask("AZ EL", POSITION).match.groups()))
-        self.gate.see(position)
-        return position
+    def survey(self):
+        return Survey()
 
-    def _send_move(self, motor_id, degrees, busy_s):
-        raise NotImplementedError
+    def look(self, *, hurry=False, busy_s=0.0):
+        return Position(*map(float, self.line.ask("AZ EL", POSITION).match.groups()))
 
-    def stop_lines(self, az_deg, el_deg):
-        return ("SA SE",)
+    def stop_now(self, _order):
+        self.line.interject(["SA SE"])
 
-    def kill_search(self):
-        pass
+    def settle(self, _within_s):
+        return (None,)  # what stops it is not answered; positions tell whether it stands
+
+    def listen(self, until):
+        self.line.listen(until)
+
+    def is_answer(self, _text):
+        return False
 
 
 class LineBench(Bench):
     def __init__(self, monkeypatch, line_end=b"\r\n"):
-        monkeypatch.setitem(FIRMWARE_REGISTRY, "lines", LineDish)
-        monkeypatch.setattr("birdcage.antenna.antenna.MenuRaw", lambda protocol: protocol.raw)
+        monkeypatch.setattr(machines, "make", lambda _name: LineRotator())
         self.remarks, self.line_end = [], line_end
         super().__init__("g2", {"remark": self.remarks.append, "survey": False}, "lines")
         self.machine = LineMachine(self.clock, line_end)

@@ -78,15 +78,24 @@ def test_a_line_that_moves_is_warned_of_marked_and_refused_while_held(bench):
     assert "EL30" not in lines_since(bench, since)
 
 
-def test_stop_ends_a_line_that_waits_for_its_answer(bench):
+def test_stop_goes_out_at_once_while_a_line_waits_for_its_answer(bench):
     bench.machine.push("AZ180.0 EL45.0", 0.2)  # it never falls quiet
-    bench.later(0.3, lambda: bench.station.stop("you"))
-    typed = bench.clock.monotonic()
-    assert "AZ180.0 EL45.0" in bench.type("AZ100.0", confirmed=Grade.MOVES).lines
+    seen = []
+
+    def stop():
+        bench.station.stop("you")
+        seen.append(bench.machine.lines()[-2:])
+
+    bench.later(0.3, stop)
+    assert "AZ180.0 EL45.0" in bench.type("EL60.0", confirmed=Grade.MOVES).lines
+    assert seen == [["EL60.0", "SA SE"]]
     assert bench.state.held is not None
-    bench.step(0.5)
-    assert bench.machine.heard[-1][1] == "AZ EL"  # where it goes is not known: STOP looks first
-    assert bench.machine.heard[-1][0] < typed + 1.5
+
+
+def test_a_motion_beyond_a_limit_is_warned_of(bench):
+    assert "above the limit of 65.00°" in bench.station.judge("EL80").limit
+    assert bench.station.judge("EL50").limit == ""
+    assert "is not an angle" in bench.station.judge("AZ1e999").limit
 
 
 def test_q_means_nothing_there(bench):

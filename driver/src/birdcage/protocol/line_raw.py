@@ -8,6 +8,7 @@ from birdcage.base.errors import NoReply
 from birdcage.console.line_session import LineSession
 from birdcage.console.line_splitter import HeardLine
 from birdcage.protocol.hazard import HazardTable
+from birdcage.protocol.raw_aim import aimed
 from birdcage.rotator.raw import CommandDoc, Permit, RawAnswer
 from birdcage.rotator.verdict import Grade, Verdict
 
@@ -39,7 +40,7 @@ class LineRaw:
 
     def judge(self, line: str, place: str | None, *, homed: bool | None) -> Verdict:
         """Say what a line would do, by the rows of the table."""
-        return self._hazards.judge(line, place, homed=homed)[0]
+        return aimed(*self._hazards.judge(line, place, homed=homed))
 
     def only_asks(self, line: str, prompt: str) -> bool:  # noqa: ARG002 - there is none
         """Return whether a line changes nothing."""

@@ -13,7 +13,7 @@ from birdcage.rotator.verdict import Aim, Verdict
 def aimed(verdict: Verdict, match: re.Match[str] | None) -> Verdict:
     """Add to a verdict where its line sends the dish.
 
-    `match` holds the groups `axis` and `angle`, or `az` and `el`, when the line is a motion.
+    `match` holds the groups `axis` and `angle`, or `az` or `el` or both, when the line is a motion.
     """
     groups = match.groupdict() if match is not None else {}
     for name in ("angle", "az", "el"):
@@ -23,10 +23,9 @@ def aimed(verdict: Verdict, match: re.Match[str] | None) -> Verdict:
     if groups.get("angle") is not None:
         axis, angle = int(groups["axis"]), _number(groups["angle"])
         return replace(verdict, aim=Aim({axis: angle}, relative=groups["angle"][0] in "+-"))
-    if groups.get("az") is not None:
-        both = {MOTOR_AZIMUTH: _number(groups["az"]), MOTOR_ELEVATION: _number(groups["el"])}
-        return replace(verdict, aim=Aim(both))
-    return verdict
+    named = {MOTOR_AZIMUTH: groups.get("az"), MOTOR_ELEVATION: groups.get("el")}
+    angles = {motor: _number(text) for motor, text in named.items() if text is not None}
+    return replace(verdict, aim=Aim(angles)) if angles else verdict
 
 
 def _number(text: str) -> float:
