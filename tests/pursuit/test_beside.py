@@ -10,6 +10,7 @@ from datetime import UTC, datetime
 import pytest
 from birdcage.base.clock import RealClock
 from birdcage.base.config import Settings
+from birdcage.base.config.feeds import FeedProfile, FeedSettings
 from birdcage.base.config.sections import MotionSettings
 from birdcage.base.config.tracking_sections import HookSettings, RadioSettings
 from birdcage.pursuit.beside import facts_of, tuning_of
@@ -127,3 +128,29 @@ def test_a_strength_is_logged_once_and_a_simulated_one_is_marked(make, monkeypat
     assert 8 <= len(told) - before <= 11  # one a second, though it is tuned, and shown, ten times as often
     assert {unit for _, _, unit in told} == {"dB DEMO"}
     assert all(value == pytest.approx(-60.0, abs=2.0) for _, value, _ in told)
+
+
+def test_a_receiver_that_is_set_is_shown_before_the_first_pass(make):
+    bench = make(settings=Settings(motion=SHORT, radio=RadioSettings(rigctld="sim:rig")))
+    assert bench.do().radio.address == "sim:rig"
+
+
+def test_where_the_receiver_hears_the_feed_its_level_is_logged_of_what_it_is_not_tuned_to(make, monkeypatch):
+    told = []
+    monkeypatch.setattr(PassLog, "signal", lambda _log, value, unit, at: told.append((at, value, unit)))
+    feeds = {"helix": FeedProfile(signal="rigctl")}
+    radio = RadioSettings(rigctld="sim:rig")
+    settings = Settings(motion=SHORT, radio=radio, feed=FeedSettings("helix"), feeds=feeds)
+    bench = follow(make(settings=settings))  # no frequency is known of it
+    bench.until(lambda: bench.phase() is Phase.READY)
+    assert told == []
+    bench.until(lambda: bench.phase() is Phase.FOLLOWING)
+    bench.step(10.0)
+    assert 8 <= len(told) <= 11
+    assert bench.station.state.signal_owners == {"rigctl": STATION}
+    bench.desk.leave()
+    bench.do(5.0)
+    after = len(told)
+    bench.step(10.0)
+    assert len(told) == after
+    assert bench.station.state.signal_owners == {}

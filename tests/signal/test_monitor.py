@@ -10,6 +10,7 @@ from birdcage.signal.source import MONITOR, SignalFacts
 from birdcage.signal.tuner import TunerSource
 
 from tests.station.conftest import Bench
+from tests.station.pursuit_bench import Phase, at, g2, plan_of
 
 
 class Meter:
@@ -80,11 +81,32 @@ def test_a_reading_of_the_tuner_is_of_the_middle_of_its_exchange_without_the_cha
     source.subscribe(lambda reading: heard.append((reading, bench.clock.monotonic())))
     source.watch(MONITOR)
     bench.step(20.0)
-    asked = [at for at, line in bench.received() if line.startswith("rssi")]
+    asked = [when for when, line in bench.received() if line.startswith("rssi")]
     assert len(heard) >= 8
-    for at, (reading, answered) in zip(asked, heard, strict=False):
-        assert at < reading.at < answered
-        assert reading.at == pytest.approx((at + answered) / 2.0, abs=0.01)
+    for sent, (reading, answered) in zip(asked, heard, strict=False):
+        assert sent < reading.at < answered
+        assert reading.at == pytest.approx((sent + answered) / 2.0, abs=0.01)
+
+
+def test_a_target_that_is_followed_owns_the_tuner_from_its_first_reading_on():
+    bench = g2()
+    source = TunerSource(bench.station)
+    source.watch(MONITOR)
+    bench.step(2.0)
+    assert bench.state.signal_owners == {"tuner": MONITOR}
+    bench.pursue(plan_of(at(bench), lasts_s=60.0, az_rate=0.0, low=40.0, high=40.0, name="slot"))
+    bench.until(Phase.FOLLOWING).step(15.0)
+    assert bench.state.signal_owners == {"tuner": "slot"}
+    bench.until(Phase.OVER)
+    assert bench.state.signal_owners == {"tuner": MONITOR}
+
+
+def test_a_target_for_which_it_is_never_read_does_not_own_it():
+    bench = g2()
+    TunerSource(bench.station)
+    bench.pursue(plan_of(at(bench), lasts_s=300.0))
+    bench.until(Phase.FOLLOWING).step(20.0)
+    assert bench.state.signal_owners == {}
 
 
 def test_a_dish_without_a_tuner_says_so():

@@ -10,11 +10,12 @@ from birdcage.base.config import Settings
 from birdcage.base.config.feeds import FeedProfile, FeedSettings
 from birdcage.base.config.tracking_sections import RadioSettings
 from birdcage.radio.now import RadioState
+from birdcage.radio.probe import ask_receiver
 from birdcage.signal.receiver import PAUSE_S, ReceiverSource
 from birdcage.signal.source import MONITOR, Scale
 
 from tests.radio.passing import passing
-from tests.radio.scripted import SILENCE, Desk, Server, sdr
+from tests.radio.scripted import SILENCE, Desk, sdr
 from tests.station.conftest import Bench
 
 BY_RECEIVER = Settings(
@@ -208,20 +209,24 @@ def test_other_settings_count_between_two_passes_only():
     assert house.heard[-1].at > house.clock.monotonic() - 2.0
 
 
+def test_the_simulated_receiver_is_read_by_its_address_with_no_dish_and_marked():
+    bench, heard = Bench(), []
+    settings = Settings(feed=BY_RECEIVER.feed, feeds=BY_RECEIVER.feeds, radio=RadioSettings(rigctld="sim:rig"))
+    source = ReceiverSource(bench.station, settings, bench.clock, threads=False)
+    assert source.now.address == "sim:rig"
+    source.subscribe(heard.append)
+    source.watch(MONITOR)
+    until = bench.clock.monotonic() + 30.0
+    while bench.clock.monotonic() < until:
+        bench.clock.wait(None, source.step())
+    assert 29 <= len(heard) <= 31
+    assert all(reading.value == pytest.approx(-60.0, abs=2.0) for reading in heard), "its own noise"
+    assert len({reading.value for reading in heard}) > 3
+    assert source.facts.demo
+
+
 class TestOnItsThread:
     """The real clock and real sockets."""
-
-    @pytest.fixture
-    def server(self):
-        started = []
-
-        def start(answer):
-            started.append(Server(answer))
-            return started[-1]
-
-        yield start
-        for each in started:
-            each.close()
 
     def source(self, address):
         settings = Settings(feed=BY_RECEIVER.feed, feeds=BY_RECEIVER.feeds, radio=RadioSettings(rigctld=address))
@@ -234,7 +239,7 @@ class TestOnItsThread:
             assert clock.monotonic() < deadline
             clock.wait(None, clock.monotonic() + 0.01)
 
-    def test_watching_waits_for_nothing_and_hears(self, server):
+    def test_nothing_is_called_before_somebody_watches_and_closing_hangs_up(self, server):
         there, heard = server(sdr()), []
         source = self.source(there.address)
         source.subscribe(heard.append)
@@ -252,4 +257,15 @@ class TestOnItsThread:
         self.until(lambda: there.heard == ["f"])
         source.unwatch(MONITOR)
         source.close()
-        assert source.facts.rate_hz == 1.0
+        self.until(lambda: source.now.state is RadioState.OFF)
+
+    def test_hamlibs_own_daemon_is_read_and_left_as_it_is_tuned(self, rigctld):
+        heard = []
+        source = self.source(f"127.0.0.1:{rigctld}")
+        source.subscribe(heard.append)
+        before = ask_receiver(f"127.0.0.1:{rigctld}").frequency_hz
+        source.watch(MONITOR)
+        self.until(lambda: len(heard) >= 2)
+        source.close()
+        assert source.trouble == ""
+        assert ask_receiver(f"127.0.0.1:{rigctld}").frequency_hz == before

@@ -1,4 +1,4 @@
-"""The app's end of the pursuit desk: what it is told anew when place or horizon have changed."""
+"""The app's end of the pursuit desk: what it is told anew when place, horizon or feed have changed."""
 
 from birdcage.base.config import Settings
 from birdcage.base.config.sections import PlaceSettings
@@ -30,3 +30,14 @@ def test_another_horizon_reaches_the_desk_at_once_and_only_then():
     ((told, observer),) = desk.applied
     assert told is settings
     assert (observer.latitude_deg, observer.longitude_deg) == (50.0, 10.0)
+
+
+def test_another_feed_reaches_the_desk_at_once_and_only_then():
+    """Its LO counts for the receiver, its band for the beam."""
+    desk, settings = Desk(), Settings(place=PlaceSettings(latitude_deg=50.0, longitude_deg=10.0))
+    source = DeskSource(lambda: desk, lambda: settings, threads=False)
+    source.start()
+    for feed in ("", "stock-ku", "stock-ku", "helix", "helix"):
+        source.keep(HERE, TREES, feed)
+    ((told, _observer),) = desk.applied
+    assert told is settings

@@ -307,7 +307,7 @@ class Source:
     def start(self):
         self.show(self.now)
 
-    def keep(self, place, horizon=None):
+    def keep(self, place, horizon=None, feed=""):
         self.place, self.horizon = place, horizon
 
     def search(self, text):

@@ -251,7 +251,7 @@ class Shell(Surface):
 
     def _keep_sky(self) -> None:
         self.sky.keep(self.station.state, self.settings.place, self.horizon.known)
-        self.track.keep(self.settings.place, self.horizon.known)
+        self.track.keep(self.settings.place, self.horizon.known, self.station.state.feed_name)
 
     def _tick(self) -> None:
         """Move the tour on and draw: ages and the time have changed."""

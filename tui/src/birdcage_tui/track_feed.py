@@ -36,8 +36,8 @@ class TrackSource(Protocol):
     def start(self) -> None:
         """Begin, on a thread of its own."""
 
-    def keep(self, place: Place | None, horizon: HorizonMask | None = None) -> None:
-        """Take where the dish stands, and the horizon there as it is now; None: what the settings said."""
+    def keep(self, place: Place | None, horizon: HorizonMask | None = None, feed: str = "") -> None:
+        """Take where the dish stands, the horizon there as it is now (None: what the settings said), and its feed."""
 
     def search(self, text: str) -> None:
         """Look for targets by what was typed; nothing typed finds the favourites."""
@@ -126,10 +126,10 @@ class TrackFeed:
         self.now = _with_our_keys(now)
         self._changed()
 
-    def keep(self, place: Place | None, horizon: HorizonMask | None = None) -> None:
-        """Take where the dish stands, and the horizon there."""
+    def keep(self, place: Place | None, horizon: HorizonMask | None, feed: str) -> None:
+        """Take where the dish stands, the horizon there, and the name of its feed."""
         if self.source is not None:
-            self.source.keep(place, horizon)
+            self.source.keep(place, horizon, feed)
 
     def set_autotrack(self, on: bool) -> None:
         """Follow what the schedule says, or no longer."""

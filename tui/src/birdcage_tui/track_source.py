@@ -72,6 +72,7 @@ class DeskSource:
         self._closed = False
         self._place: Place | None = None
         self._horizon: HorizonMask | None = None
+        self._feed = ""
         self.desk: PursuitDesk | None = None
 
     def start(self) -> None:
@@ -107,12 +108,14 @@ class DeskSource:
                 if self.desk.step() > 0:
                     break
 
-    def keep(self, place: Place | None, horizon: HorizonMask | None = None) -> None:
-        """Take where the dish stands, and the horizon there (None: the settings')."""
+    def keep(self, place: Place | None, horizon: HorizonMask | None = None, feed: str = "") -> None:
+        """Take where the dish stands, the horizon there (None: the settings'), and the name of its feed."""
         before, self._place = self._place, place
         mask, self._horizon = self._horizon, horizon
+        fed, self._feed = self._feed, feed
         elsewhere = before is not None and place is not None and place != before
-        if elsewhere or (mask is not None and horizon is not None and horizon != mask):
+        masked = mask is not None and horizon is not None and horizon != mask
+        if elsewhere or masked or (fed and feed != fed):
             settings = self._load()
             observer = observer_of(settings, place)
             self._ask(lambda desk: desk.apply(settings, observer))

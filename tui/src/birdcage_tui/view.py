@@ -170,7 +170,7 @@ class View:
     def heard_for(self) -> str:
         """The target that the signal's source is read for; empty while that is only somebody who looks."""
         owner = self.state.signal_owners.get(self.heard.id, MONITOR)
-        return "" if owner == MONITOR else owner
+        return "" if owner == MONITOR else owner.removeprefix("DEMO ")
 
     @property
     def link_up(self) -> bool:

@@ -149,7 +149,9 @@ class ReceiverSource:
 
     def _own(self, now: RadioNow) -> None:
         target = now.name or next((watcher for watcher in self._watchers if watcher != MONITOR), MONITOR)
-        self._station.own_signal(RECEIVER, "" if now.state is RadioState.OFF else target)
+        owner = "" if now.state is RadioState.OFF else target
+        if owner != self._station.state.signal_owners.get(RECEIVER, ""):
+            self._station.own_signal(RECEIVER, owner)
 
 
 def _wanted(settings: Settings) -> RadioSettings:

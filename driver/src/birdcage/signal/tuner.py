@@ -35,6 +35,8 @@ class TunerSource:
         self._readings: Listeners[SignalReading] = Listeners()
         self._watchers: set[str] = set()
         self._lock = threading.Lock()
+        self._in_pursuit = False
+        """Whether it was read for the target that is followed."""
         self._unsubscribe = station.subscribe(self._on_event)
 
     @property
@@ -75,15 +77,21 @@ class TunerSource:
 
     def _on_event(self, event: Event) -> None:
         if isinstance(event, ReadingRead) and event.feature == FEATURE:
+            self._own(read=True)
             self._readings.tell(SignalReading(float(event.value), event.unit, event.at, event.utc, TUNER))
         elif isinstance(event, PursuitChanged):
             self._own()
 
-    def _own(self) -> None:
-        """Say who it is read for: a pass that is followed goes before those who look."""
+    def _own(self, *, read: bool = False) -> None:
+        """Say who it is read for: the target that is followed from its first reading on, else whoever looks."""
         with self._lock:
             state = self._station.state
             pursuit, has = state.pursuit, state.dish is not None and state.dish.has_rssi
             followed = pursuit is not None and pursuit.phase is Phase.FOLLOWING
-            name = pursuit.plan.aim.name if pursuit is not None and followed else MONITOR if self._watchers else ""
-            self._station.own_signal(TUNER, name if has else "")
+            self._in_pursuit = followed and (read or self._in_pursuit)
+            name = MONITOR if self._watchers else ""
+            if pursuit is not None and self._in_pursuit:
+                name = pursuit.plan.aim.name
+            owner = name if has else ""
+            if owner != state.signal_owners.get(TUNER, ""):
+                self._station.own_signal(TUNER, owner)

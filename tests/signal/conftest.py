@@ -1,0 +1,3 @@
+from tests.radio.conftest import rigctld, server
+
+__all__ = ["rigctld", "server"]
