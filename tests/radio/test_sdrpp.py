@@ -12,7 +12,7 @@ from birdcage.radio.errors import RadioLost, RadioRefused
 from birdcage.radio.now import RadioState
 from birdcage.radio.probe import Answers, ask_receiver
 from birdcage.radio.rigctl import Rig
-from birdcage.radio.tuner import Tuner
+from birdcage.radio.runner import ReceiverRunner
 from birdcage.radio.wire import connector
 
 from .passing import passing
@@ -37,16 +37,16 @@ def listening():
 
 @pytest.fixture
 def in_pass(clock):
-    """Follow a pass with a receiver for 20 s, and return the tuner and the receiver's desk."""
+    """Follow a pass with a receiver for 20 s, and return the runner and the receiver's desk."""
 
     def follow(answer, settings=SETTINGS):
         desk = Desk(clock, answer)
-        tuner = Tuner(settings, clock, connect=desk)
-        tuner.follow(passing(clock.utc().timestamp() - 0.01))
+        runner = ReceiverRunner(settings, clock, connect=desk)
+        runner.follow(passing(clock.utc().timestamp() - 0.01))
         until = clock.monotonic() + 20.0
         while clock.monotonic() < until:
-            clock.wait(None, min(tuner.step(), until))
-        return tuner, desk
+            clock.wait(None, min(runner.step(), until))
+        return runner, desk
 
     return follow
 
@@ -58,19 +58,19 @@ def rig_at(server, reply_s=0.3):
 def test_it_advertises_a_level_and_gives_none(in_pass):
     answer = SdrPlusPlus(armed=True)
     assert GET_LEVELS in answer("\\dump_state").decode().split()
-    tuner, desk = in_pass(answer)
-    assert (tuner.now.state, tuner.now.strength_db, tuner.now.strength_refused) == (RadioState.TUNED, None, 1)
+    runner, desk = in_pass(answer)
+    assert (runner.now.state, runner.now.strength_db, runner.now.strength_refused) == (RadioState.TUNED, None, 1)
     assert len(desk.lines("l")) == 1
-    assert round(tuner.now.tuned_hz) == answer.frequency_hz
+    assert round(runner.now.tuned_hz) == answer.frequency_hz
 
 
 @pytest.mark.parametrize("armed", [False, True])
 def test_a_recording_is_told_and_never_called_proven(in_pass, armed):
     answer = SdrPlusPlus(armed=armed)
-    tuner, desk = in_pass(answer)
+    runner, desk = in_pass(answer)
     assert answer.recordings == int(armed)
     assert len(desk.lines("AOS")) == 1
-    assert "SDR++ takes AOS with Recording switched off, too" in tuner.now.sentence
+    assert "SDR++ takes AOS with Recording switched off, too" in runner.now.sentence
 
 
 def test_that_is_told_where_no_level_is_asked_for_and_left_out_where_nothing_is_recorded(in_pass):
@@ -83,8 +83,8 @@ def test_a_receiver_with_a_level_is_not_sdrpp(in_pass):
 
 
 def test_tuning_switched_off_in_it_is_told(in_pass):
-    tuner, _ = in_pass(SdrPlusPlus(tuning=False))
-    assert "may it be tuned from here?" in tuner.now.sentence
+    runner, _ = in_pass(SdrPlusPlus(tuning=False))
+    assert "may it be tuned from here?" in runner.now.sentence
 
 
 def test_the_second_program_waits_until_the_first_hangs_up(listening):

@@ -13,7 +13,7 @@ from birdcage.radio.errors import RadioLost
 from birdcage.radio.now import RadioState
 from birdcage.radio.opening import caller
 from birdcage.radio.probe import ask_receiver
-from birdcage.radio.tuner import Tuner
+from birdcage.radio.runner import ReceiverRunner
 from birdcage.radio.tuning import Tuning
 from birdcage.sim.port import open_device
 
@@ -42,14 +42,14 @@ def through(address, dish, *, wrong_hz=0.0):
         open_device(f"g2?az=-180&el=45&id={dish}", clock=clock)
     shown = []
     begin_s = clock.utc().timestamp()
-    tuner = Tuner(RadioSettings(rigctld=address, strength=True), clock, shown.append)
+    runner = ReceiverRunner(RadioSettings(rigctld=address, strength=True), clock, shown.append)
     shift = lambda at_s: shift_hz(at_s - begin_s) + wrong_hz  # noqa: E731
-    tuner.follow(Tuning("DEMO", SENT_HZ, shift, begin_s, begin_s + 100.0, LO_HZ))
+    runner.follow(Tuning("DEMO", SENT_HZ, shift, begin_s, begin_s + 100.0, LO_HZ))
     while clock.utc().timestamp() < begin_s + 99.0:
-        clock.wait(None, tuner.step())
+        clock.wait(None, runner.step())
     heard = {round(now.strength_at.timestamp() - begin_s): now.strength_db for now in shown if now.strength_at}
-    recording = tuner.now.recording
-    assert tuner.close()
+    recording = runner.now.recording
+    assert runner.close()
     return shown, heard, recording
 
 

@@ -15,7 +15,7 @@ class Tuning:
     downlink_hz: float
     """As sent."""
     shift_hz: Callable[[float], float | None]
-    """The Doppler of it at a time, positive while it comes near; None if unknown. Called on the tuner's
+    """The Doppler of it at a time, positive while it comes near; None if unknown. Called on the receiver's
     thread, ten times a second."""
     start_s: float
     """When it comes into reach: AOS is told then."""

@@ -13,7 +13,7 @@ from birdcage.base.config.tracking_sections import RadioSettings
 from birdcage.radio.now import RadioNow, RadioState
 from birdcage.radio.peer import no_level
 from birdcage.radio.receiver import LOOK_EVERY_S
-from birdcage.radio.tuner import Tuner
+from birdcage.radio.runner import ReceiverRunner
 from birdcage.radio.tuning import Tuning
 from birdcage.radio.wire import Connect
 from birdcage.signal.listeners import Listeners
@@ -46,7 +46,7 @@ class ReceiverSource:
         self._told_s: float | None = None
         self._begun = False
         self._radio = _wanted(settings)
-        self._tuner = self._connection()
+        self._runner = self._connection()
 
     @property
     def facts(self) -> SignalFacts:
@@ -69,12 +69,12 @@ class ReceiverSource:
     @property
     def now(self) -> RadioNow:
         """What is known of the receiver. Any thread."""
-        return self._tuner.now
+        return self._runner.now
 
     @property
     def serves_pass(self) -> bool:
         """Whether a pass has it or will, or LOS is owed to one. Any thread."""
-        return self._tuner.serves_pass
+        return self._runner.serves_pass
 
     def subscribe(self, hear: Hear) -> Callable[[], None]:
         """Tell every reading once, on the receiver's thread."""
@@ -100,45 +100,45 @@ class ReceiverSource:
         """Give it to this pass from a minute before reach; None takes it from the pass, and ends a recording."""
         with self._lock:
             self._begin()
-            self._tuner.follow(tuning)
+            self._runner.follow(tuning)
 
     def use(self, settings: Settings) -> None:
         """Take over settings between two passes: within one, what was begun is ended as it was begun."""
         radio = _wanted(settings)
         with self._lock:
-            if radio == self._radio or self._tuner.serves_pass:
+            if radio == self._radio or self._runner.serves_pass:
                 return
-            before, self._radio = self._tuner, radio
-            self._tuner, self._begun = self._connection(), False
+            before, self._radio = self._runner, radio
+            self._runner, self._begun = self._connection(), False
             self._listen()
         before.close(0.0)
         self._own(self.now)
 
     def step(self) -> float:
         """Do what is due without a thread; return when to come again, in monotonic seconds."""
-        return self._tuner.step() if not self._threads else math.inf
+        return self._runner.step() if not self._threads else math.inf
 
     def close(self) -> None:
         """Tell LOS where it is owed, and hang up; waits for that, a short time."""
-        self._tuner.close()
+        self._runner.close()
 
-    def _connection(self) -> Tuner:
-        tuner = Tuner(self._radio, self._clock, lambda now: self._show(tuner, now), connect=self._connect)
-        return tuner
+    def _connection(self) -> ReceiverRunner:
+        runner = ReceiverRunner(self._radio, self._clock, lambda now: self._show(runner, now), connect=self._connect)
+        return runner
 
     def _begin(self) -> None:
         if self._threads and not self._begun and self._radio.rigctld is not None:
-            self._tuner.start()
+            self._runner.start()
         self._begun = True
 
     def _listen(self) -> None:
         if self._watchers:
             self._begin()
-        self._tuner.listen(on=bool(self._watchers))
+        self._runner.listen(on=bool(self._watchers))
 
-    def _show(self, tuner: Tuner, now: RadioNow) -> None:
+    def _show(self, runner: ReceiverRunner, now: RadioNow) -> None:
         """Take what a connection shows, unless another one has taken its place."""
-        if tuner is not self._tuner:
+        if runner is not self._runner:
             return
         self._own(now)
         value, at, utc = now.strength_db, now.strength_read_s, now.strength_at

@@ -22,7 +22,7 @@ CLOSE_S = 0.7
 """How long closing may wait for LOS to be heard: an answer that is out, a call, an answer, each in a hurry."""
 
 
-class Tuner:
+class ReceiverRunner:
     """`start` runs it on a daemon thread, on which `publish` is called; tests call `step` instead."""
 
     def __init__(
