@@ -40,7 +40,7 @@ def slewing(bench, seconds=0.5):
 def test_stop_in_any_exchange_of_a_goto_ends_it_and_raises_no_fault(bench, line):
     bench.do(Goto(60, 45, "you"))
     assert press_when_sent(bench, line, lambda: bench.station.stop("you")) == []
-    future = bench.station.submit(Goto(210, 45, "you"))
+    future = bench.station.submit(Goto(210, 46, "you"))
     bench.step(6)
     assert isinstance(future.exception(0), Stopped)
     assert bench.state.fault is None

@@ -10,23 +10,21 @@ from typing import Any
 
 from birdcage.antenna.alignment import Alignment
 from birdcage.antenna.belief import Belief, Expected
-from birdcage.antenna.blocking import MoveCommands, Without, running
+from birdcage.antenna.blocking import MoveCommands
 from birdcage.antenna.config import AntennaConfig, DialectBaud
 from birdcage.antenna.foresight import foresee
 from birdcage.antenna.gate import MotionGate
 from birdcage.antenna.gear import Gear
 from birdcage.antenna.latch import Latch
 from birdcage.antenna.maintenance import Maintenance
-from birdcage.antenna.motion import STOP_LATENCY_S, DishMotion, start_motion
+from birdcage.antenna.motion import DishMotion, rest_seen
 from birdcage.antenna.odometer import Odometer
 from birdcage.antenna.reading import Readings
 from birdcage.antenna.rest import RestWatch
+from birdcage.antenna.sender import Sender
 from birdcage.antenna.skew import SkewGoal
-from birdcage.antenna.steering import sent_to, steered
 from birdcage.base.clock import Clock, RealClock
 from birdcage.base.errors import CommandRefused, Held, MotionRefused, Stopped, WrongThread
-from birdcage.base.geometry import shortest_turn, wrap_360
-from birdcage.kinematics import rest_point
 from birdcage.leapfrog import apply_leapfrog
 from birdcage.link.link import Link
 from birdcage.rotator.adapting import as_rotator
@@ -62,7 +60,6 @@ class BirdcageAntenna:
         self.alignment = alignment or Alignment()
         self._owner: threading.Thread | None = None
         self._last_position: Position | None = None
-        self._moves = 0
         self.motion: DishMotion | None = None
         """The motion under way as modelled; None at rest."""
         self.taken = 0
@@ -74,8 +71,7 @@ class BirdcageAntenna:
         self.odometer = Odometer()
         """How far each axis was sent; for whoever counts wear."""
         self.rest = RestWatch()
-        self._begun_by: dict[int, float] = {}
-        """When each axis had taken its last command."""
+        self._sender = Sender(self)
         self._modelling = threading.RLock()
         self.gate = MotionGate(self.rotator.facts)
         self._readings = Readings(self.gate)
@@ -143,7 +139,7 @@ class BirdcageAntenna:
 
     def _foresee(self, last: Position, last_at: float, now: float) -> Expected | None:
         motion = self.motion
-        return None if motion is None else foresee(motion, self._begun_by, last, last_at, now, self._clock.rate)
+        return None if motion is None else foresee(motion, self._sender.begun_by, last, last_at, now, self._clock.rate)
 
     def adopt(self, owner: threading.Thread | None) -> None:
         """Give the antenna to a thread: calls from any other raise `WrongThread` from then on. None frees it."""
@@ -207,6 +203,7 @@ class BirdcageAntenna:
     def _read(self, once: Callable[[], Position]) -> Position:
         if self.gate.position is None:
             self.skew.forget()  # whatever made the position doubtful may have turned the skew as well
+            self.commands.forget_aims()
         dish = self._readings.take(once, self._clock)
         self.skew.see(dish)
         with self._modelling:
@@ -243,7 +240,7 @@ class BirdcageAntenna:
         told that direction when one axis is on its way: the dish may wait for it before it takes the other.
         """
         dish_az, dish_el = self.aim(az_deg, el_deg, leapfrog=leapfrog, clamp=clamp)
-        self._send(dish_az, dish_el, lambda: on_begun(self.alignment.to_true(dish_az, dish_el)))
+        self._sender.send(dish_az, dish_el, lambda: on_begun(self.alignment.to_true(dish_az, dish_el)))
         return self.alignment.to_true(dish_az, dish_el)
 
     def aim(self, az_deg: float, el_deg: float, *, leapfrog: bool, clamp: bool) -> tuple[float, float]:
@@ -292,43 +289,13 @@ class BirdcageAntenna:
 
     def first_motor(self) -> int:
         """Return which axis goes first this time: they alternate, so that none starves where they move in turn."""
-        self._moves += 1
-        return MOTOR_AZIMUTH if self._moves % 2 else MOTOR_ELEVATION
+        return self._sender.first_motor()
 
     def turn_known(self, dish_az: float) -> float | None:
         """Return how far the azimuth will turn; None when the turn of the cable is not known."""
         gate = self.gate
         turns, cable = gate.cable_turns(dish_az), gate.cable_deg
         return turns[0] - cable if turns and cable is not None else None
-
-    def _send(self, dish_az: float, dish_el: float, on_begun: Callable[[], None]) -> None:
-        gate = self.gate
-        start = gate.position
-        assert start is not None, "the gate has just checked this"
-        now, rate = self._clock.monotonic(), self._clock.rate
-        velocity, under_way = (0.0, 0.0), self.motion
-        if under_way is not None:
-            velocity = under_way.azimuth.modelled(now, rate)[1], under_way.elevation.modelled(now, rate)[1]
-        known = self.turn_known(dish_az)
-        turn = shortest_turn(start.azimuth, dish_az) if known is None else known
-        first = MOTOR_AZIMUTH if self._moves % 2 == 0 else MOTOR_ELEVATION
-        order = [(MOTOR_AZIMUTH, dish_az), (MOTOR_ELEVATION, dish_el)]
-        planned = start_motion(
-            self.model, start, turn, dish_el, now, velocity, first=first, rate=rate, turn_known=known is not None
-        )
-        stands = (start.azimuth, start.elevation) if under_way is None else under_way.rest
-        without = [Without(deg, under_way is not None) for deg in stands]
-        from_rest = under_way is not None or self.rest.rests
-        with self.begun(planned):
-            taken, sent = self.taken, list[int]()
-            for motor, angle in sorted(order, key=lambda each: each[0] != first):
-                runs = running(under_way, self.motion or planned, sent)
-                self.commands.send(motor, angle, runs, known=from_rest, without=without[motor])
-                sent.append(motor)
-                self.taken, self._begun_by[motor] = taken + 1, self._clock.monotonic()
-                if motor == first:
-                    on_begun()
-        self._moves += 1
 
     def begins_now(self, motor: int) -> None:
         """One axis begins its way only now: the dish has waited before it took the command."""
@@ -345,29 +312,7 @@ class BirdcageAntenna:
         answer did not come in time: the dish may have taken it or not, and the next one may follow.
         """
         self._check_thread()
-        gate, clock = self.gate, self._clock
-        azimuth = self.model.azimuth
-        turns_az = motor == azimuth.index
-        if turns_az and azimuth.max_deg - azimuth.min_deg >= 360.0:
-            dish_deg = round(wrap_360(dish_deg), 2) % 360.0  # as it is printed: never 360.00
-        az_deg, el_deg = (None, None) if self.motion is None else sent_to(self.motion)
-        gate.check(dish_deg if turns_az else az_deg, el_deg if turns_az else dish_deg)
-        here = gate.position
-        assert here is not None, "the gate has just checked this"
-        turn = self.turn_known(dish_deg) if turns_az else None
-        now, before = clock.monotonic(), self.motion
-        with self.begun(steered(self.model, before, here, motor, dish_deg, turn, now, clock.rate)):
-            try:
-                if self.model.moves_in_turn:
-                    self.commands.send(
-                        motor, dish_deg, () if before is None else before.axes, known=True,
-                        without=Without(dish_deg, moving=True),
-                    )  # fmt: skip
-                else:
-                    self.commands.steer(motor, dish_deg)
-            finally:
-                self._begun_by[motor] = clock.monotonic()
-            self.taken += 1
+        self._sender.steer(motor, dish_deg)
 
     def stop_order(self) -> StopOrder | None:
         """Return what stops the motion under way, computed for this moment; None at rest. Any thread.
@@ -386,6 +331,7 @@ class BirdcageAntenna:
             return self._retarget(*self.motion.rest)
 
     def _retarget(self, az_deg: float, el_deg: float) -> StopOrder:
+        self.commands.forget_aims()
         gate = self.gate  # an axis may rest a little beyond its limit, where it cannot be sent
         el_deg = min(max(el_deg, gate.el_min_deg), gate.el_max_deg)
         return StopOrder(StopBy.RETARGET, {MOTOR_AZIMUTH: az_deg, MOTOR_ELEVATION: el_deg})
@@ -393,14 +339,7 @@ class BirdcageAntenna:
     def stop_order_seen(self, earlier: Position, earlier_at: float, later: Position, later_at: float) -> StopOrder:
         """Return what stops an unasked motion, from two readings of the dish's own angles."""
         now, rate = self._clock.monotonic(), self._clock.rate
-        elapsed_s = max((later_at - earlier_at) * rate, 1e-3)
-        lead_s = (now - later_at) * rate + STOP_LATENCY_S * rate
-        model = self.rotator.facts
-        az_rate = shortest_turn(earlier.azimuth, later.azimuth) / elapsed_s
-        el_rate = (later.elevation - earlier.elevation) / elapsed_s
-        az_deg = rest_point(later.azimuth, az_rate, model.azimuth.acceleration_deg_s2, lead_s)
-        el_deg = rest_point(later.elevation, el_rate, model.elevation.acceleration_deg_s2, lead_s)
-        return self._retarget(wrap_360(az_deg), el_deg)
+        return self._retarget(*rest_seen(self.rotator.facts, earlier, earlier_at, later, later_at, now, rate))
 
     def stop(self) -> None:
         """Reset the move counter and bring the dish to rest: a new target just ahead of where it is.
@@ -409,7 +348,7 @@ class BirdcageAntenna:
         (`queued`) moves on to a target that can't be called back.
         """
         self._check_thread()
-        self._moves = 0
+        self._sender.moves = 0
         if self.motion is None:
             return
         if not self.motion.silent:

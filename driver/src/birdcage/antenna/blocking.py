@@ -10,11 +10,13 @@ from birdcage.antenna.motion import AxisMotion, DishMotion, longest_s
 from birdcage.antenna.overshoot import OvershootWatch
 from birdcage.base.geometry import shortest_turn
 from birdcage.rotator.facts import SecondMove
-from birdcage.rotator.values import Position, Taken
+from birdcage.rotator.values import MOTOR_AZIMUTH, Position, Taken
 
 if TYPE_CHECKING:
     from birdcage.antenna.antenna import BirdcageAntenna
 
+SAME_DEG = 0.005
+"""Commands are written in hundredths: two that differ by less are one."""
 LATE_S = 0.3
 """An answer that comes so much later than others do is late."""
 SEEN_DEG = 0.08
@@ -41,10 +43,30 @@ class MoveCommands:
         self.answers: dict[int, Taken] = {}
         """What the dish answered to the last command of each motor."""
         self.overshoots = OvershootWatch()
+        self._aims: dict[int, float] = {}
+        """Where each axis was sent last, of those that have taken it."""
         self._open: dict[int, Without] = {}
         """The axes of which it is not known whether the dish has taken their last command."""
         self.on_blocking: Callable[[], None] = lambda: None
         """Told when the dish was seen to take no command while a motor runs."""
+
+    def leads_to(self, motor: int, dish_deg: float, under_way: DishMotion | None, here: Position) -> bool:
+        """Return whether an axis is where its last command sent it, or on its way there, and that is `dish_deg`.
+
+        Then it need not be named: only what changes is sent.
+        """
+        aim_deg = self._aims.get(motor)
+        if aim_deg is None or abs(aim_deg - dish_deg) >= SAME_DEG or motor in self._open:
+            return False
+        azimuth = motor == MOTOR_AZIMUTH
+        if under_way is not None:
+            end_deg = under_way.rest[0 if azimuth else 1]
+            return abs(shortest_turn(end_deg, dish_deg)) < SAME_DEG
+        return abs(shortest_turn(here.azimuth if azimuth else here.elevation, dish_deg)) <= SEEN_DEG
+
+    def forget_aims(self) -> None:
+        """Where the axes were sent no longer tells where they are, or go."""
+        self._aims.clear()
 
     def send(self, motor: int, dish_deg: float, runs: tuple[AxisMotion, ...], *, known: bool, without: Without) -> None:
         """Send one axis to its dish angle; raises as `Rotator.send`.
@@ -67,9 +89,11 @@ class MoveCommands:
         if antenna.model.has_speeds and not antenna.speeds_deg_s:
             busy_s *= SLOWER  # it may have been set to less than such dishes can do
         self.overshoots.sent(motor)
+        self._aims.pop(motor, None)
         antenna.gate.check_axis(motor, dish_deg)
         answer = self.answers[motor] = rotator.send(motor, dish_deg, busy_s=max(0.0, busy_s))
         if answer.sure:
+            self._aims[motor] = dish_deg
             self.overshoots.taken(motor, antenna.motion)
         if not answer.sure and abs(shortest_turn(without.deg, dish_deg)) > SEEN_DEG:
             self._open[motor] = without
@@ -83,6 +107,7 @@ class MoveCommands:
     def steer(self, motor: int, dish_deg: float) -> None:
         """Send one axis as one of a stream; raises as `Rotator.send`."""
         self.overshoots.sent(motor)
+        self._aims.pop(motor, None)
         self._antenna.gate.check_axis(motor, dish_deg)
         answer = self.answers[motor] = self._antenna.rotator.send(motor, dish_deg, hurry=True)
         if answer.sure:

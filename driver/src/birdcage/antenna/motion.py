@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 from dataclasses import dataclass, replace
 
-from birdcage.base.geometry import shortest_turn
+from birdcage.base.geometry import shortest_turn, wrap_360
 from birdcage.kinematics import Slew, plan_slew, plan_timed, rest_point
 from birdcage.rotator.axis import Axis
 from birdcage.rotator.facts import Facts
@@ -162,6 +163,13 @@ class DishMotion:
             return replace(self, azimuth=replace(self.azimuth, started=now))
         return replace(self, elevation=replace(self.elevation, started=now))
 
+    def keeping(self, before: DishMotion, sent: Collection[int]) -> DishMotion:
+        """Return it with the axes that are not `sent` anywhere going on as they did before."""
+        azimuth = self.azimuth if self.azimuth.axis.index in sent else before.azimuth
+        return replace(
+            self, azimuth=azimuth, elevation=self.elevation if self.elevation.axis.index in sent else before.elevation
+        )
+
     def eta(self, rate: float) -> float:
         """Return the monotonic time at which all axes should rest."""
         return max(axis.eta(rate) for axis in self.axes)
@@ -237,3 +245,15 @@ def stop_power_s(model: Facts) -> float:
     return STOP_LATENCY_S + max(
         axis.speed_deg_s / axis.acceleration_deg_s2 for axis in (model.azimuth, model.elevation)
     )
+
+
+def rest_seen(
+    facts: Facts, earlier: Position, earlier_at: float, later: Position, later_at: float, now: float, rate: float
+) -> tuple[float, float]:
+    """Return where both axes can come to rest, by two readings: dish azimuth in [0, 360), and elevation."""
+    elapsed_s = max((later_at - earlier_at) * rate, 1e-3)
+    lead_s = (now - later_at) * rate + STOP_LATENCY_S * rate
+    az_rate = shortest_turn(earlier.azimuth, later.azimuth) / elapsed_s
+    el_rate = (later.elevation - earlier.elevation) / elapsed_s
+    az_deg = rest_point(later.azimuth, az_rate, facts.azimuth.acceleration_deg_s2, lead_s)
+    return wrap_360(az_deg), rest_point(later.elevation, el_rate, facts.elevation.acceleration_deg_s2, lead_s)
