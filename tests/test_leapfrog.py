@@ -27,3 +27,34 @@ def test_never_more_than_a_degree_and_never_backwards(az, el, current_az, curren
     assert abs(shortest_turn(az, new_az)) <= 1.0 + 1e-9
     assert abs(new_el - el) <= 1.0 + 1e-9
     assert (new_el - el) * (el - current_el) >= 0
+
+
+@pytest.mark.parametrize(
+    ("target", "current", "sent"),
+    [
+        (365.0, 362.0, 366.0),
+        (400.0, 395.0, 401.0),
+        (395.0, 400.0, 394.0),
+        (401.5, 400.0, 402.0),
+        (400.5, 400.0, 400.5),
+        (361.0, 358.0, 362.0),
+        (359.0, 362.0, 358.0),
+        (3.0, 362.0, 2.0),
+        (455.0, 100.0, 456.0),
+    ],
+)
+def test_a_turn_beyond_360_is_kept(target, current, sent):
+    assert apply_leapfrog(target, 40, current, 40) == (pytest.approx(sent), 40)
+
+
+def test_a_full_circle_is_no_turn_beyond():
+    assert apply_leapfrog(360.0, 40, 357, 40)[0] == pytest.approx(1.0)
+    assert apply_leapfrog(357.0, 40, 360.0, 40)[0] == pytest.approx(356.0)
+
+
+@given(st.floats(360.01, 455), st.floats(0, 455))
+def test_beyond_360_the_documented_table_counts_by_the_plain_difference(target, current):
+    sent = apply_leapfrog(target, 40, current, 40)[0]
+    delta = target - current
+    size = 1.0 if abs(delta) > 2 else 0.5 if abs(delta) > 1 else 0.0
+    assert sent == pytest.approx(target + (size if delta > 0 else -size))

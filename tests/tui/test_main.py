@@ -4,6 +4,7 @@ import gc
 import subprocess
 import sys
 from dataclasses import replace
+from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -267,3 +268,9 @@ def test_nothing_of_setup_catalogue_or_sky_is_loaded_to_build_the_app(tmp_path):
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=False)
     assert (done.stdout.strip(), done.stderr) == ("[]", ""), "each of these holds the first frame up"
+
+
+def test_the_documented_entry_is_the_one_of_the_command():
+    [command] = (point for point in entry_points(group="console_scripts") if point.name == "birdcage-tui")
+    documented = EntryPoint("birdcage-tui", "birdcage_tui.app:main", "console_scripts")
+    assert documented.load() is command.load() is main.main
