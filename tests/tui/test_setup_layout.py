@@ -6,7 +6,7 @@ import pytest
 import setup_stand_in
 import stand_in
 from birdcage.setup.step import Choice, Field
-from birdcage.setup.wiring import CONNECTORS
+from birdcage.setup.wiring import connectors
 from birdcage_tui.setup import wiring
 from birdcage_tui.setup.fold import fold
 from birdcage_tui.setup.form import AnswerForm
@@ -208,7 +208,7 @@ def test_a_simulated_dish_has_no_plug_beside_its_link():
 
 
 def test_the_wiring_on_the_screen_tells_what_to_do_and_not_who_said_so():
-    text = "\n".join("".join(part for _, part in line) for line in wiring.lines(CONNECTORS, 76))
+    text = "\n".join("".join(part for _, part in line) for line in wiring.lines(connectors(), 76))
     for word in ("README", "Source", "earlier project", "winegard-sky-scan"):
         assert word not in text, word
     assert text.count("silence") == 1, "one heading for all that it may mean"
@@ -216,7 +216,7 @@ def test_the_wiring_on_the_screen_tells_what_to_do_and_not_who_said_so():
 
 
 def test_the_notes_on_the_screen_say_of_which_dish_each_is():
-    rows = ["".join(part for _, part in line) for line in wiring.lines(CONNECTORS, 120)]
-    for each in CONNECTORS:
+    rows = ["".join(part for _, part in line) for line in wiring.lines(connectors(), 120)]
+    for each in connectors():
         heading = rows.index(f"Notes: {each.dishes}")
         assert rows[heading + 1 : heading + 1 + len(each.notes)] == [f"· {note}" for note in each.notes]

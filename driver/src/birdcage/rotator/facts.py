@@ -9,6 +9,7 @@ from enum import Enum
 from birdcage.base.beam import Reflector
 from birdcage.rotator.axis import Axis, CableRange
 from birdcage.rotator.ladder import END_OF_MOVE, POWER_SWITCH, Rung
+from birdcage.rotator.wiring import Adapter, Connector
 
 
 class Turn(Enum):
@@ -46,6 +47,27 @@ class SearchSwitch(Enum):
     """By a setting, which holds from the next power-up on."""
     UNTIL_POWER_UP = "until power-up"
     """By ending it while it runs; it begins again at each power-up."""
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """A setting that the machine keeps itself, and that `Rotator.survey` may read."""
+
+    id: str
+    """As `Survey.settings` has it."""
+    label: str
+    """As a person finds it in the machine's own papers."""
+
+
+@dataclass(frozen=True, slots=True)
+class SearchSetting(Setting):
+    """The one that switches the firmware's TV search off for good."""
+
+    name: str
+    """What the machine itself calls it."""
+    off: str
+    """What it prints as its value while the search is off."""
+    on: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,6 +136,23 @@ class Facts:
     skew: Axis | None = None
     """The axis that turns the feed about the beam; None if there is none."""
     handling: Handling = Handling()
+    tells_version: bool = False
+    """Whether a command is known that tells the version of its firmware; if not, it is what its console speaks."""
+    type_field: str = ""
+    """Which field of its identity (`Survey.identity`) names its type; empty if none does."""
+    floor_settings: tuple[Setting, ...] = ()
+    """Where it keeps its lowest elevation: the greatest of them counts."""
+    ceiling_settings: tuple[Setting, ...] = ()
+    """Where it keeps its highest elevation, if that is told."""
+    search_setting: SearchSetting | None = None
+    settings_name: str = "settings"
+    """What the machine calls the table of its settings: its backups are named by it."""
+    connectors: tuple[Connector, ...] = ()
+    """Its plugs; none where it is not reached by a cable, or no source draws it."""
+    kin_connectors: tuple[Connector, ...] = ()
+    """The plugs of its kin whose console nobody speaks here yet."""
+    adapters: tuple[Adapter, ...] = ()
+    """The adapters that were used with it."""
 
     @property
     def axes(self) -> tuple[Axis, ...]:

@@ -5,7 +5,17 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Sequence
 
-from birdcage.setup.wiring import ADAPTERS, BIAS, CAUTIONS, FOUR_WIRES, LINES, SYMPTOMS, Connector, Drawing, Pin
+from birdcage.setup.wiring import (
+    BIAS,
+    CAUTIONS,
+    FOUR_WIRES,
+    LINES,
+    Connector,
+    Drawing,
+    Pin,
+    adapters,
+    symptoms,
+)
 
 NARROWEST = 40
 """Columns below which the drawings do not fit; the text is as wide as that, then."""
@@ -31,7 +41,7 @@ def adapter_lines(width: int = 80) -> list[str]:
     for text in LINES:
         lines += _item(text, width)
     lines += ["", "ADAPTERS"]
-    for each in ADAPTERS:
+    for each in adapters():
         lines += _item(f"{each.name}: {each.used_with}. {each.notes}", width)
     lines += ["", "TERMINATION AND BIAS"]
     for text in BIAS:
@@ -88,7 +98,7 @@ def _to(pin: Pin) -> str:
 def symptom_lines(width: int = 80) -> list[str]:
     """Return what a wrong wire looks like from the computer."""
     lines = ["WHAT YOU SEE, AND WHAT IT MEANS"]
-    for each in SYMPTOMS:
+    for each in symptoms():
         lines += _item(f"{each.saw.value}: {each.cause} -> {each.remedy} ({each.supported_by})", width)
     return lines
 

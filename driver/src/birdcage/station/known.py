@@ -6,11 +6,11 @@ from birdcage.link.opening import has_speed
 from birdcage.link.ports import PortInfo, list_ports
 from birdcage.link.system import Hindrance, SystemFacts, look_at_system
 from birdcage.rotator import machines
-from birdcage.rotator.facts import Facts, SearchSwitch, Turn
+from birdcage.rotator.facts import Facts, SearchSetting, SearchSwitch, Turn
 
 __all__ = [
-    "Facts", "Hindrance", "PortInfo", "SearchSwitch", "SystemFacts", "Turn", "has_speed", "list_firmwares",
-    "list_models", "list_ports", "look_at_system", "model_of",
+    "Facts", "Hindrance", "PortInfo", "SearchSetting", "SearchSwitch", "SystemFacts", "Turn", "has_speed",
+    "list_firmwares", "list_models", "list_ports", "look_at_system", "model_of",
 ]  # fmt: skip
 
 

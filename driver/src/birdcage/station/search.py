@@ -59,7 +59,8 @@ class SearchSwitch:
         if self._folder is None:
             raise ConfigError("No folder for a backup of the dish's settings. Nothing was written.")
         stamp = self._board.clock.utc().strftime("%Y%m%dT%H%M%SZ")
-        path = self._folder / f"nvs-{self._antenna.rotator.facts.firmware}-{stamp}.txt"
+        facts = self._antenna.rotator.facts
+        path = self._folder / f"{facts.settings_name}-{facts.firmware}-{stamp}.txt"
         demo = "# DEMO\n" if self._board.state.demo else ""
         try:
             write_aside_and_rename(path, (demo + "\n".join(lines) + "\n").encode())

@@ -290,7 +290,7 @@ class StationState:
     warnings: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
     """What a person should know of this program itself, by subject: `birdcage stop` can't reach it, …; sentences."""
     readings: Mapping[str, Reading] = field(default_factory=lambda: MappingProxyType({}))
-    """By feature: `rssi`, `rssi_peak`, `nvs.20`, `antenna_id`, `speed.0` (deg/s, in force until it restarts), …"""
+    """By feature: `rssi`, `rssi_peak`, `antenna_id`, `speed.0` (deg/s, in force until it restarts), …"""
 
     @property
     def raw_motion(self) -> bool:

@@ -64,7 +64,8 @@ class HealthPane(Pane):
         heard = f"  heard {age_text(view.now - link.last_reply)} ago" if link.last_reply is not None else ""
         trip = "--" if link.round_trip_s is None else f"{link.round_trip_s * 1000:.0f} ms a reply"
         noise = f", {link.stray_bytes} stray bytes" if link.stray_bytes else ""
-        nvs = state.readings.get("nvs.20")
+        setting = state.dish.search_setting if state.dish is not None else None
+        where = f" ({setting.label})" if setting is not None and setting.id in state.readings else _search_hint(view)
         limits = "--"
         if state.el_min_deg is not None and state.el_max_deg is not None:
             limits = f"{state.el_min_deg:.1f}° to {state.el_max_deg:.1f}° elevation"
@@ -85,7 +86,7 @@ class HealthPane(Pane):
             (
                 {"off": ok, "off until power-up": ok, "RUNNING": _NO}.get(search, _UNKNOWN),
                 "TV search",
-                search + (" (NVS 20)" if nvs is not None else _search_hint(view)),
+                search + where,
             ),
             told,
             (ok if state.el_min_deg is not None else _UNKNOWN, "limits", limits),

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from enum import Enum
 
 from birdcage.setup.case import Cause
+from birdcage.setup.wiring import connectors_of
 
 from birdcage_tui.canvas import Cells
 from birdcage_tui.pane import Pane
@@ -46,7 +47,7 @@ class ExtraPane(Pane):
 
     def wiring_rows(self, width: int) -> int:
         """Return how many rows all of the wiring takes, with its heading."""
-        return 1 + len(wiring.lines(wiring.connectors_for(self.firmware), width - 2))
+        return 1 + len(wiring.lines(connectors_of(self.firmware), width - 2))
 
     def draw(self, cells: Cells, view: View) -> None:
         """Draw the heading and what belongs under it."""
@@ -83,10 +84,10 @@ class ExtraPane(Pane):
 
     def _lines(self, width: int, room: int) -> list[wiring.Line]:
         if self.kind is Kind.WIRING:
-            return wiring.lines(wiring.connectors_for(self.firmware), width)
+            return wiring.lines(connectors_of(self.firmware), width)
         seen = walk.seen_lines(self.seen, width)
         told = [*seen, *walk.cause_lines(self.causes, self.chosen, width, max(room - len(seen), 1))]
-        plugs = wiring.connectors_for(self.firmware)
+        plugs = connectors_of(self.firmware)
         plug = wiring.contacts(plugs[0]) if len(plugs) == 1 and plugs[0].pins else []
         if plug and len(told) + len(plug) + 2 <= room:
             heading = f" {plugs[0].plug}, {plugs[0].drawing.value.partition(',')[0]} "

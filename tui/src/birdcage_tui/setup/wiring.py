@@ -5,17 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from birdcage.setup.wiring import (
-    ADAPTERS,
     BIAS,
     CAUTIONS,
-    CONNECTORS,
     FOUR_WIRES,
     LINES,
-    SYMPTOMS,
     Connector,
     Pin,
     Symptom,
-)  # fmt: skip
+    adapters,
+    symptoms,
+)
 
 from birdcage_tui.cell_text import wrap
 
@@ -25,26 +24,23 @@ BEGUN, CONTINUED = ("dim", "· "), ("dim", "  ")
 """Before the first row of an item, and before its others."""
 _WAYS = {"T": "◀──", "R": "──▶"}
 """From the computer to the dish, which is at the left, and back."""
-_SAWS = tuple(dict.fromkeys(each.saw for each in SYMPTOMS))
-
-
-def connectors_for(firmware: str | None) -> tuple[Connector, ...]:
-    """Return the plugs to show: that of a known dish, or all."""
-    own = tuple(each for each in CONNECTORS if firmware in each.firmwares)
-    return own or CONNECTORS
 
 
 def lines(connectors: Sequence[Connector], width: int) -> list[Line]:
     """Return the drawings, then cautions, what a wrong wire looks like, sources, adapters."""
     found: list[Line] = []
+    seen = symptoms()
     for each in connectors:
         found += [*drawing(each, width), _blank()]
     for heading, texts in (
         ("Beware", CAUTIONS),
-        *[(f"You see {saw.value}", [_symptom(each) for each in SYMPTOMS if each.saw is saw]) for saw in _SAWS],
+        *[
+            (f"You see {saw.value}", [_symptom(each) for each in seen if each.saw is saw])
+            for saw in dict.fromkeys(each.saw for each in seen)
+        ],
         *[(f"Notes: {each.dishes}", each.notes) for each in connectors],
         ("RS-422 and RS-485", [FOUR_WIRES, *LINES]),
-        ("Adapters", [f"{each.name}, for {each.used_with}. {each.notes}" for each in ADAPTERS]),
+        ("Adapters", [f"{each.name}, for {each.used_with}. {each.notes}" for each in adapters()]),
         ("Termination and bias", BIAS),
     ):
         found.append((("strong", heading),))

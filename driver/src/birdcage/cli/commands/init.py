@@ -21,13 +21,13 @@ PATIENCE_S = 180.0
 """How long a dish is waited for of which not even the model is known."""
 
 DISABLE = (
-    "This saves NVS 20 (Disable Tracker Proc) as TRUE in the dish, after a backup of its whole table. "
+    "This saves {setting} as {off} in the dish, after a backup of its whole table. "
     "It takes effect when the dish is next switched off and on. Then the dish no longer searches for TV "
     "satellites, nor homes by itself: run `birdcage home` after each power-up. `birdcage init --restore-search` "
     "undoes that."
 )
 RESTORE = (
-    "This saves NVS 20 (Disable Tracker Proc) as FALSE in the dish, after a backup of its whole table. "
+    "This saves {setting} as {on} in the dish, after a backup of its whole table. "
     "From the next power-up the dish homes and searches for TV satellites: it moves by itself."
 )
 
@@ -49,9 +49,9 @@ SEARCHES = {
     "--disable-search",
     "switch",
     flag_value="disable",
-    help="Switch the TV search off: on a G2 for good, on a Trav'ler until power-up (done anyway).",
+    help="Switch the TV search off: for good where a setting of the dish does that, else until power-up (done anyway).",
 )
-@click.option("--restore-search", "switch", flag_value="restore", help="Undo that: let a G2 search again.")
+@click.option("--restore-search", "switch", flag_value="restore", help="Undo that: let the dish search again.")
 @click.option("--yes", is_flag=True, help="Write the dish's settings without asking.")
 @click.option(
     "--timeout",
@@ -63,8 +63,9 @@ SEARCHES = {
 def command(switch: str | None, yes: bool, timeout_s: float | None) -> None:
     """Wait until the dish answers, then print its state and what its TV search does.
 
-    A dish that has been up for long answers at once; the boot of one just switched on is shown as it goes. The TV
-    search of a Trav'ler is ended, which lasts until its next power-up; that of a G2 is left alone unless asked for.
+    A dish that has been up for long answers at once; the boot of one just switched on is shown as it goes. A TV search
+    that no setting of the dish switches off is ended, which lasts until the next power-up; any other is left alone
+    unless asked for.
     Nothing is moved. Ctrl+C ends it.
     """
     from birdcage.cli.dish import open_dish
@@ -78,7 +79,7 @@ def command(switch: str | None, yes: bool, timeout_s: float | None) -> None:
     if switch == "restore" and at_once:
         raise click.UsageError("This dish's TV search can't be switched off for good: it starts at each power-up.")
     if switch is not None and not at_once:
-        _confirm(DISABLE if switch == "disable" else RESTORE, yes)
+        _confirm(_consequence(dish_wanted.model, disabled=switch == "disable"), yes)
     if timeout_s is None:
         timeout_s = PATIENCE_S if dish_wanted.model is None else dish_wanted.model.boot_s
     with open_dish(dish_wanted) as dish:
@@ -152,15 +153,17 @@ def _describe(dish: Dish) -> None:
     if _ends_at_once(state.dish):
         say(SEARCHES[state.search.value])
         return
-    tracker = state.readings.get("nvs.20")
-    if tracker is None:
+    setting = state.dish.search_setting
+    told = None if setting is None else state.readings.get(setting.id)
+    if setting is None or told is None:
         say("The state of its TV search is unknown.")
-    elif tracker.value == "TRUE":
-        say("Its TV search is off (NVS 20 is TRUE), so it does not home by itself: run `birdcage home` at power-up.")
+    elif told.value == setting.off:
+        row = f"{setting.label} is {setting.off}"
+        say(f"Its TV search is off ({row}), so it does not home by itself: run `birdcage home` at power-up.")
     else:
         say(
-            "NVS 20 is FALSE: at power-up this dish homes, then searches for TV satellites: it moves by "
-            "itself. `birdcage init --disable-search` switches that off."
+            f"{setting.label} is {setting.on}: at power-up this dish homes, then searches for TV satellites: it "
+            "moves by itself. `birdcage init --disable-search` switches that off."
         )
 
 
@@ -204,7 +207,23 @@ def _switch(dish: Dish, *, disabled: bool, booted: bool) -> None:
         _release(dish)
     backup = dish.ask(SetSearch(HOLDER, disabled), 60.0)
     say(f"Backup of the dish's settings: {backup}.")
-    say(f"NVS 20 is saved as {'TRUE' if disabled else 'FALSE'}. Now switch the dish off and on.")
+    model = dish.state.dish
+    setting = None if model is None else model.search_setting
+    saved = (
+        "The setting is saved"
+        if setting is None
+        else f"{setting.label} is saved as {setting.off if disabled else setting.on}"
+    )
+    say(f"{saved}. Now switch the dish off and on.")
+
+
+def _consequence(model: Facts | None, *, disabled: bool) -> str:
+    """Return what writing the setting of the TV search does, for a person who is to agree."""
+    setting = None if model is None else model.search_setting
+    words = {"setting": "the setting of its TV search", "off": "off", "on": "on"}
+    if setting is not None:
+        words = {"setting": f"{setting.label} ({setting.name})", "off": setting.off, "on": setting.on}
+    return (DISABLE if disabled else RESTORE).format_map(words)
 
 
 def _confirm(consequence: str, yes: bool) -> None:

@@ -6,12 +6,13 @@ import click
 
 from birdcage.cli.exits import EPILOG
 from birdcage.cli.options import flags, global_options
+from birdcage.setup import wiring
 
 WIDTH = 80
 
 
 @click.command("wiring", epilog=EPILOG)
-@click.argument("plug", required=False, type=click.Choice(["g2", "travler", "carryout", "pro", "adapters"]))
+@click.argument("plug", required=False, type=click.Choice([*(each.key for each in wiring.connectors()), "adapters"]))
 @global_options("json", "verbose")
 def command(plug: str | None) -> None:
     """Print which wire goes where, what a wrong one looks like, and which adapters work.
@@ -21,19 +22,21 @@ def command(plug: str | None) -> None:
     from dataclasses import asdict
 
     from birdcage.cli.say import tell, tell_json
-    from birdcage.setup import wiring
     from birdcage.setup.wiring_text import adapter_lines, wiring_lines
 
     adapters = plug == "adapters"
-    connectors = () if adapters else wiring.CONNECTORS if plug is None else (wiring.connector(plug),)
+    connectors = () if adapters else wiring.connectors() if plug is None else (wiring.connector(plug),)
     if flags().json:
         tell_json(
             {
-                "plugs": [{**asdict(each), "drawing": each.drawing.value} for each in connectors],
-                "adapters": [asdict(each) for each in wiring.ADAPTERS],
+                "plugs": [
+                    {**asdict(each), "drawing": each.drawing.value, "firmwares": wiring.spoken_behind(each)}
+                    for each in connectors
+                ],
+                "adapters": [asdict(each) for each in wiring.adapters()],
                 "lines": (wiring.FOUR_WIRES, *wiring.LINES, *wiring.BIAS),
                 "cautions": wiring.CAUTIONS,
-                "symptoms": [{**asdict(each), "saw": each.saw.value} for each in wiring.SYMPTOMS],
+                "symptoms": [{**asdict(each), "saw": each.saw.value} for each in wiring.symptoms()],
             }
         )
         return

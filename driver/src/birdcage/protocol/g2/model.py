@@ -6,9 +6,11 @@ import re
 
 from birdcage.base.beam import CountedBeam, Reflector
 from birdcage.console.dialect import ConsoleDialect
+from birdcage.protocol import plugs
 from birdcage.protocol.family import AXIS_NAMES, MOTOR_TROUBLES
+from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, row_id, row_label
 from birdcage.rotator.axis import Axis, CableRange
-from birdcage.rotator.facts import Facts, Handling, SearchSwitch, SecondMove, Turn
+from birdcage.rotator.facts import Facts, Handling, SearchSetting, SearchSwitch, SecondMove, Setting, Turn
 from birdcage.rotator.ladder import Rung
 
 REFLECTOR = Reflector(0.3048, 0.3048, CountedBeam(6.4, 6.3, 12.45e9))
@@ -53,6 +55,16 @@ CARRYOUT_G2 = Facts(
     power_switch="12 V switch",
     reflector=REFLECTOR,
     handling=Handling(coax="Its coax carries 13 or 18 V: connect no 5 V LNA or bias tee to it."),
+    tells_version=True,
+    type_field="Antenna ID",
+    floor_settings=(Setting(row_id(MIN_ELEVATION), row_label(MIN_ELEVATION)),),
+    ceiling_settings=(Setting(row_id(MAX_ELEVATION), row_label(MAX_ELEVATION)),),
+    search_setting=SearchSetting(
+        row_id(DISABLE_TRACKER), row_label(DISABLE_TRACKER), "Disable Tracker Proc", off="TRUE", on="FALSE"
+    ),
+    settings_name="nvs",
+    connectors=(plugs.CARRYOUT_G2,),
+    adapters=(plugs.SH_U11, plugs.ESP32),
 )
 
 DIALECT = ConsoleDialect(

@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 from birdcage.base.beam import Reflector
+from birdcage.protocol import plugs
+from birdcage.protocol.nvs import row_id, row_label
 from birdcage.rotator.axis import Axis, CableRange, MeasuredTimes
-from birdcage.rotator.facts import Facts, Handling, SearchSwitch, SecondMove, SilentSlew, Turn
+from birdcage.rotator.facts import Facts, Handling, SearchSwitch, SecondMove, Setting, SilentSlew, Turn
 from birdcage.rotator.ladder import END_OF_MOVE, Rung
+
+SEARCH_MINIMUM, SAFE_MINIMUM = 125, 127
+"""The rows of its settings that hold its lowest elevations: that of the search, and the safe one (section 3)."""
 
 MOVE_TIMES = MeasuredTimes(((0.5, 0.3), (1.0, 0.5)), from_deg=2.0, scale_s=3.23, per_deg=0.84, less_s=0.48)
 """The measured law of section 3; the same for azimuth and elevation, and taken for the skew as well."""
@@ -65,6 +70,11 @@ TRAVLER = Facts(
     reflector=REFLECTOR,
     skew=SKEW,
     handling=HANDLING,
+    floor_settings=tuple(Setting(row_id(index), row_label(index)) for index in (SEARCH_MINIMUM, SAFE_MINIMUM)),
+    settings_name="nvs",
+    connectors=(plugs.TRAVLER,),
+    kin_connectors=(plugs.CARRYOUT_2003, plugs.TRAVLER_PRO),
+    adapters=(plugs.DTECH,),
 )
 """The Trav'ler LG-2112.
 

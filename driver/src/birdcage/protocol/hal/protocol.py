@@ -14,8 +14,9 @@ from birdcage.protocol.hal.boot import BootWatch
 from birdcage.protocol.hal.commands import COMMANDS
 from birdcage.protocol.hal.dialect import DIALECT, MOTOR, NVS, SEARCH
 from birdcage.protocol.hal.hazards import HAZARDS
-from birdcage.protocol.hal.model import MOVE_TIMES, TRAVLER
+from birdcage.protocol.hal.model import MOVE_TIMES, SAFE_MINIMUM, SEARCH_MINIMUM, TRAVLER
 from birdcage.protocol.hazard import HazardTable
+from birdcage.protocol.nvs import row_id
 from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.raw import CommandDoc
@@ -25,8 +26,6 @@ if TYPE_CHECKING:
     from birdcage.base.wake import Wake
     from birdcage.link.link import Link
 
-SEARCH_MINIMUM, SAFE_MINIMUM = 125, 127
-"""Rows of the settings memory: the lowest elevation of the search, and of any motion (section 3)."""
 _QUEUED_S = MOVE_TIMES.seconds(455.0) + 2.0
 """How long a move may wait for the motor before it (section 2.6), should the prompt wait with it."""
 _SLEW_S = sum(MOVE_TIMES.seconds(way) for way in (455.0, TRAVLER.elevation.max_deg - TRAVLER.elevation.min_deg)) + 2.0
@@ -164,7 +163,7 @@ class HAL205Protocol(FirmwareProtocol):
         lowest = rows[SAFE_MINIMUM]
         usable = lowest is not None and TRAVLER.elevation.max_deg > float(lowest) > -90.0
         return Survey(
-            settings={f"nvs.{index}": value for index, value in rows.items() if value is not None},
+            settings={row_id(index): value for index, value in rows.items() if value is not None},
             el_min_deg=float(lowest) if lowest is not None and usable else None,
         )
 

@@ -8,9 +8,6 @@ from birdcage.setup.step import Choice
 from birdcage.setup.steps.base import Step
 from birdcage.setup.steps.firmware import OTHER, other_firmwares, speak_another
 
-WITHOUT_VERSION = ("hal205",)
-"""Firmwares for whose version no source knows a command: these dishes are what their console speaks."""
-
 
 class DishStep(Step):
     """Done by itself once the dish has told who it is."""
@@ -27,9 +24,9 @@ class DishStep(Step):
         if not self.bench.is_up or state.dish is None:
             return ""
         if state.firmware_version is None:
-            mute = state.surveyed and state.dish.firmware in WITHOUT_VERSION
+            mute = state.surveyed and not state.dish.tells_version
             return f"{state.dish.name}, speaks {state.dish.firmware}; it tells no version" if mute else ""
-        antenna = state.readings.get("Antenna ID")
+        antenna = state.readings.get(state.dish.type_field)
         return f"{state.dish.name} {state.firmware_version}" + (f" ({antenna.value})" if antenna else "")
 
     def words(self) -> tuple[str, ...]:

@@ -18,11 +18,6 @@ _KEYS = {
 """By field: the key of `[motion]`, its label, and what may be typed."""
 
 
-READ = {"g2": (101, 102), "hal205": (125, 127)}
-"""By firmware: the settings of the dish that hold its limits. Of the HAL family both are floors: that of the search and
-the safe one (reference sections 3 and 7.5)."""
-
-
 class LimitsStep(Step):
     """The dish's own, read from it; a person's only where they are narrower."""
 
@@ -51,16 +46,17 @@ class LimitsStep(Step):
         return f"{text}; cable {low:+.0f} to {high:+.0f}"
 
     def _origin(self) -> str:
-        """Say where floor and ceiling come from: each dish keeps them under numbers of its own, or keeps none."""
+        """Say where floor and ceiling come from: each dish keeps both, its floor alone, or neither."""
         state = self.bench.state
-        kept = [number for number in READ.get(state.dish.firmware if state.dish else "", ())
-                if f"nvs.{number}" in state.readings]  # fmt: skip
-        if not kept:
+        assert state.dish is not None, "limits are known of a known dish"
+        floor, ceiling = state.dish.floor_settings, state.dish.ceiling_settings
+        told = [setting for setting in (*floor, *ceiling) if setting.id in state.readings]
+        if ceiling and len(told) == len((*floor, *ceiling)):
+            return "read from the dish"
+        if ceiling or not told:
             return "of the model: not read from this dish"
-        if state.dish is not None and state.dish.firmware == "g2":
-            return "read from the dish" if len(kept) == len(READ["g2"]) else "of the model: not read from this dish"
-        told = ", ".join(f"NVS {number} is {state.readings[f'nvs.{number}'].value}" for number in kept)
-        return f"floor read from the dish: {told}"
+        rows = ", ".join(f"{setting.label} is {state.readings[setting.id].value}" for setting in told)
+        return f"floor read from the dish: {rows}"
 
     def words(self) -> tuple[str, ...]:
         """Ask for what the dish can't know."""

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from birdcage.setup.step import Choice
 from birdcage.setup.steps.base import Plan, Step
-from birdcage.station.known import SearchSwitch
+from birdcage.station.known import SearchSetting, SearchSwitch
 from birdcage.station.requests import Connect, SetSearch
 from birdcage.station.state import Activity, Search
 
@@ -18,6 +18,11 @@ _AT_ONCE = {
     Search.UNKNOWN: "unknown whether it runs",
 }
 """What is known of a search that no setting switches off."""
+
+_UNKNOWN = SearchSetting("", "the setting of the search", "", off="off", on="on")
+"""For a dish of which nobody knows how it names that."""
+
+_STILL = "Nothing moves."
 
 
 class SearchStep(Step):
@@ -37,6 +42,18 @@ class SearchStep(Step):
         return kept.evidence if kept is not None and kept.word == "begun" else ""
 
     @property
+    def _setting(self) -> SearchSetting:
+        """What switches it off for good."""
+        model = self.bench.state.dish
+        return (model.search_setting if model is not None else None) or _UNKNOWN
+
+    @property
+    def _value(self) -> str | None:
+        """What the dish last told of it; None while it has not."""
+        reading = self.bench.state.readings.get(self._setting.id)
+        return None if reading is None else str(reading.value)
+
+    @property
     def _at_once(self) -> bool:
         """Whether this dish's search is ended while it runs, and begins again at each power-up."""
         model = self.bench.state.dish
@@ -50,7 +67,7 @@ class SearchStep(Step):
             return state.search is Search.OFF_UNTIL_POWER_UP if self.bench.is_up else None
         if self.written:
             return False
-        if not self.bench.is_up or "nvs.20" not in state.readings:
+        if not self.bench.is_up or self._value is None:
             return None
         return state.search is Search.OFF
 
@@ -63,8 +80,7 @@ class SearchStep(Step):
             waits = "in force once you go on" if self._restarted else "waits for the dish to be switched off and on"
             return f"saved as off; {waits}"
         if self.proven is False:
-            told = state.readings["nvs.20"].value
-            return f"on: NVS 20 is {told}; the dish moves by itself after power-up"
+            return f"on: {self._setting.label} is {self._value}; the dish moves by itself after power-up"
         return kept.evidence if kept else ""
 
     def words(self) -> tuple[str, ...]:
@@ -78,9 +94,10 @@ class SearchStep(Step):
             )
         if self.written:
             return (*self._awaited(), f"Backup of the dish's settings: {self.written}.")
+        setting = self._setting
         return (
             "The dish's own TV search moves it by itself.",
-            "This saves NVS 20 as TRUE in the dish, after a backup of its whole table. Nothing moves.",
+            f"This saves {setting.label} as {setting.off} in the dish, after a backup of its whole table. {_STILL}",
             "It takes effect when the dish is switched off and on: you are asked to do that next.",
             "Then it no longer homes by itself: home it after each power-up.",
             "`birdcage init --restore-search` undoes this.",
@@ -150,19 +167,20 @@ class SearchStep(Step):
 
     def look(self) -> None:
         """Notice the power cycle, and that the search is off."""
-        state = self.bench.state
+        state, setting = self.bench.state, self._setting
         if self._at_once:
             return
         if self.written:
             self.gone = self.gone or self._restarted or state.activity is Activity.INITIALIZING
             if not self.gone or not self._off_now() or state.fault is not None:
                 return
-            self.bench.done(self.name, f"off: NVS 20 TRUE, saved (was FALSE; backup {self.written})")
+            was = f"was {setting.on}; backup {self.written}"
+            self.bench.done(self.name, f"off: {setting.label} {setting.off}, saved ({was})")
         elif self.proven:
             kept = self.bench.kept(self.name)
             if kept is None or not kept.done:
-                self.bench.done(self.name, "off: NVS 20 TRUE")
+                self.bench.done(self.name, f"off: {setting.label} {setting.off}")
 
     def _off_now(self) -> bool:
         state = self.bench.state
-        return self.bench.is_up and state.search is Search.OFF and "nvs.20" in state.readings
+        return self.bench.is_up and state.search is Search.OFF and self._value is not None
