@@ -1,0 +1,50 @@
+"""Cases: opening the line and meeting the machine."""
+
+from __future__ import annotations
+
+from birdcage.rotator import machines
+from birdcage.station.state import Link
+from birdcage.testing.stage import Stage, require
+from birdcage.testing.twin import Bench
+
+
+class Meeting:
+    """What holds before anything is asked for."""
+
+    def test_it_is_found_by_its_name_and_tells_its_facts(self, bench: Bench) -> None:
+        """Every face reads the facts before a port is open: they need no machine."""
+        facts = machines.facts_of(bench.machine)
+        require(facts.name, "the machine has no name")
+        require(facts.firmware == bench.machine, f"facts say {facts.firmware!r}, it is found as {bench.machine!r}")
+        require(facts.stop_ladder, "the ladder of STOP has no rung: what stops it, be it a person at a switch?")
+        for axis in facts.axes:
+            require(axis.min_deg < axis.max_deg, f"{axis.name}: {axis.min_deg} to {axis.max_deg} is no range")
+            require(axis.step_deg > 0.0, f"{axis.name} has no step")
+
+    def test_it_is_met_without_moving(self, bench: Bench) -> None:
+        """Plugging in must never set a machine in motion."""
+        with Stage(bench) as stage:
+            before = stage.truth
+            stage.ready()
+            require(stage.state.link.state is Link.UP, "the link is not up")
+            require(stage.truth == before, f"it stood at {before} and stands at {stage.truth}")
+            require(not stage.twin.taken(), f"commands of moves went out: {stage.twin.taken()}")
+
+    def test_what_is_shown_is_what_the_mechanics_do(self, bench: Bench) -> None:
+        """The position on the screen is where it points, within its limits, and control is free."""
+        with Stage(bench) as stage:
+            stage.ready()
+            require(stage.shows_truth(), f"shown: {stage.state.position}, true: {stage.truth}")
+            low, high = stage.elevations
+            require(low <= stage.truth.el_deg <= high, f"it stands at {stage.truth.el_deg}°, outside {low} to {high}")
+            require(stage.state.holder is None, f"{stage.state.holder} has control, unasked")
+            require(stage.state.fault is None, f"a fault stands: {stage.state.fault}")
+
+    def test_closing_leaves_it_at_rest(self, bench: Bench) -> None:
+        """A program that ends while the machine rests sends nothing that moves it."""
+        with Stage(bench) as stage:
+            stage.ready()
+        before = stage.truth
+        stage.clock.advance(5.0)
+        require(stage.truth == before, f"it stood at {before} and stands at {stage.truth}")
+        require(not stage.twin.taken(), f"commands of moves went out: {stage.twin.taken()}")

@@ -1,0 +1,80 @@
+"""Cases: going somewhere, steps by hand, and what is refused."""
+
+from __future__ import annotations
+
+import math
+
+from birdcage.base.errors import MotionRefused, Superseded
+from birdcage.base.geometry import shortest_turn
+from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION
+from birdcage.station.requests import Goto, Jog
+from birdcage.station.state import Activity
+from birdcage.testing.stage import Stage, require
+from birdcage.testing.twin import Bench
+
+
+class Motion:
+    """Arrival is what the mechanics do, never what was sent."""
+
+    def test_a_go_to_arrives_where_the_truth_is(self, bench: Bench) -> None:
+        """A go-to is over when the mechanics rest at the target, not sooner, and what is shown agrees."""
+        with Stage(bench) as stage:
+            target = stage.ready().go(40.0, 12.0)
+            require(stage.stands_at(*target), f"it said to have arrived at {target}, and is at {stage.truth}")
+            require(stage.shows_truth(), f"shown: {stage.state.position}, true: {stage.truth}")
+            require(stage.state.activity is Activity.IDLE, f"it still shows {stage.state.activity}")
+            require(stage.state.motion is None, "a motion is still shown")
+
+    def test_a_newer_target_wins(self, bench: Bench) -> None:
+        """Of two go-tos the second one counts, and whoever asked for the first is told."""
+        with Stage(bench) as stage:
+            stage.ready()
+            first = stage.station.submit(Goto(*stage.target(50.0, 10.0), "contract"))
+            stage.step(0.5)
+            target = stage.target(25.0, 6.0)
+            stage.do(Goto(*target, "contract"))
+            require(isinstance(first.exception(0), Superseded), f"the first one ended otherwise: {first.exception(0)}")
+            require(stage.stands_at(*target), f"sent to {target}, and is at {stage.truth}")
+
+    def test_a_step_moves_one_axis_and_names_only_that(self, bench: Bench) -> None:
+        """An arrow key turns one axis; the other one is not even sent where it stands, as that may stir it."""
+        with Stage(bench) as stage:
+            stage.ready().go(30.0, 8.0)
+            for motor, step in ((MOTOR_AZIMUTH, (2.0, 0.0)), (MOTOR_ELEVATION, (0.0, -1.0))):
+                before, since = stage.truth, stage.clock.monotonic()
+                stage.do(Jog(*step, "contract"))
+                now, near = stage.truth, bench.near_deg
+                az_deg, el_deg = shortest_turn(before.az_deg, now.az_deg), now.el_deg - before.el_deg
+                require(
+                    abs(az_deg - step[0]) <= 2 * near and abs(el_deg - step[1]) <= 2 * near,
+                    f"a step of {step} turned azimuth by {az_deg:+.2f}° and elevation by {el_deg:+.2f}°",
+                )
+                named = frozenset[int]().union(*(each.motors for each in stage.taken_since(since)))
+                require(motor in named, f"the command of the step names {sorted(named)}")
+                require(named == {motor} or not bench.names_one_axis, f"a step of axis {motor} names {sorted(named)}")
+
+    def test_steps_add_up(self, bench: Bench) -> None:
+        """Three presses in a row are three steps, however late the machine is."""
+        with Stage(bench) as stage:
+            az_deg, el_deg = stage.ready().go(30.0, 8.0)
+            presses = [stage.station.submit(Jog(1.0, 0.0, "contract")) for _ in range(3)]
+            stage.until(presses[-1].done, 60.0, "three steps were gone")
+            require(stage.stands_at(az_deg + 3.0, el_deg), f"three steps from {az_deg}° and it is at {stage.truth}")
+
+    def test_beyond_a_limit_nothing_is_sent(self, bench: Bench) -> None:
+        """Whatever asks, and be it no number: a refusal says so in a sentence, and the wire stays quiet."""
+        with Stage(bench) as stage:
+            stage.ready()
+            (low, high), (az_deg, el_deg) = stage.elevations, stage.target(10.0, 0.0)
+            before, since = stage.truth, stage.clock.monotonic()
+            for request in (
+                Goto(az_deg, high + 5.0, "contract"), Goto(az_deg, low - 5.0, "contract"),
+                Goto(math.nan, el_deg, "contract"), Goto(az_deg, math.inf, "contract"),
+                Jog(0.0, high - low + 5.0, "contract"), Jog(0.0, low - high - 5.0, "contract"),
+            ):  # fmt: skip
+                refusal = stage.refused(request, MotionRefused)
+                require("Nothing was sent" in str(refusal), f"{request}: {refusal}")
+            require(stage.rests_for(2.0), "it moved")
+            require(stage.truth == before, f"it stood at {before} and is at {stage.truth}")
+            require(not stage.taken_since(since), f"commands of moves went out: {stage.taken_since(since)}")
+            require(stage.state.holder is None, "a refused motion has taken control")

@@ -1,0 +1,93 @@
+"""Cases: the line is pulled out, or the machine falls silent."""
+
+from __future__ import annotations
+
+from concurrent.futures import Future
+
+from birdcage.base.errors import BirdcageError
+from birdcage.station.requests import Goto, Release
+from birdcage.station.state import MOVING, Link
+from birdcage.testing.stage import LONGEST_MOVE_S, Stage, require
+from birdcage.testing.twin import Bench
+
+NOTICED_S = 30.0
+BACK_S = 60.0
+
+
+class Wire:
+    """What is not known is not claimed, and nothing moves by itself afterwards."""
+
+    def test_pulled_out_in_motion_and_put_back(self, bench: Bench) -> None:
+        """The motion is ended in words, its position no longer claimed, and the machine comes back without moving."""
+        with Stage(bench) as stage:
+            motion = self._moving(stage)
+            stage.twin.unplug()
+            stage.until(lambda: stage.state.link.state is Link.LOST, NOTICED_S, "the lost line was noticed")
+            self._claims_nothing(stage, motion)
+            stage.until(lambda: not stage.truth.moving, LONGEST_MOVE_S, "the mechanics rest by themselves")
+            stage.twin.plug()
+            self._comes_back(stage)
+
+    def test_pulled_out_at_rest_and_put_back(self, bench: Bench) -> None:
+        """It can be used again at once."""
+        with Stage(bench) as stage:
+            stage.ready()
+            stage.twin.unplug()
+            stage.until(lambda: stage.state.link.state is Link.LOST, NOTICED_S, "the lost line was noticed")
+            require(stage.state.position_lost is not None, "the position is still claimed")
+            stage.twin.plug()
+            self._comes_back(stage)
+            self._goes(stage)
+
+    def test_silent_in_motion(self, bench: Bench) -> None:
+        """A machine that no longer answers is said to be silent, and its STOP is not called confirmed."""
+        with Stage(bench) as stage:
+            motion = self._moving(stage)
+            stage.twin.mute()
+            stage.station.stop("contract")
+            stage.until(lambda: stage.state.link.state is Link.SILENT, NOTICED_S, "the silence was noticed")
+            self._claims_nothing(stage, motion)
+            stop = stage.state.last_stop
+            require(stop is not None and stop.confirmed is not True, f"STOP reached nothing and is confirmed: {stop}")
+            stage.until(lambda: not stage.truth.moving, LONGEST_MOVE_S, "the mechanics rest by themselves")
+            stage.twin.unmute()
+            self._comes_back(stage)
+            require(stage.state.held is not None, "STOP no longer holds it")
+
+    @staticmethod
+    def _moving(stage: Stage) -> Future[object]:
+        scene = stage.bench.stops[0]
+        stage.ready()
+        if scene.begin is not None:
+            stage.do(Goto(*scene.begin, "contract"))
+        future = stage.station.submit(Goto(*stage.target(*scene.way_deg), "contract"))
+        stage.step(scene.after_s)
+        require(stage.truth.moving, "nothing moves")
+        return future
+
+    @staticmethod
+    def _claims_nothing(stage: Stage, motion: Future[object]) -> None:
+        state = stage.state
+        require(state.position_lost is not None, f"the position is still claimed: {state.position}")
+        require(state.motion is None, f"a motion is still shown: {state.motion}")
+        require(state.activity not in MOVING, f"it still shows {state.activity}")
+        done, error = motion.done(), motion.exception(0) if motion.done() else None
+        require(done and isinstance(error, BirdcageError), f"who asked for the motion was told {error!r}")
+
+    @staticmethod
+    def _comes_back(stage: Stage) -> None:
+        since, before = stage.clock.monotonic(), stage.truth
+        stage.until(
+            lambda: stage.state.link.state is Link.UP and stage.state.position_lost is None, BACK_S, "it came back"
+        )
+        require(stage.rests_for(3.0), "it moves by itself after it came back")
+        require(stage.truth == before, f"it stood at {before} and is at {stage.truth}")
+        require(not stage.taken_since(since), f"commands of moves went out: {stage.taken_since(since)}")
+        require(stage.shows_truth(), f"shown: {stage.state.position}, true: {stage.truth}")
+
+    @staticmethod
+    def _goes(stage: Stage) -> None:
+        if stage.state.held is not None:
+            stage.do(Release("contract"))
+        target = stage.go(20.0, 5.0)
+        require(stage.stands_at(*target), f"sent to {target}, and is at {stage.truth}")

@@ -1,0 +1,43 @@
+"""The contract, kept by the Carryout G2."""
+
+from __future__ import annotations
+
+import pytest
+from birdcage.rotator.values import Position
+from birdcage.testing import Bench, ConsoleScene, Contract, Golden, StopScene
+
+from .simulated import sim
+
+MOVE = Golden(
+    "T-G2-MOVE",
+    (
+        (b"\r", b"\r\nTRK>"),
+        (b"mot\r", b"mot\r\nMOT>"),
+        (b"a\r", b"a\r\nAngle[0] = 180.00\r\nAngle[1] = 45.00\r\nMOT>"),
+    ),
+    lambda rotator: rotator.look(),
+    Position(180.0, 45.0),
+)
+STUBBORN = sim("g2?seed=1&second_move=queue&az_speed=10")
+
+
+@pytest.fixture
+def bench():
+    return Bench(
+        "g2",
+        sim("g2?seed=1"),
+        stops=(
+            StopScene("retarget", (100.0, 20.0), 0.7),
+            StopScene(
+                "release", (140.0, 0.0), 0.5, confirmed=None, twin=STUBBORN,
+                settings={"stop_releases_motors": True}, begin=(340.0, 45.0),
+            ),
+        ),
+        console=ConsoleScene("a", "Angle[0]", "a 0 200", ends=("q", "q")),
+        frail=sim("g2?seed=1&root_q=kill"),
+        goldens=(MOVE,),
+    )  # fmt: skip
+
+
+class TestG2(Contract):
+    pass
