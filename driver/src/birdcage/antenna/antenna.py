@@ -152,9 +152,8 @@ class BirdcageAntenna:
     def connect(self) -> None:
         """Open the port of the configuration; the dialect's baud unless one was given."""
         self._check_thread()
-        given = not isinstance(self._config.baudrate, DialectBaud)
-        baud = self._config.baudrate if given else self.rotator.facts.baud
-        self._open(self._config.port, int(baud), RealClock(), None)
+        baud = self._config.baudrate
+        self._open(self._config.port, None if isinstance(baud, DialectBaud) else baud, RealClock(), None)
 
     def attach(self, link: Link, clock: Clock) -> None:
         """Use an open link instead of `connect`."""

@@ -10,3 +10,8 @@ MOTOR_TROUBLES = (
 )
 """A motor that does not turn, and one that does not find its reference (reference section 4)."""
 AXIS_NAMES = {"AZ": "azimuth", "EL": "elevation", "SK": "skew"}
+
+
+def angle_text(degrees: float) -> str:
+    """Return an angle as these consoles are sent it."""
+    return f"{degrees:.2f}".replace("-0.00", "0.00")

@@ -16,6 +16,7 @@ from birdcage.rotator.facts import Facts
 from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.ladder import StopBy, StopOrder
 from birdcage.rotator.raw import RawLines
+from birdcage.rotator.rotator import Line
 from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION, Position, RssiReading, Survey, Taken
 
 _ANSWER = re.compile(r"=\s*\S|^\s*\S(\s|$)|>\s*$")
@@ -99,7 +100,7 @@ class MenuRotator:
         return self.protocol.clock
 
     @property
-    def line(self) -> ConsoleLine:
+    def line(self) -> Line:
         """See `Rotator`."""
         return ConsoleLine(self.protocol.console)
 
@@ -132,6 +133,7 @@ class MenuRotator:
     def begin(self, tell: Callable[[str], None]) -> None:
         """See `Rotator`."""
         self.protocol.initialize(tell)
+        self.protocol.enter_motor_menu()
 
     def meet(self) -> None:
         """See `Rotator`."""

@@ -12,6 +12,8 @@ from birdcage.base.clock import Clock, RealClock
 from birdcage.base.errors import BelowFloor, BirdcageError, CommandRefused, LinkError, MotionRefused
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.session import Console
+from birdcage.protocol.family import angle_text
+from birdcage.protocol.generic import GENERIC_DIALECT, GENERIC_FACTS, position_in
 from birdcage.protocol.hazard import HazardTable
 from birdcage.protocol.raw_aim import aimed
 from birdcage.protocol.unhomed import unreadable
@@ -41,21 +43,29 @@ STALLED = re.compile(r"\bSTALLED\b")
 """An obstacle, which is said of the motion under way and not of the question."""
 
 
+def _nothing() -> None:
+    pass
+
+
 class FirmwareProtocol(ABC):
     """Speaks one firmware's console. Synchronous, blocking, not thread-safe, except for `interject`.
+
+    A subclass must say how to `initialize`, `enter_motor_menu` and `kill_search`. All else does what the consoles of
+    this family have in common, and may be said better: `model` and `dialect` first, or `connect`, `get_position` and
+    `move_motor` by a class with a port of its own.
 
     Angles are degrees in the dish's own frame. Every method that talks raises `LinkError` when the port is gone,
     `NoReply` when the dish does not answer in time, and `CommandRefused` when the firmware answers with an error.
     """
 
-    name: ClassVar[str]
-    model: ClassVar[Facts]
-    dialect: ClassVar[ConsoleDialect]
+    name: ClassVar[str] = GENERIC_FACTS.firmware
+    model: ClassVar[Facts] = GENERIC_FACTS
+    dialect: ClassVar[ConsoleDialect] = GENERIC_DIALECT
     boot_marks: ClassVar[tuple[str, ...]] = ()
     """Words in unasked lines that mean that the dish has just started."""
     log_marks: ClassVar[tuple[str, ...]] = ()
     """Words of its boot log that no other console is known to print: they tell which firmware it is."""
-    motor_menu: ClassVar[str]
+    motor_menu: ClassVar[str] = "mot"
     """Where motions, and the lines that stop them, are understood."""
     hazards: ClassVar[HazardTable] = HazardTable()
     """What raw lines do. Without rows, each counts as changing a setting."""
@@ -64,15 +74,14 @@ class FirmwareProtocol(ABC):
     help_lines: ClassVar[Mapping[str, tuple[str, ...]]] = {}
     """What brings the help of a menu page by page, where that is not a single `?`."""
 
-    def __init__(self) -> None:
-        self._link: Link | None = None
-        self._console: Console | None = None
-        self.printed_deg = 0.01
-        """How fine the angles are that the dish prints, as its last reading showed."""
-        self.on_busy: Callable[[], None] = lambda: None
-        """Told when the dish leaves the command of a move unanswered, and may be waiting for a motor that runs."""
-        self.permit: Callable[[], None] | None = None
-        """Asked, with writing locked, just before a line that moves the dish; raises to keep it from going out."""
+    _link: Link | None = None
+    _console: Console | None = None
+    printed_deg: float = 0.01
+    """How fine the angles are that the dish prints, as its last reading showed."""
+    on_busy: Callable[[], None] = staticmethod(_nothing)
+    """Told when the dish leaves the command of a move unanswered, and may be waiting for a motor that runs."""
+    permit: Callable[[], None] | None = None
+    """Asked, with writing locked, just before a line that moves the dish; raises to keep it from going out."""
 
     @property
     def console(self) -> Console:
@@ -158,9 +167,10 @@ class FirmwareProtocol(ABC):
         """
         return self._once(lambda: self._read_position(busy_s))
 
-    @abstractmethod
     def _read_position(self, busy_s: float) -> Position:
-        """Ask once where the dish is."""
+        """Ask `a` once in the motor menu, and read either form that this family prints."""
+        self.enter_motor_menu()
+        return position_in(self.console.exchange("a", busy_s=busy_s).lines)
 
     @staticmethod
     def _once(read: Callable[[], Position]) -> Position:
@@ -211,16 +221,19 @@ class FirmwareProtocol(ABC):
         """Read where the dish is as `read_position`, within such a stream: NoReply (`late`) as `steer_motor`."""
         return self.read_position()
 
-    @abstractmethod
     def _send_move(self, motor_id: int, degrees: float, busy_s: float) -> Taken:
-        """Send the move of one axis that the gate has let through."""
+        """Send `a <motor> <degrees>` in the motor menu. What it answers is not known: only the position tells."""
+        self.enter_motor_menu()
+        line = _move_line(motor_id, degrees)
+        reply = self.console.exchange(line, busy_s=busy_s, permit=self.permit)
+        return Taken(sure=False, said=" / ".join(reply.lines), took_s=self.console.took_s)
 
-    @abstractmethod
     def stop_lines(self, az_deg: float, el_deg: float) -> tuple[str, ...]:
-        """Return the console lines that bring the moving axes to rest at these angles.
+        """Return the console lines that may bring the moving axes to rest at these angles: new targets.
 
         Empty on a firmware that does not take a new target before the move is over.
         """
+        return _move_line(MOTOR_AZIMUTH, az_deg), _move_line(MOTOR_ELEVATION, el_deg)
 
     def abort_lines(self) -> tuple[str, ...]:
         """Return what ends a silent slew at once; empty on a firmware without one."""
@@ -317,8 +330,13 @@ class FirmwareProtocol(ABC):
         """End the firmware's automatic TV search, as far as this firmware can: see `Facts.search_switch`."""
 
 
+def _move_line(motor_id: int, degrees: float) -> str:
+    return f"a {motor_id} {angle_text(degrees)}"
+
+
 @as_rotator.register
 def _(machine: FirmwareProtocol) -> Rotator:
+    from birdcage.protocol.documented import DocumentedRotator, keeps_to_the_document
     from birdcage.protocol.menu_rotator import MenuRotator
 
-    return MenuRotator(machine)
+    return DocumentedRotator(machine) if keeps_to_the_document(machine) else MenuRotator(machine)

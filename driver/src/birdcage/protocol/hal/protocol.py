@@ -9,6 +9,7 @@ from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused, PositionUnknown
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.raw import Typed
+from birdcage.protocol.family import angle_text
 from birdcage.protocol.hal.answers import parse_position, parse_setting
 from birdcage.protocol.hal.boot import BootWatch
 from birdcage.protocol.hal.commands import COMMANDS
@@ -47,7 +48,6 @@ class HAL205Protocol(FirmwareProtocol):
     log_marks: ClassVar[tuple[str, ...]] = boot_marks
 
     def __init__(self) -> None:
-        super().__init__()
         self._slew: Typed | None = None
         self._boot = BootWatch(self.boot_marks)
         self._hear: Callable[[str], None] = lambda _text: None
@@ -106,7 +106,7 @@ class HAL205Protocol(FirmwareProtocol):
 
     def _send_move(self, motor_id: int, degrees: float, busy_s: float) -> Taken:
         # What it answers no source tells: all that is no refusal counts as taken.
-        line = f"a {motor_id} {_text(degrees)}"
+        line = f"a {motor_id} {angle_text(degrees)}"
         reply = self.console.run(MOTOR, line, takes_s=max(busy_s, _QUEUED_S), permit=self.permit)
         return Taken(sure=True, said=" / ".join(reply.lines), took_s=self.console.took_s)
 
@@ -124,7 +124,7 @@ class HAL205Protocol(FirmwareProtocol):
             raise CommandRefused(
                 "The dish did not report its skew, which a combined move needs. Nothing was sent.", reason="unsupported"
             )
-        line = f"g {_text(az_deg)} {_text(el_deg)} {_text(skew_deg)}"
+        line = f"g {angle_text(az_deg)} {angle_text(el_deg)} {angle_text(skew_deg)}"
         self.console.enter(MOTOR)
         self._slew = self.console.type_line(line, takes_s=_SLEW_S, permit=self.permit)
 
@@ -200,7 +200,3 @@ class HAL205Protocol(FirmwareProtocol):
             "The Trav'ler has no command that begins its TV search: it begins by itself at the next power-up.",
             reason="unsupported",
         )
-
-
-def _text(degrees: float) -> str:
-    return f"{degrees:.2f}".replace("-0.00", "0.00")

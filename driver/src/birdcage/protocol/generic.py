@@ -1,0 +1,108 @@
+"""What is assumed of a dish of which nothing is known but that its console is of this family.
+
+A subclass of `FirmwareProtocol` has this until it says better: `model` and `dialect` are class attributes.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from birdcage.base.errors import PositionUnknown
+from birdcage.console.dialect import UNKNOWN_TOKEN, ConsoleDialect
+from birdcage.protocol.family import AXIS_NAMES, MOTOR_TROUBLES
+from birdcage.protocol.unhomed import is_unhomed, unreadable
+from birdcage.rotator.axis import Axis
+from birdcage.rotator.facts import Facts, SearchSwitch, SecondMove, Turn
+from birdcage.rotator.ladder import POWER_SWITCH, Rung
+from birdcage.rotator.values import Position
+
+_ASSUMED_SPEED_DEG_S = 5.0
+_ASSUMED_ACCELERATION_DEG_S2 = 5.0
+"""Slower than any dish whose speed was measured, so that no motion is thought to be over before it is."""
+_STEP_DEG = 0.01
+"""As its console takes angles."""
+
+GENERIC_FACTS = Facts(
+    name="dish",
+    firmware="generic",
+    baud=57600,
+    azimuth=Axis(0, "azimuth", 0.0, 360.0, _ASSUMED_SPEED_DEG_S, _ASSUMED_ACCELERATION_DEG_S2, _STEP_DEG),
+    elevation=Axis(1, "elevation", 15.0, 90.0, _ASSUMED_SPEED_DEG_S, _ASSUMED_ACCELERATION_DEG_S2, _STEP_DEG),
+    cable=None,
+    turn=Turn.UNKNOWN,
+    second_same=SecondMove.UNKNOWN,
+    second_other=SecondMove.UNKNOWN,
+    stop_ladder=(
+        Rung("retarget", proven=False, sentence="a new target just ahead of the dish; no stop is known for it"),
+        Rung("end of move", proven=True, sentence="it stops at its target"),
+        POWER_SWITCH,
+    ),
+    slew=None,
+    search_switch=SearchSwitch.UNTIL_POWER_UP,
+    homing_s=None,
+    homing_stoppable=False,
+    boot_s=900.0,
+    has_motor_power=False,
+    has_speeds=False,
+    has_rssi=False,
+    has_nvs=False,
+    has_stow=False,
+    position_reported=True,
+    power_switch="power switch",
+)
+"""Ranges, floor and baud are the defaults of the public API (document 003); its boot is as long as the longest of the
+family. No cable range is known: whoever knows of one sets it in `model`, or in the settings."""
+
+GENERIC_DIALECT = ConsoleDialect(
+    troubles=MOTOR_TROUBLES,
+    axis_names=AXIS_NAMES,
+    prompts=dict.fromkeys(("root", "mot", "motor", "nvs"), UNKNOWN_TOKEN),
+    root_marks=frozenset({"nvs"}),
+    root_hints=frozenset({"mot", "motor", "nvs", "os", "reboot", "stow"}),
+    submenu_marks={"mot": frozenset({"a", "g"}), "motor": frozenset({"a", "g"}), "nvs": frozenset({"d", "e", "s"})},
+    refusals=(
+        (re.compile(r"\b(invalid|unknown|unrecognized|bad) command\b", re.IGNORECASE), "unknown_command"),
+        (
+            re.compile(r"\b(invalid|bad|illegal)\b.*\b(parameter|argument|value|motor|angle)\b", re.IGNORECASE),
+            "bad_parameter",
+        ),
+        (re.compile(r"\b(out of range|outside|limit exceeded)\b", re.IGNORECASE), "bad_parameter"),
+        (
+            re.compile(r"^\s*(error|failed)\b|\bSTALLED\b|\bHome Failure\b|\bnot (calibrated|homed)\b", re.IGNORECASE),
+            "failed",
+        ),
+    ),
+)
+"""Its prompts are learnt. The menus are those that two consoles of the family or more have; each root lists `nvs`."""
+
+_ANGLE = re.compile(
+    r"(?:\b(AZ|EL|(SK)) =\s+|\bAngle\[([012])\]\s*=\s*)([-+]?\d+(?:\.\d+)?)(?!\S)(?(2)|(?=\s+[A-Za-z]|\s*$))"
+)
+"""`AZ = 180.00 EL = 45.00 SK = 90.00`, on one line or more, or `Angle[0] = 180.00` for each axis.
+
+What no word follows, noise has cut in two; after the skew a number may follow as it is.
+"""
+_LABELS = {"AZ": 0, "EL": 1, "SK": 2, "0": 0, "1": 1, "2": 2}
+_PLAUSIBLE = (-720.0, 720.0), (-90.0, 180.0), (-360.0, 360.0)
+"""Wider than any dish turns: what lies outside is a misread number, not an angle."""
+
+
+def position_in(lines: Iterable[str]) -> Position:
+    """Return the angles that `a` printed, in either form of the family; skew None if none was printed.
+
+    PositionUnknown (`unhomed`) for an axis that does not know where it is, UnreadablePosition unless azimuth and
+    elevation were printed as angles.
+    """
+    printed = tuple(lines)
+    angles: dict[int, float] = {}
+    for match in _ANGLE.finditer(" ".join(printed)):
+        angles.setdefault(_LABELS[match[1] or match[3]], float(match[4]))
+    if any(map(is_unhomed, angles.values())):
+        raise PositionUnknown("The dish is not homed, so it does not know where it points.", reason="unhomed")
+    plausible = all(low <= angles.get(axis, 0.0) <= high for axis, (low, high) in enumerate(_PLAUSIBLE))
+    if not plausible or not {0, 1} <= set(angles):
+        raise unreadable(
+            f"The dish answered `a` with {' / '.join(printed)!r}, not with an azimuth and an elevation.", printed
+        )
+    return Position(angles[0], angles[1], angles.get(2))
