@@ -18,6 +18,7 @@ def _load(name: str):
 
 
 bench, scripted = _load("bench"), _load("scripted")
+nested = _load("nested")
 
 
 @pytest.fixture

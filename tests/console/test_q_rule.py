@@ -9,7 +9,7 @@ import pytest
 from birdcage.sim.port import open_port
 from hypothesis import HealthCheck, Phase, given, seed, settings
 
-bench, scripted = sys.modules["console_bench"], sys.modules["console_scripted"]
+bench, scripted, nested = (sys.modules[f"console_{name}"] for name in ("bench", "scripted", "nested"))
 
 
 def count_lines(port) -> list[int]:
@@ -47,22 +47,33 @@ def drive_simulator(steps, to_dish, to_host, address="g2?root_q=kill", **dialect
     return drive(port, clock, steps, lanes, lambda: port.dish.truth().shell_alive, **dialect)
 
 
-def drive_scripted(steps, to_dish, to_host, dialect=bench.DIALECT, **script) -> int:
+def drive_scripted(
+    steps, to_dish, to_host, dialect=bench.DIALECT, make=scripted.Dish, names=None, **script
+) -> int:  # fmt: skip
     clock, lanes = bench.NudgingClock(), (bench.Faults(to_dish), bench.Faults(to_host))
-    dish = scripted.Dish(clock, **script)
+    dish = make(clock, **script)
     dish.in_fault, dish.out_fault = lanes[0].scripted, lanes[1].scripted
 
     def alive() -> bool:
         dish.pending()
         return dish.alive
 
-    return drive(dish, clock, steps, lanes, alive, dialect)
+    return drive(dish, clock, steps, lanes, alive, dialect, names)
 
 
 SCRIPTS = {
     "named": {"dialect": bench.LEARNT, "help_of": scripted.HELP_OF},
     "alike": {"dialect": bench.LEARNT, "help_of": scripted.HELP_OF, "prompts": scripted.ALIKE},
 }
+NESTED_NAMES = {"dvb": "odu", "agc": "?"}
+"""What the drawn steps mean where menus lie in a menu."""
+NESTED = {
+    "nested": {"dialect": nested.KNOWN},
+    "nested learnt": {"dialect": nested.LEARNT},
+    "nested alike": {"dialect": nested.LEARNT, "prompts": nested.ALIKE},
+}
+for _script in NESTED.values():
+    _script.update(make=nested.Dish, names=NESTED_NAMES)
 LEARNT_SIMULATORS = [f"hal205?root_q=kill&prompts={prompts}" for prompts in ("named", "alike")]
 """Where prompts are learnt: decision 0010."""
 
@@ -97,6 +108,13 @@ def test_no_q_reaches_a_scripted_root_whose_prompt_was_learnt(script, steps, to_
     drive_scripted(steps, to_dish, to_host, **SCRIPTS[script])
 
 
+@pytest.mark.parametrize("script", NESTED)
+@BRIEF
+@drawn
+def test_no_q_reaches_the_root_below_which_menus_are_two_deep(script, steps, to_dish, to_host):
+    drive_scripted(steps, to_dish, to_host, **NESTED[script])
+
+
 @pytest.mark.parametrize("address", LEARNT_SIMULATORS)
 @BRIEF
 @drawn
@@ -107,7 +125,7 @@ def test_no_q_reaches_the_root_of_a_simulated_travler(address, steps, to_dish, t
 DISHES = {
     "g2": drive_simulator,
     "scripted": drive_scripted,
-    **{f"scripted {name}": partial(drive_scripted, **script) for name, script in SCRIPTS.items()},
+    **{f"scripted {name}": partial(drive_scripted, **script) for name, script in (SCRIPTS | NESTED).items()},
     **{
         address: partial(drive_simulator, address=address, dialect=bench.HAL, names=bench.HAL_NAMES)
         for address in LEARNT_SIMULATORS

@@ -19,7 +19,12 @@ class ConsoleDialect:
     prompts: Mapping[str, str]
     """Menu name to prompt token: `{"root": "TRK>", "mot": "MOT>"}`. Submenus are entered by their name.
 
-    All tokens are known, or all are `UNKNOWN_TOKEN`: then they are learnt, and may be alike.
+    All tokens are known, and differ; or all are `UNKNOWN_TOKEN`: then they are learnt, and may be alike.
+    """
+    parents: Mapping[str, str] = field(default_factory=dict)
+    """By menu, the one that it is entered in and left to, where that is not the root: `{"mot": "odu"}`.
+
+    Where prompts are learnt, such a menu has `submenu_marks` that its parent does not list.
     """
     root: str = "root"
     leave: str = "q"
@@ -53,6 +58,37 @@ class ConsoleDialect:
             if found := pattern.search(text):
                 return MotorTrouble(self.axis_names[found["axis"].upper()], homing, text.strip())
         return None
+
+    def __post_init__(self) -> None:
+        """Raise ValueError where a menu has no way to the root."""
+        for menu in self.parents:
+            if not {menu, self.parents[menu]} <= set(self.prompts) or not self.path(menu):
+                raise ValueError(f"menu {menu!r} does not lead to the root")
+
+    def parent(self, menu: str) -> str:
+        """Return the menu that a submenu is left to."""
+        return self.parents.get(menu, self.root)
+
+    def path(self, menu: str) -> tuple[str, ...]:
+        """Return the menus to enter one after the other on the way from the root; empty for the root itself.
+
+        Also where the menus go round in a circle.
+        """
+        path: tuple[str, ...] = ()
+        while menu != self.root:
+            if menu in path:
+                return ()
+            path, menu = (menu, *path), self.parent(menu)
+        return path
+
+    @property
+    def depth(self) -> int:
+        """How many menus lie in one another below the root, at most."""
+        return max(len(self.path(menu)) for menu in (*self.prompts, ""))
+
+    def may_hold_menus(self, menu: str) -> bool:
+        """Return whether others may be entered in a menu, which may be one that goes by no name."""
+        return menu == self.root or menu in self.parents.values() or (bool(self.parents) and menu not in self.prompts)
 
     @property
     def learnt(self) -> bool:

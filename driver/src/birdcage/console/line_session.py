@@ -163,7 +163,7 @@ class LineSession:
         return b"".join(line.encode("ascii") + self.dialect.line_end for line in lines)
 
     def _clear(self) -> None:
-        """Hear what an earlier request may still bring, so that it is not taken for the answer to the next."""
+        """Hear what an earlier request may still bring, or it would be taken for the answer to the next."""
         self.take_in()
         while self.clock.monotonic() < self._doubt_until and self._pump(self._doubt_until):
             pass

@@ -97,9 +97,22 @@ class Places:
         self._tokens[self._dialect.root] = token
 
     def is_told_by(self, token: str, menu: str) -> bool:
-        """Return whether this prompt is the one of `menu`, and surely not the root's."""
-        root = self._tokens.get(self._dialect.root)
-        return root is not None and token != root and self._tokens.get(menu) == token
+        """Return whether this prompt is the one of `menu`, and surely neither the root's nor its parent's."""
+        above = {self._tokens.get(self._dialect.root), self._tokens.get(self._dialect.parent(menu))}
+        return None not in above and token not in above and self._tokens.get(menu) == token
+
+    def was_entered(self, menu: str, now: str) -> bool:
+        """Return whether the submenu `now`, which was just judged, is the one that its parent was left for.
+
+        From the root any submenu is. One below another must list its documented commands, and not mostly the parent's.
+        """
+        dialect = self._dialect
+        if now == dialect.root or dialect.parent(menu) == dialect.root:
+            return now != dialect.root
+        above = self._listed.get(dialect.parent(menu), frozenset())
+        return now == menu or (
+            now == SUBMENU and self.may_be(menu) and 2 * len(above & self._judged) <= len(above | self._judged)
+        )
 
     def _is_submenu(self, words: frozenset[str], listed: frozenset[str]) -> bool:
         """Return whether this is surely not the root's help, whole or with bytes lost."""

@@ -16,9 +16,6 @@ from birdcage.console.learner import SETTLE_S
 from birdcage.console.raw import Typed
 from birdcage.console.talker import Talker
 
-_LEAVING = 3
-"""Round trips that leaving a menu may take, one more than it has."""
-
 
 class Console(Talker):
     """A session with a text console. Synchronous; one thread, except for `interject`.
@@ -183,32 +180,36 @@ class Console(Talker):
             )
 
     def enter(self, menu: str) -> None:
-        """Go to `menu`, by way of the root when the dish is in another; nothing is sent when it is there already."""
+        """Go to `menu`, by way of the one that it shares with where the dish is; nothing is sent when it is there."""
         if menu not in self.dialect.prompts:
             raise CommandRefused(f"This firmware has no menu `{menu}`.", reason="wrong_menu")
         self._resume()
         if self.menu == menu or self._is_proven(menu):
             return
-        if self.menu != self.dialect.root:
-            self.leave()
-        if menu == self.dialect.root:
-            return
-        self._go(menu)
+        way = (self.dialect.root, *self.dialect.path(menu))
+        for step in way[way.index(self._leave_until(way)) + 1 :]:
+            self._go(step)
 
     def leave(self) -> None:
-        """Go back to the root menu; nothing happens when the dish is there.
+        """Go back to the root menu, menu by menu; nothing happens when the dish is there.
 
-        `q` goes out only after a bare Enter has shown a submenu, with everything sent before accounted for.
+        Each `q` goes out only after a bare Enter has shown a submenu, with everything sent before accounted for.
         """
+        self._leave_until((self.dialect.root,))
+
+    def leave_one(self) -> str:
+        """Go back to the menu above the present one, as `leave`, and return where the dish is then."""
         self._resume()
-        if self.menu == self.dialect.root or self._prove_submenu() == self.dialect.root:
-            return
-        before = self._wire.doubt_until
-        now = self._quit()
-        if now != self.dialect.root:
-            self._wire.lost = True
-            raise NoReply(f"The dish answered `{self.dialect.leave}` but stayed in menu `{now}`.", reason="blocked")
-        self._wire.trust_root(before)
+        return self.dialect.root if self.menu == self.dialect.root else self._leave_one()
+
+    def _leave_until(self, there: Sequence[str]) -> str:
+        """Leave menus until the dish is in one of these, the root among them; return which."""
+        now = self.find_menu()
+        for _ in range(self.dialect.depth + 1):
+            if now in there:
+                return now
+            now = self._leave_one()
+        raise NoReply(f"The dish is still in menu `{now}`, though each above it was left.", reason="blocked")
 
     def clear_up(self) -> bool:
         """Account at once for whatever may be under way, where the console allows it; return whether it is `in_step`.
@@ -226,7 +227,9 @@ class Console(Talker):
         wire = self._wire
         self._limit = self.clock.monotonic() + within_s
         # Enter and `q` take a round trip each: what is left unanswered would answer the next program's first lines.
-        too_slow = _LEAVING * (self._round_trip_s or 0.0) > within_s
+        menu = self.menu or ""
+        menus = len(self.dialect.path(menu)) if menu in self.dialect.prompts else self.dialect.depth
+        too_slow = (1 + 2 * max(menus, 1)) * (self._round_trip_s or 0.0) > within_s
         if too_slow or (not self.in_step and wire.quiet_at(strictly=True) >= self._limit):
             self._limit = None
             return False

@@ -174,7 +174,7 @@ class Talker:
         )
 
     def _go(self, menu: str) -> None:
-        """Go from the root to a submenu, and make sure of it."""
+        """Go from the menu above it to a submenu, and make sure of it."""
         reply = self._learner.ask(menu, self._limit) if self.dialect.learnt else self._transact(menu)
         refusal = self.refusal(reply)
         if refusal is not None:
@@ -184,7 +184,7 @@ class Talker:
             if not self._places.is_told_by(reply.token, menu):
                 self._wire.menu = None
                 now = self._look()
-                if now != self.dialect.root:
+                if self._places.was_entered(menu, now):
                     self._places.entered(menu, reply.token)
                     now = menu
             else:
@@ -205,6 +205,20 @@ class Talker:
         self._wire.menu = menu
         return True
 
+    def _leave_one(self) -> str:
+        """Leave the present submenu, proven first, and return the menu that the dish is in then."""
+        dialect, menu = self.dialect, self._prove_submenu()
+        if menu == dialect.root:
+            return menu
+        before = self._wire.doubt_until
+        now = self._quit()
+        if now in (dialect.root, dialect.parent(menu)):
+            self._wire.trust_left(before)  # only a `q` leads there: it was carried out
+        elif menu in dialect.prompts or not dialect.parents:
+            self._wire.lost = True
+            raise NoReply(f"The dish answered `{dialect.leave}` but stayed in menu `{now}`.", reason="blocked")
+        return now
+
     def _quit(self) -> str:
         """Leave a proven submenu, and return the menu that the dish is in then."""
         if not self.dialect.learnt:
@@ -217,7 +231,9 @@ class Talker:
         """Return whether after this line only help tells the menu, as prompts may be alike."""
         if not self.dialect.learnt:
             return False
-        return self.dialect.may_leave(line) or (self.menu == self.dialect.root and line.strip() not in ("", HELP))
+        return self.dialect.may_leave(line) or (
+            self.menu is not None and self.dialect.may_hold_menus(self.menu) and line.strip() not in ("", HELP)
+        )
 
     def _clear_up(self) -> bool:
         """Have all that is under way accounted for at once, by a mark; return whether that went well (decision 0026).

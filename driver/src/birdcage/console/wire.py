@@ -130,8 +130,8 @@ class Wire:
             self.doubt(self.last_sent + 2 * self.delay_s)
             self._put(self.dialect.line_end)
 
-    def trust_root(self, before: float | None) -> None:
-        """Take back the doubt that a `q` brought, once the root prompt came; any other doubt stays."""
+    def trust_left(self, before: float | None) -> None:
+        """Take back the doubt that a `q` brought, once the menu that it leads to has shown; any other doubt stays."""
         with self._lock:
             if self.doubt_until == self._hazard_doubt:
                 self.doubt_until = before

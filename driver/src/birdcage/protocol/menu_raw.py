@@ -66,10 +66,9 @@ class MenuRaw:
         return line.strip().lower() == dialect.leave and place != dialect.root
 
     def leave(self) -> RawAnswer:
-        """Leave the submenu, proven first."""
+        """Leave the submenu, proven first, for the one above it."""
         console = self._protocol.console
-        console.leave()
-        return RawAnswer((), console.dialect.root, console.prompt)
+        return RawAnswer((), console.leave_one(), console.prompt)
 
     def type_line(self, line: str, place: str | None, *, takes_s: float, confirmed: Grade, permit: Permit) -> MenuTyped:
         """Send a line; what could leave a menu goes out at the root only where it was confirmed as what can ruin."""
