@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import pytest
+from birdcage.detection.probe import USUAL_BAUDS, BaudFinding, Saw
 from birdcage.setup.causes import Case, describe, find_causes
-from birdcage.station.finding import USUAL_BAUDS, BaudFinding, Saw
 from birdcage.station.known import PortInfo, SystemFacts
 from birdcage.station.state import Link, LinkState
 

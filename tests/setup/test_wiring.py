@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import pytest
+from birdcage.detection.probe import Saw
 from birdcage.setup.wiring import CAUTIONS, connector, connectors, spoken_behind, symptoms
 from birdcage.setup.wiring_text import adapter_lines, drawing_lines, wiring_lines
-from birdcage.station.finding import Saw
 
 
 def test_the_g2_as_drawn_top_to_bottom():

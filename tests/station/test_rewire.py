@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 from birdcage.base.errors import BirdcageError, LinkError, Stopped
-from birdcage.console import probe as module
+from birdcage.detection import probe as module
+from birdcage.detection.probe import USUAL_BAUDS, Saw
 from birdcage.station.events import LinkChanged
-from birdcage.station.finding import USUAL_BAUDS, Saw
 from birdcage.station.requests import Connect, Goto, Jog, ProbePort
 from birdcage.station.state import Link, Search
 

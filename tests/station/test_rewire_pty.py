@@ -10,12 +10,12 @@ from birdcage.base.clock import RealClock
 from birdcage.base.config import LinkSettings, Settings
 from birdcage.base.paths import Paths
 from birdcage.base.wake import Wake
+from birdcage.detection.probe import Saw
 from birdcage.setup.causes import Case, find_causes
 from birdcage.sim.port import open_device
 from birdcage.sim.pty import PtyChannel
 from birdcage.sim.server import Server
 from birdcage.station.build import open_session
-from birdcage.station.finding import Saw
 from birdcage.station.known import look_at_system
 from birdcage.station.requests import Connect, ProbePort
 from birdcage.station.state import Link

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from birdcage.base.config import Settings
+from birdcage.detection.probe import BaudFinding, Saw
 from birdcage.setup.case import Case
 from birdcage.setup.causes import find_causes
 from birdcage.setup.step import AreaNotClear, Choice, Field, Mark, NoSuchChoice, StepView
-from birdcage.station.finding import BaudFinding, Saw
 from birdcage.station.known import PortInfo, SystemFacts
 from birdcage.station.state import Link, LinkState
 

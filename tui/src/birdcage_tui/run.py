@@ -275,7 +275,7 @@ def _detect(port: str, baud: int | None) -> str | None:
     """
     if not port:
         return None
-    from birdcage.station.detecting import detect_firmware
+    from birdcage.detection.detecting import detect_firmware
 
     return detect_firmware(port, RealClock(), baud=baud, tell=lambda words: print(words, file=sys.stderr)).firmware
 

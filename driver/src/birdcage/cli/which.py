@@ -12,7 +12,7 @@ from birdcage.cli.options import Wanted
 from birdcage.cli.say import Progress, say
 
 if TYPE_CHECKING:
-    from birdcage.station.detecting import Detection
+    from birdcage.detection.detecting import Detection
 
 
 def with_firmware(dish: Wanted, *, clock: Clock | None = None, patience_s: float = 0.0) -> Wanted:
@@ -43,7 +43,7 @@ def with_firmware(dish: Wanted, *, clock: Clock | None = None, patience_s: float
 
 def ask_port(dish: Wanted, clock: Clock, *, log: bool = True, tell: Callable[[str], None] | None = None) -> Detection:
     """Ask the port which firmware answers, at the rate of the named one first."""
-    from birdcage.station.detecting import LOG_S, detect_firmware
+    from birdcage.detection.detecting import LOG_S, detect_firmware
 
     progress = Progress()
     first = dish.named_model

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from birdcage.station.finding import BaudFinding, Saw
+from birdcage.detection.probe import BaudFinding, Saw
 from birdcage.station.known import PortInfo, SystemFacts, has_speed
 from birdcage.station.state import LinkState
 

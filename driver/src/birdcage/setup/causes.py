@@ -6,9 +6,9 @@ What each observation speaks for is in the reference, sections 1.1 (swapped pair
 
 from __future__ import annotations
 
+from birdcage.detection.probe import Saw
 from birdcage.setup import wire_causes as wire
 from birdcage.setup.case import Case, Cause, describe
-from birdcage.station.finding import Saw
 from birdcage.station.known import Hindrance
 from birdcage.station.state import Link
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from birdcage.detection.probe import BaudFinding, Saw
 from birdcage.setup.case import Case, Cause
-from birdcage.station.finding import BaudFinding, Saw
 
 RATES_NAMED = 3
 """Rates that are listed one by one; of more, their number is told."""

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from birdcage.detection.probe import Saw
 from birdcage.rotator.wiring import Adapter, Connector, Drawing, Pin
-from birdcage.station.finding import Saw
 from birdcage.station.known import list_models, model_of
 
 __all__ = [

@@ -7,9 +7,9 @@ from collections.abc import Callable, Iterable
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.errors import BirdcageError, LinkError, Stopped
 from birdcage.base.wake import Wake
-from birdcage.console.probe import USUAL_BAUDS, BaudFinding, Saw, probe
+from birdcage.detection.clues import known_tokens
+from birdcage.detection.probe import USUAL_BAUDS, BaudFinding, Saw, probe
 from birdcage.link.opening import has_speed
-from birdcage.protocol.recognise import known_tokens
 from birdcage.rotator.values import Survey
 from birdcage.station.board import Board
 from birdcage.station.connection import Connection

@@ -11,7 +11,7 @@ from birdcage.cli.options import flags, global_options, wanted
 
 if TYPE_CHECKING:
     from birdcage.cli.options import Wanted
-    from birdcage.station.detecting import Detection
+    from birdcage.detection.detecting import Detection
 
 
 @click.command("detect", epilog=exits.EPILOG)

@@ -10,7 +10,7 @@ from birdcage.cli import exits
 from birdcage.cli.options import Wanted, flags, global_options, wanted
 
 if TYPE_CHECKING:
-    from birdcage.station.detecting import Detection
+    from birdcage.detection.detecting import Detection
     from birdcage.station.ring import Owner
 
 BY = "birdcage stop"

@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from birdcage.base.config.edit import Value
+from birdcage.detection.detecting import heard_firmware
+from birdcage.detection.probe import BaudFinding, Saw
 from birdcage.setup.bench import Bench
 from birdcage.setup.case import Case, Cause, describe
 from birdcage.setup.causes import find_causes
@@ -13,8 +15,6 @@ from birdcage.setup.step import Choice, Field, Mark, NoSuchChoice
 from birdcage.setup.steps.base import Plan, Step
 from birdcage.setup.steps.firmware import OTHER, other_firmwares, speak_another
 from birdcage.setup.wiring import FOUR_WIRES
-from birdcage.station.detecting import heard_firmware
-from birdcage.station.finding import BaudFinding, Saw
 from birdcage.station.known import PortInfo, SystemFacts
 from birdcage.station.requests import Connect, ProbePort
 from birdcage.station.state import Activity, Link

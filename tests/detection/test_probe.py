@@ -8,9 +8,9 @@ import pytest
 from birdcage.base.clock import VirtualClock
 from birdcage.base.errors import Stopped
 from birdcage.base.wake import Wake
-from birdcage.console.probe import LISTEN_S, USUAL_BAUDS, BaudFinding, Saw, judge, probe
+from birdcage.detection.probe import LISTEN_S, USUAL_BAUDS, BaudFinding, Saw, judge, probe
 
-from .scripted import Dish
+from tests.console.scripted import Dish
 
 TOKENS = ("TRK>", "MOT>")
 

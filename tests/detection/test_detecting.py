@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from birdcage.base.clock import VirtualClock
 from birdcage.base.errors import LinkError
-from birdcage.console.probe import BaudFinding, Saw
+from birdcage.console.dialect import ConsoleDialect
+from birdcage.detection.detecting import detect_firmware, heard_firmware
+from birdcage.detection.probe import BaudFinding, Saw
 from birdcage.link.link import Link
+from birdcage.protocol.g2.model import CARRYOUT_G2
+from birdcage.protocol.registry import FIRMWARE_REGISTRY
 from birdcage.sim.port import SimPort, open_device
-from birdcage.station.detecting import detect_firmware, heard_firmware
 
 
 class Desk:
@@ -222,3 +227,33 @@ def test_another_device_is_never_taken_for_a_dish_and_gets_a_question_mark_only_
     assert set(device.sent) <= {b"\r", b"?\r"}
     if what not in ("tailgater", "kvh", "router"):
         assert set(device.sent) == {b"\r"}
+
+
+class Guest:
+    """Somebody else's dialect, found by entry point: what its class tells of its console is all that is asked."""
+
+    name = "guest"
+    model = replace(CARRYOUT_G2, name="Guest dish", firmware="guest", baud=19200)
+    dialect = ConsoleDialect(prompts={"root": "GO>"}, root_marks=frozenset({"azangle", "elangle"}))
+    motor_menu = "root"
+    log_marks = ("GuestOS",)
+
+
+class Mute:
+    """One that tells nothing of its console."""
+
+
+def test_somebody_elses_dialect_takes_part_by_its_marks_and_one_without_is_passed_over(monkeypatch) -> None:
+    monkeypatch.setitem(FIRMWARE_REGISTRY, "guest", Guest)
+    monkeypatch.setitem(FIRMWARE_REGISTRY, "mute", Mute)
+    rates: list[int] = []
+    device = Foreign(*FOREIGN["tailgater"])
+
+    def opening(_port: str, baud: int) -> Link:
+        rates.append(baud)
+        return device if baud == 19200 else Foreign(b"", {})
+
+    found = detect_firmware("/dev/ttyUSB0", VirtualClock(), open_port=opening)
+    assert (found.firmware, found.baud, rates) == ("guest", 19200, [115200, 57600, 19200])
+    assert found.sentence.startswith("/dev/ttyUSB0 is a Guest dish (guest): `?` lists `azangle`, `elangle`")
+    assert heard_firmware(found.findings[-1], "/dev/ttyUSB0") == "guest"

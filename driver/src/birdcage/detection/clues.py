@@ -3,14 +3,17 @@
 Each clue speaks *for* a firmware. What no clue speaks for is none of those that are spoken here: that a console is not
 one of them never makes it another. What a rate lets be read is no clue either, but a prompt counts only at the rate of
 its firmware, as other consoles may show the same.
+
+Every dialect that is found by entry point takes part, anybody's, with what its class tells of it: `model`, `dialect`,
+`motor_menu` and `log_marks` (see `FirmwareProtocol`). One that tells no console has to be named by a person.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from birdcage.console.probe import BaudFinding, Saw
+from birdcage.detection.probe import BaudFinding, Saw
 from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.protocol.registry import FIRMWARE_REGISTRY
 
@@ -28,10 +31,16 @@ class Clue:
     """`CERTAIN` where no other console is known to show it, else `LIKELY`."""
 
 
+def marked() -> Mapping[str, type[FirmwareProtocol]]:
+    """Return the dialects whose class tells how their console looks, by firmware."""
+    told = ("model", "dialect", "motor_menu")
+    return {name: each for name, each in FIRMWARE_REGISTRY.items() if all(hasattr(each, mark) for mark in told)}
+
+
 def clues_of(finding: BaudFinding, *, rate_counts: bool = True) -> tuple[Clue, ...]:
     """Return what in a finding speaks for which firmware; `rate_counts`: whether the port takes its rate from us."""
     found: list[Clue] = []
-    for name, protocol in FIRMWARE_REGISTRY.items():
+    for name, protocol in marked().items():
         own_rate = not rate_counts or finding.baud == protocol.model.baud
         at = f" at {finding.baud} baud" if rate_counts else ""
         found += [Clue(name, words, weight) for words, weight in _clues(finding, protocol, at, own_rate=own_rate)]
@@ -70,7 +79,7 @@ def _clues(
 
 def known_tokens() -> tuple[str, ...]:
     """Return every prompt that a firmware declares."""
-    return tuple(token for protocol in FIRMWARE_REGISTRY.values() for token in _tokens(protocol))
+    return tuple(token for protocol in marked().values() for token in _tokens(protocol))
 
 
 def _tokens(protocol: type[FirmwareProtocol]) -> tuple[str, ...]:

@@ -11,12 +11,12 @@ from dataclasses import dataclass
 
 from birdcage.base.clock import Clock
 from birdcage.base.errors import LinkError
-from birdcage.console.probe import BaudFinding, Saw, overhear, probe
+from birdcage.detection.clues import Clue, clues_of, firmwares_of, known_tokens, marked
+from birdcage.detection.probe import BaudFinding, Saw, overhear, probe
 from birdcage.link.link import Link
 from birdcage.link.opening import has_speed, open_link
-from birdcage.protocol.recognise import Clue, clues_of, firmwares_of, known_tokens
-from birdcage.protocol.registry import FIRMWARE_REGISTRY
-from birdcage.station.settings import OpenLink
+
+OpenLink = Callable[[str, int], Link]
 
 LOG_S = 5.5
 """How long a dish is listened to that shows no prompt: one that homes at power-up tells of it every few seconds."""
@@ -111,7 +111,7 @@ def _told(port: str, findings: list[BaudFinding], clues: tuple[Clue, ...], *, ti
     last = findings[-1]
     baud = last.baud if timed and clues else None
     if len(candidates) == 1:
-        name = FIRMWARE_REGISTRY[candidates[0]].model.name
+        name = marked()[candidates[0]].model.name
         why = "; ".join(clue.words for clue in clues if clue.firmware == candidates[0])
         sentence = f"{port} is a {name} ({candidates[0]}): {why}."
         return Detection(port, candidates[0], sentence, tuple(findings), clues, candidates, baud)
@@ -152,7 +152,7 @@ def _rate_of_log(findings: list[BaudFinding]) -> int | None:
     for each in findings:
         if each.saw is Saw.TEXT:
             return each.baud
-    longest = max(FIRMWARE_REGISTRY.values(), key=lambda protocol: protocol.model.boot_s).model.baud
+    longest = max(marked().values(), key=lambda protocol: protocol.model.boot_s).model.baud
     quiet = any(each.baud == longest and each.saw in (Saw.SILENCE, Saw.ECHO) for each in findings)
     return longest if quiet else None
 
@@ -170,5 +170,5 @@ def _opening(clock: Clock) -> OpenLink:
 
 def _rates(first: int | None) -> tuple[int, ...]:
     """Return the rate of each firmware once: `first`, then the fastest first."""
-    rates = sorted({each.model.baud for each in FIRMWARE_REGISTRY.values()}, reverse=True)
+    rates = sorted({each.model.baud for each in marked().values()}, reverse=True)
     return tuple(dict.fromkeys((*(() if first is None else (first,)), *rates)))

@@ -1,7 +1,7 @@
 """What one baud rate shows: one bare Enter, and a `?` where a prompt answers it.
 
 Nothing else is sent. At a wrong rate the dish takes the Enter for one or two other bytes; none of them is a `q`,
-whatever the pair of rates (tests/console/test_probe.py plays it through), and none ends a line. The `?`, which lists
+whatever the pair of rates (tests/detection/test_probe.py plays it through), and none ends a line. The `?`, which lists
 commands on all of these consoles and does nothing else (reference section 2.1), goes only where what answers ends in
 `>`: to a login, a shell or a modem it could mean something.
 """
