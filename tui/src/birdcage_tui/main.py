@@ -33,17 +33,27 @@ def parser() -> argparse.ArgumentParser:
             print(f"birdcage-tui {version('birdcage-tui')}")
             parser.exit()
 
+    class Help(argparse.Action):
+        """Prints the help; which machines there are is looked up only when it is asked for."""
+
+        def __call__(self, parser: argparse.ArgumentParser, *_given: object) -> None:
+            from birdcage.station.known import list_models
+
+            known = ", ".join(f"{model.firmware} ({model.name})" for model in list_models())
+            firmware.help = f"the dish's console: {known}; default: ask the dish".replace("%", "%%")
+            parser.print_help()
+            parser.exit()
+
     parse = argparse.ArgumentParser(
         prog="birdcage-tui",
         description="A ground station in a terminal: points, follows and listens with a dish.",
         epilog=EPILOG,
+        add_help=False,
     )
+    parse.add_argument("-h", "--help", action=Help, nargs=0, help="show this help and exit")
     parse.add_argument("--demo", action="store_true", help="use a simulated dish; your files stay untouched")
-    parse.add_argument("--port", help="serial port or URL: /dev/ttyUSB0, COM4, socket://host:port, sim:g2")
-    parse.add_argument(
-        "--firmware",
-        help="the dish's console: g2 (Carryout G2) or hal205 (Trav'ler with HAL 2.05); default: ask the dish",
-    )
+    parse.add_argument("--port", help="serial port or URL: /dev/ttyUSB0, COM4, socket://host:port, sim:NAME")
+    firmware = parse.add_argument("--firmware", help="the dish's console; default: ask the dish")
     parse.add_argument("--baud", type=int, help="baud rate; default: that of the dish")
     parse.add_argument("--speed", type=float, help="run the simulated dish this many times faster; only with --demo")
     parse.add_argument("--theme", choices=("dusk", "daylight", "night"), help="theme; T changes it in the app")

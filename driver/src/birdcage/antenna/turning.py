@@ -17,8 +17,8 @@ CLEAR_DEG = 1.0
 def borders(model: Facts) -> tuple[float, ...]:
     """Return the azimuths at which a dish may turn the other way round: north, and the stops of its cable.
 
-    At north, for a Trav'ler "usually crosses" it but sometimes turns round, and its cable ends at "usually 360 or 455"
-    (reference section 3); unknown of the others. Nowhere, where nothing winds up.
+    At north, for there is one that "usually crosses" it but sometimes turns round, and whose cable ends at "usually
+    360 or 455" (reference section 3); unknown of the others. Nowhere, where nothing winds up.
     """
     if model.cable is None:
         return ()

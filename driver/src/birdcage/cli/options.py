@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 DEFAULT_PORT = "/dev/ttyUSB0"
 DEFAULT_FIRMWARE = "hal205"
 """What is tried first without a named firmware, if nothing answers (document 003)."""
+DEMO_FIRMWARE = "g2"
+"""What is simulated unless something else is named: the dish that is known best."""
 ASKED = "as set, else the port is asked"
 NO_DISH = "as set, else none: no limits of a dish"
 

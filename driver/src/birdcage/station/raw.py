@@ -30,7 +30,7 @@ class RawReply:
     menu: str | None
     """None on a machine without menus."""
     prompt: str
-    """As the dish wrote it: `MOT>`; empty where it shows none."""
+    """As the dish wrote it; empty where it shows none."""
     took_s: float
     ended_by_key: bool = False
     """Whether it printed on until a bare Enter ended it."""

@@ -10,7 +10,7 @@ import click
 
 from birdcage.cli import exits
 from birdcage.cli.known_satellites import find_elements
-from birdcage.cli.options import NO_DISH, flags, global_options, wanted
+from birdcage.cli.options import DEMO_FIRMWARE, NO_DISH, flags, global_options, wanted
 from birdcage.cli.sky_options import UTC_TIME, at_option, elements_option, find_observer, observer_options
 
 if TYPE_CHECKING:
@@ -94,7 +94,7 @@ def _engage(wants: Wanted, observer: Observer, until: datetime | None, speed: fl
     from birdcage.sky.watch_source import read_catalogue
 
     if speed is not None and not wants.port.startswith("sim:"):
-        raise click.UsageError("--speed is for a simulated dish only. Give --port sim:g2 with it.")
+        raise click.UsageError(f"--speed is for a simulated dish only. Give --port sim:{DEMO_FIRMWARE} with it.")
     _favourites(read_catalogue(wants.paths.catalogue), from_file=False)
     with open_dish(wants, moves=True, clock=RealClock() if speed is None else ScaledClock(speed)) as dish:
         run_autotrack(dish, wants, observer, until, as_json=flags().json)

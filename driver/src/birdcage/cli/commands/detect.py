@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 def command(context: click.Context) -> None:
     """Find out which firmware answers on the port, and how that shows.
 
-    Sends one bare Enter at each usual speed, and `?` where a prompt answers. Nothing moves; a combined move of a
-    Trav'ler that is under way ends by the first byte. No program that drives the dish is disturbed: its port is busy.
+    Sends one bare Enter at each usual speed, and `?` where a prompt answers. Nothing moves; a combined move
+    that is under way may end by the first byte. No program that drives the dish is disturbed: its port is busy.
     """
     from birdcage.base.clock import RealClock
     from birdcage.cli.say import say, tell, tell_json

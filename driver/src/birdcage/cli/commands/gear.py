@@ -17,7 +17,7 @@ def command(play_az: float | None, play_el: float | None, forget: bool) -> None:
     """Show this dish's play and overshoot, set the play, or forget both.
 
     birdcage learns by itself how far past its target an axis comes to rest. It can't measure play, and corrects
-    nothing until both are known. Sources have 0.02 to 0.06 degrees for a Carryout G2.
+    nothing until both are known. Sources have 0.02 to 0.06 degrees for one kind of dish.
 
     To measure the play: find a strong geostationary satellite, and the angle at which its signal is half-way down one
     side. Go there from 2 degrees below and from 2 degrees above, in small steps. Compare `birdcage pos` where the
@@ -45,7 +45,7 @@ def command(play_az: float | None, play_el: float | None, forget: bool) -> None:
         file.forget()
     elif not (play_az is None and play_el is None):
         if file.firmware is None:
-            raise ConfigError("Name the firmware, for example --firmware g2. `birdcage detect` tells.")
+            raise ConfigError("Name the firmware with --firmware. `birdcage detect` tells which it is.")
         file.set_play(play_az, play_el, datetime.now(UTC))
     gear = file.read()
     if flags().json:

@@ -8,10 +8,7 @@ from pathlib import Path
 import click
 
 from birdcage.cli.exits import EPILOG
-from birdcage.cli.options import flags, global_options
-
-FIRMWARE = "g2"
-"""What is simulated unless something else is named: the dish that is known best."""
+from birdcage.cli.options import DEMO_FIRMWARE, flags, global_options
 
 
 @click.command("sim", epilog=EPILOG)
@@ -27,7 +24,7 @@ FIRMWARE = "g2"
               help="Serve a receiver beside it, too, as rigctld does; 0: at any free port.")  # fmt: skip
 @click.option("--beacons", type=click.Path(path_type=Path), help="What that receiver hears: a JSON file.")
 @click.option("-o", "options", metavar="KEY=VALUE", multiple=True, help="A setting of the simulated dish; repeatable.")
-@global_options("firmware", "json", "verbose", firmware=FIRMWARE)
+@global_options("firmware", "json", "verbose", firmware=DEMO_FIRMWARE)
 @click.pass_context
 def command(
     context: click.Context, speed: float, seed: int, unhomed: bool, boot: bool, pace_baud: int, link: Path | None,
@@ -50,7 +47,7 @@ def command(
     pairs = dict(_pair(option) for option in options)
     try:
         status = run_simulator(
-            given.get("firmware") or os.environ.get("BIRDCAGE_FIRMWARE") or FIRMWARE,
+            given.get("firmware") or os.environ.get("BIRDCAGE_FIRMWARE") or DEMO_FIRMWARE,
             speed=speed, seed=seed, unhomed=unhomed, boot=boot, pace_baud=pace_baud, link=link, tcp=tcp,
             json=given.json, options=pairs, rig=rig, beacons=beacons,
         )  # fmt: skip

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal
 import click
 
 from birdcage.cli.exits import EPILOG
-from birdcage.cli.options import flags, global_options
+from birdcage.cli.options import DEMO_FIRMWARE, flags, global_options
 from birdcage.cli.sky_options import (
     FREQUENCY,
     NEGATIVE_NUMBERS,
@@ -84,7 +84,7 @@ def command(
         raise click.UsageError("--until, --controller and --speed go with --engage.")
     wants = wanted()
     if speed is not None and not wants.port.startswith("sim:"):
-        raise click.UsageError("--speed is for a simulated dish only. Give --port sim:g2 with it.")
+        raise click.UsageError(f"--speed is for a simulated dish only. Give --port sim:{DEMO_FIRMWARE} with it.")
     observer = find_observer(wants.settings, lat, lon, alt)
     meant = find_target(target, wants.paths, elements, say).target
     text = " ".join(target)

@@ -38,7 +38,7 @@ class Latency:
 
     The console is one thread: it answers when it has carried the command out (reference winegard-consoles section 2),
     so a dish acts at the end of the round trip, less what the answer takes on the wire. Where the answer comes only
-    when the move is over (unknown of a G2) the move is taken off as well.
+    when the move is over (of some that is unknown) the move is taken off as well.
     """
 
     def __init__(self, model: Facts, first_s: float) -> None:

@@ -1,4 +1,4 @@
-"""Steers a dish that does not tell its position (the Carryout of 2003, reference winegard-consoles section 6).
+"""Steers a dish that does not tell its position.
 
 Where it stands is what it was sent to: nothing is read, and nothing shows a move that was lost.
 """
