@@ -1,4 +1,4 @@
-"""A session in plain lines: who is answered by what, what is nobody's, and STOP from any thread."""
+"""A session in plain lines: which line answers which request, what answers none, and STOP from any thread."""
 
 from __future__ import annotations
 
