@@ -13,7 +13,7 @@ from contextlib import contextmanager, suppress
 from typing import TypeVar
 
 from birdcage.base.clock import Clock, Outcome, RealClock
-from birdcage.base.errors import BirdcageError, CommandRefused, LinkError
+from birdcage.base.errors import BirdcageError, CommandRefused, LinkError, PositionUnknown
 from birdcage.protocol.generic import GENERIC_FACTS
 from birdcage.protocol.menu_rotator import MenuRotator
 from birdcage.protocol.protocol import FirmwareProtocol
@@ -27,6 +27,10 @@ T = TypeVar("T")
 
 REPLACED = ("connect", "disconnect", "is_connected", "get_position", "move_motor")
 """What a class may do in its own way by the document, and our dialects do by the console."""
+
+
+DECIMALS = 2
+"""Hundredths of a degree, as every console of the family is sent them."""
 
 
 def keeps_to_the_document(machine: FirmwareProtocol) -> bool:
@@ -173,20 +177,27 @@ class DocumentedRotator(MenuRotator):
 
     def _move(self, motor: int, deg: float) -> Taken:
         with self._line.call():
-            said: object = self.protocol.move_motor(motor, deg)
+            said: object = self.protocol.move_motor(motor, round(deg, DECIMALS))
         return _genuine(said, Taken(sure=False, said="", took_s=self._line.took_s))
 
     def stop_now(self, order: StopOrder) -> None:
         """Keep the order for `settle`: nothing can be written into the call under way."""
-        if order.by is StopBy.RETARGET:
-            self._orders.append(order)
+        self._orders.append(order)
 
     def settle(self, within_s: float) -> tuple[CommandRefused | None, ...]:  # noqa: ARG002
-        """Send the last order that `stop_now` took, and return of each axis whether it was refused."""
-        order = None
-        while self._orders:
-            order = self._orders.popleft()
-        return () if order is None else tuple(self._refusal(*aim) for aim in order.aim_deg.items())
+        """Send the last target that `stop_now` took, and return of each axis whether it was refused.
+
+        Without a target the class is asked for the position: its answer tells that no call is under way any more.
+        """
+        orders = [self._orders.popleft() for _ in range(len(self._orders))]
+        aims = [order.aim_deg for order in orders if order.by is StopBy.RETARGET]
+        if aims:
+            return tuple(self._refusal(*aim) for aim in aims[-1].items())
+        if not orders:
+            return ()
+        with self._line.call(), suppress(PositionUnknown):
+            self.protocol.get_position()
+        return (None,)
 
     def _refusal(self, motor: int, deg: float) -> CommandRefused | None:
         try:
