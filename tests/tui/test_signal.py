@@ -12,6 +12,7 @@ import stand_in
 import track_stage
 from birdcage.base.clock import VirtualClock
 from birdcage.base.config import Settings
+from birdcage.base.config.feeds import FeedProfile, FeedSettings
 from birdcage.base.config.tracking_sections import RadioSettings
 from birdcage.radio.now import RadioState
 from birdcage.signal.monitor import SignalMonitor
@@ -19,10 +20,11 @@ from birdcage.signal.receiver import ReceiverSource
 from birdcage.signal.source import Scale, SignalFacts, SignalReading
 from birdcage.signal.tuner import TUNER_FACTS, TunerSource
 from birdcage.station.pursuit import Phase
-from birdcage.station.requests import Watch
+from birdcage.station.requests import Unwatch, Watch
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.settings import AppSettings
 from birdcage_tui.signal_book import SignalBook
+from birdcage_tui.signal_source import SessionSignals
 from birdcage_tui.view import View
 from test_demo import stage_of_the_pictures, until
 
@@ -274,6 +276,27 @@ def test_another_feed_brings_its_own_source():
     assert text == "Nothing heard yet. The tuner is read while the dish rests."
     assert still_open == 0
     assert any("rssi" in watch.features for watch in watches)
+
+
+def test_a_feed_of_the_receiver_is_heard_by_it_from_then_on():
+    """As the app has it: the receiver of the settings, opened by its address once the feed wants it."""
+    by_receiver = Settings(
+        feed=FeedSettings("helix"), feeds={"helix": FeedProfile(signal="rigctl")},
+        radio=RadioSettings(rigctld="sim:rig"),
+    )  # fmt: skip
+    clock, heard = VirtualClock(), []
+    session = stand_in.Session(stand_in.at_rest(clock), clock)
+    signals = SessionSignals(session, Settings(), lambda: by_receiver, threads=False)
+    monitor = signals.monitor(heard.append)
+    monitor.watch(on=True)
+    assert monitor.chosen.facts.id == "tuner"
+    monitor.choose(signals.chosen_now())
+    end = clock.monotonic() + 5.0
+    while clock.monotonic() < end:
+        clock.wait(None, min(signals.receiver.step(), end))
+    assert {reading.source for reading in heard} == {"rigctl"}
+    assert 4 <= len(heard) <= 6
+    assert isinstance(session.station.asked[-1], Unwatch), "the tuner is not read any more"
 
 
 def test_it_belongs_to_its_owner_while_another_page_is_seen():

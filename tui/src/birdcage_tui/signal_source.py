@@ -24,25 +24,33 @@ class SessionSignals:
         self._session, self._settings, self._load, self._threads = session, settings, load, threads
         self._lock = threading.Lock()
         self._receiver: ReceiverSource | None = None
+        self._monitor: SignalMonitor | None = None
 
     @property
     def receiver(self) -> ReceiverSource:
-        """The receiver beside the dish. Any thread."""
-        from birdcage.signal.receiver import ReceiverSource
-
+        """The receiver beside the dish; the monitor hears it from then on. Any thread."""
         with self._lock:
             if self._receiver is None:
+                from birdcage.signal.receiver import ReceiverSource
+
                 clock = self._session.clock
                 self._receiver = ReceiverSource(self._session.station, self._settings, clock, threads=self._threads)
+                if self._monitor is not None:
+                    self._monitor.add(self._receiver)
             return self._receiver
 
     def monitor(self, hear: Hear) -> SignalMonitor:
-        """Return what reads the source that the feed names."""
+        """Return what reads the source that the feed names. A receiver is loaded once it, or the desk, wants one."""
         from birdcage.signal.monitor import SignalMonitor
-        from birdcage.signal.tuner import TunerSource
+        from birdcage.signal.tuner import TUNER, TunerSource
 
-        sources = (TunerSource(self._session.station), self.receiver)
-        return SignalMonitor(sources, self._settings.active_feed.signal, hear)
+        chosen = self._settings.active_feed.signal
+        receiver = None if chosen == TUNER else self.receiver
+        with self._lock:
+            receiver = receiver or self._receiver
+            tuner = TunerSource(self._session.station)
+            self._monitor = SignalMonitor([tuner] if receiver is None else [tuner, receiver], chosen, hear)
+            return self._monitor
 
     def chosen_now(self) -> str:
         """Read the settings again, and return the id of the source that the mounted feed names."""

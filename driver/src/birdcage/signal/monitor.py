@@ -8,14 +8,20 @@ from birdcage.signal.source import MONITOR, Hear, SignalFacts, SignalSource
 
 
 class SignalMonitor:
-    """For one thread; `hear` is called on the sources' own."""
+    """For one thread, apart from `add`; `hear` is called on the sources' own."""
 
     def __init__(self, sources: Sequence[SignalSource], chosen: str, hear: Hear) -> None:
         """`chosen` is the id of the source that the feed names: one of them."""
         self._sources = {source.facts.id: source for source in sources}
         self._chosen = self._sources[chosen]
         self._watches = False
+        self._hear = hear
         self._unsubscribe = [source.subscribe(hear) for source in sources]
+
+    def add(self, source: SignalSource) -> None:
+        """Hear one more source. Any thread."""
+        self._sources[source.facts.id] = source
+        self._unsubscribe.append(source.subscribe(self._hear))
 
     @property
     def chosen(self) -> SignalSource:
