@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from unittest.mock import call, create_autospec
+from unittest.mock import Mock, call, create_autospec
 
 import pytest
 from birdcage.antenna import AntennaConfig, BirdcageAntenna
@@ -230,3 +230,17 @@ def test_a_mock_leapfrogs_connects_and_is_let_go_as_documented(instance):
     assert protocol.move_motor.mock_calls == [call(0, 191.0), call(1, 47.0)]
     rig.disconnect()
     protocol.disconnect.assert_called_once_with()
+
+
+def test_methods_that_only_the_object_has_are_asked_as_well():
+    class Plain(FirmwareProtocol):
+        def initialize(self, callback=None):
+            pass
+
+        enter_motor_menu = kill_search = lambda self: None
+
+    protocol = Plain()
+    protocol.get_position = lambda: Position(180.0, 45.0)
+    protocol.move_motor = Mock()
+    antenna(protocol).move_to(181, 46)
+    assert protocol.move_motor.mock_calls == [call(0, 181), call(1, 46)]

@@ -36,15 +36,15 @@ DECIMALS = 2
 def keeps_to_the_document(machine: FirmwareProtocol) -> bool:
     """Return whether only the document's names tell what a machine does.
 
-    So it is where its class, below the one that speaks our console by a `_send_move`, has replaced one of `REPLACED`;
-    and where it only poses as such a class, as a mock does.
+    So it is where its class, below the one that speaks our console by a `_send_move`, has replaced one of `REPLACED`,
+    or the object itself has; and where it only poses as such a class, as a mock does.
     """
     return any(_has_own(machine, name) for name in REPLACED)
 
 
 def _has_own(machine: FirmwareProtocol, name: str) -> bool:
     kinds = type(machine).__mro__
-    if FirmwareProtocol not in kinds:
+    if FirmwareProtocol not in kinds or name in vars(machine):
         return True
     speaker = next(at for at, kind in enumerate(kinds) if "_send_move" in vars(kind))
     return any(name in vars(kind) for kind in kinds[:speaker])
