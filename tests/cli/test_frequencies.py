@@ -153,7 +153,7 @@ def test_the_stock_feed_is_circular_and_hears_no_linear_television_below_its_ban
     assert not [line for line in told if line.startswith(("Galaxy", "QO-100"))]
     assert "12200 to 12700 MHz" in ask("downlinks", "galaxy").stderr
     result = ask("if", "--rf", "12224M")
-    assert "Feed stock-ku: LO 11250 MHz." in result.stderr
+    assert "Feed stock Ku LNB: LO 11250 MHz." in result.stderr
     assert "IF         974 MHz" in result.stdout
     assert "as in a DISH and Bell LNB, circular" in result.stdout
 

@@ -60,7 +60,7 @@ def test_the_sun_for_people(where):
     assert (result.exit_code, result.stderr) == (0, "")
     assert "2026-11-21 18:00:00 UTC, sidereal 15h41m31s" in result.stdout
     assert "29.7600°N 95.3700°W" in result.stdout
-    assert "rise       2.0 dB to expect with feed stock-ku, 100 K of noise assumed" in result.stdout
+    assert "rise       2.0 dB to expect with feed stock Ku LNB, 100 K of noise assumed" in result.stdout
     assert "beam       5.5° x 5.5° from reflector and frequency" in result.stdout
     assert "           6.4° x 6.3° measured in counts: upper bound" in result.stdout
 

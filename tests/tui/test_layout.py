@@ -220,6 +220,6 @@ def test_health_names_both_widths_of_the_beam_and_their_origin_where_there_is_ro
 
         return run(show, size=size)
 
-    assert "stock-ku 2.0° x 2.9°, stow allowed" in health((120, 36))
-    assert "stock-ku, beam 2.0° x 2.9° theory, stow allowed" in health((160, 48))
-    assert "stock-ku, beam 2.0° x 2.9° from reflector and frequency, stow allowed" in health((220, 60))
+    assert "stock Ku LNB 2.0° x 2.9°, stow allowed" in health((120, 36))
+    assert "stock Ku LNB, beam 2.0° x 2.9° theory, stow allowed" in health((160, 48))
+    assert "stock Ku LNB, beam 2.0° x 2.9° from reflector and frequency, stow allowed" in health((220, 60))

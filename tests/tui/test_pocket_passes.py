@@ -138,7 +138,7 @@ def test_space_stops_what_is_followed_from_the_list_and_enter_releases_first(tmp
     assert phase is not Phase.OVER
     assert held is not None
     assert "HELD by you" in text
-    assert "next in name" in text, "the passes are seen below it"
+    assert "leaves in" in text, "the passes are seen below it"
     assert asked == [Release]
 
 

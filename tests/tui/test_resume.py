@@ -53,7 +53,7 @@ def test_after_stop_one_key_releases_and_goes_on_and_the_line_names_it(tmp_path,
 
     held, quiet, asked, latch, pursuit = play(tmp_path, stop, size)
     assert re.search(
-        r"HELD by you .* Enter release U resume NOAA 20 \(JPSS-1\) \(\d:\d\d left\): dish moves to "
+        r"HELD by you .* Enter release: nothing moves then U resume NOAA 20 \(JPSS-1\) \(\d:\d\d left\): dish moves to "
         r"\d+°/\d+°", held,
     ), held  # fmt: skip
     assert "birdcage sends no motion until you press Enter or U." in held

@@ -201,7 +201,7 @@ def test_while_homing_nothing_says_that_stop_holds_the_dish():
     bench.station.subscribe(hear)
     bench.station.submit(Home("you"))
     bench.step(40)
-    assert "Homing has no STOP: 12 V switch" in told
+    assert "Homing: no STOP but the 12 V switch" in told
     assert not [words for words in told if "STOP holds" in words or "STOP takes" in words or "At rest" in words]
 
 

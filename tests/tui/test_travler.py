@@ -85,7 +85,7 @@ def test_a_silent_slew_is_not_taken_for_a_dish_that_owes_an_answer():
     ("name", "words"),
     [
         ("travler", "STOP holds it where it is"),
-        ("travler-slew", "STOP takes 0.4 s, any byte ends it"),
+        ("travler-slew", "STOP takes 0.4 s"),
         ("travler-step", "STOP at end of move, 3 s"),
         ("travler-skew", "STOP at end of move, 5 s"),
         ("travler-search", "STOP ends the TV search"),
@@ -281,7 +281,7 @@ def bad_day_or_calm(view):
     [
         ("end of move", None, "STOP waits for the end of this move"),
         ("abort", None, "STOP sent: not yet at rest"),
-        ("end of move", False, "STOP not confirmed: power switch"),
+        ("end of move", False, "STOP not confirmed: use power switch"),
     ],
 )
 def test_a_dish_that_still_turns_after_stop_is_not_said_to_be_held(means, confirmed, words):

@@ -30,7 +30,7 @@ SHIPPED = Check("elements", "elements", "must", "only the few old sets of birdca
 OLD_FAVOURITE = Check("favourites", "ISS (ZARYA)", "look", "○ doubtful: 5 d old", "birdcage elements update")
 NO_FAVOURITE = Check("favourites", "favourites", "look", "none is named", "birdcage elements favourite NAME")
 LIMITS = Check("limits", "limits", "look", "only the firmware's cable limits", "birdcage setup")
-FEED = Check("feed", "feed", "look", "stock-ku, the default: is this feed mounted?", "birdcage setup")
+FEED = Check("feed", "feed", "look", "stock Ku LNB, the default: is this feed mounted?", "birdcage setup")
 SEARCH = Check("search", "TV search", "look", "unknown: the dish may start to search by itself", "birdcage init")
 DISH = Check("dish", "dish", "look", "firmware not set: the port is asked", "birdcage setup")
 PORT = Check("port", "port", "look", "not set; plug in the adapter", "birdcage ports")
@@ -120,7 +120,7 @@ def test_its_key_asks_for_what_is_missing(check, sentence, key, title):
     ("check", "state", "step", "sentence"),
     [
         (LIMITS, {}, "limits", "▲ Cable limits are the firmware's. Your coax may be shorter. 8: set yours."),
-        (FEED, {}, "feed", "▲ Which feed is fitted? birdcage assumes stock-ku. 8: tell which."),
+        (FEED, {}, "feed", "▲ Which feed is fitted? birdcage assumes stock Ku LNB. 8: tell which."),
         (SEARCH, {"search": Search.UNKNOWN}, "search",
          "▲ The TV search may move the dish: not known to be off. 8: switch it off."),
         (PORT, {"link": LinkState(Link.LOST, 0.0, 0.0, 0.0, "Plug in the adapter."), "port": ""}, "link",

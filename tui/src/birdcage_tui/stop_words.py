@@ -1,6 +1,7 @@
-"""What STOP can do at this moment, in one line of at most 36 columns: exact in every state, or hedged.
+"""What STOP can do at this moment, and what to do where it can't: exact in every state, or hedged.
 
-Pure functions of a view. `tests/tui/test_stop_truth.py` presses STOP in each state and holds the line against the dish.
+Each sentence has a form of at most 36 columns. Pure functions of a view; `tests/tui/test_stop_truth.py` presses STOP in
+each state and holds the line against the dish.
 """
 
 from __future__ import annotations
@@ -9,6 +10,9 @@ from birdcage.station.known import SearchSwitch
 from birdcage.station.state import Activity, Link, Motion, Search, StopReport
 
 from birdcage_tui.view import View
+
+SHORT = 36
+"""Columns that every sentence has a form for: the narrowest pane, at 40x12 and at 80x24."""
 
 
 def power_switch(view: View) -> str:
@@ -28,68 +32,93 @@ def is_stopping(view: View) -> bool:
     return view.state.motion is None and view.state.activity is Activity.STOPPING
 
 
-def stop_text(view: View) -> str:
-    """Return what STOP can do to the present motion."""
-    state, switch = view.state, power_switch(view)
+def stop_text(view: View, room: int = SHORT) -> str:
+    """Return what STOP can do to the present motion: whole sentences where there is room for them."""
+    return next((words for words in _sentences(view) if len(words) <= max(room, SHORT)), "")
+
+
+def _sentences(view: View) -> tuple[str, ...]:
+    """Return the same thing in one form or more, the longest first; the last is a line of `SHORT` columns."""
+    state = view.state
     if view.waiting:
-        return "No STOP before the port is open"
+        return ("No STOP before the port is open",)
     if view.crash or state.link.state is Link.LOST:
-        return f"STOP can't reach it: {switch}"
+        return _and_else(
+            view, "STOP can't reach the dish. Switch off its {supply}.", "STOP can't reach it. Cut its {supply}."
+        )
     if not view.link_up:
-        return f"STOP may not reach it: {switch}"
+        return _unsure(view, "STOP may not reach the dish.")
     if is_stopping(view):
-        return _stopping(state.last_stop, switch)
+        return _stopping(view, state.last_stop)
     if state.motion is not None:
-        return _in_motion(view, state.motion, switch)
-    return _without_plan(view, switch)
+        return _in_motion(view, state.motion)
+    return _without_plan(view)
 
 
-def _in_motion(view: View, motion: Motion, switch: str) -> str:
+def _and_else(view: View, *forms: str) -> tuple[str, ...]:
+    """Return sentences with the dish's own supply and switch in their places."""
+    switch = power_switch(view)
+    supply = switch.removesuffix(" switch")
+    emergency = f"In an emergency, switch off its {supply}"
+    return tuple(form.format(emergency=emergency, supply=supply, switch=switch) for form in forms)
+
+
+def _unsure(view: View, sentence: str) -> tuple[str, ...]:
+    """Return that STOP may do nothing, and what then does."""
+    return _and_else(view, f"{sentence} If it moves, switch off its {{supply}}.", "STOP may fail: use the {switch}")
+
+
+def _in_motion(view: View, motion: Motion) -> tuple[str, ...]:
     if motion.stop_means == "end of move":
         rests = motion.eta if motion.rests_at is None else motion.rests_at
-        return f"STOP at end of move, {max(0.0, rests - view.now):.0f} s"
+        return (f"STOP at end of move, {max(0.0, rests - view.now):.0f} s",)
     if motion.stop_means == "none" or motion.stop_power_s is None:
-        return f"No STOP, {max(0.0, motion.eta - view.now):.0f} s left: {switch}"
-    tail = {"release": ", by motor release", "abort": ", any byte ends it"}.get(motion.stop_means, "")
-    return f"STOP takes {motion.stop_power_s:.1f} s{tail}"
+        ends = f"No STOP: it ends by itself in {max(0.0, motion.eta - view.now):.0f} s"
+        return _and_else(view, f"{ends}. {{emergency}}.", ends)
+    tail = ", by motor release" if motion.stop_means == "release" else ""
+    return (f"STOP takes {motion.stop_power_s:.1f} s{tail}",)
 
 
-def _without_plan(view: View, switch: str) -> str:
+def _without_plan(view: View) -> tuple[str, ...]:
     """Return what STOP does to a dish that rests, or whose motion this program has not planned."""
     state = view.state
     activity = state.activity
     if activity is Activity.HOMING:
-        return f"Homing has no STOP: {switch}"
+        return _and_else(view, "Homing has no STOP. {emergency}.", "Homing: no STOP but the {switch}")
     if activity is Activity.INITIALIZING:
-        return f"No STOP at start-up: {switch}"
+        return _and_else(view, "There is no STOP at start-up. {emergency}.", "No STOP but the {switch}")
     if activity is Activity.UNKNOWN:
-        return "Motion unknown: STOP looks and acts"
+        return ("Motion unknown: STOP looks and acts",)
     if activity is Activity.MOVING_UNASKED and searching(view):
-        return "STOP ends the TV search"
+        return ("STOP ends the TV search",)
     if activity in (Activity.STOWING, Activity.MOVING_UNASKED):
-        return f"STOP may not hold it: {switch}"
+        return _unsure(view, "STOP may not hold the dish.")
     if activity in (Activity.SLEWING, Activity.FOLLOWING):
         queues = state.dish is not None and state.dish.moves_in_turn
-        return "STOP at end of move" if queues else "STOP brings it to rest"
+        return ("STOP at end of move" if queues else "STOP brings it to rest",)
     if state.held is not None:
-        return "STOP is latched: no motion is sent"
-    return "STOP holds it where it is"
+        return ("STOP is latched: no motion is sent",)
+    return ("STOP holds it where it is",)
 
 
-def _stopping(stopped: StopReport | None, switch: str) -> str:
+def _stopping(view: View, stopped: StopReport | None) -> tuple[str, ...]:
     """Return what is awaited after a STOP; never that the dish is held before it is."""
     if stopped is None:
-        return "STOP called: not yet at rest"
+        return ("STOP called: not yet at rest",)
     if stopped.confirmed is False:
-        return f"STOP not confirmed: {switch}"
-    return {
+        return _and_else(view, "STOP is not confirmed. If the dish moves, switch off its {supply}.",
+                         "STOP not confirmed: use {switch}")  # fmt: skip
+    if stopped.means == "none":
+        return _and_else(view, "No STOP for this motion. {emergency}.", "No STOP but the {switch}")
+    if stopped.means == "no link":
+        return _and_else(view, "STOP did not reach the dish. If it moves, switch off its {supply}.",
+                         "STOP did not arrive. Cut its {supply}.")  # fmt: skip
+    return ({
         "end of move": "STOP waits for the end of this move",
-        "none": f"No STOP for this: {switch}",
         "look": "STOP looks where the dish goes",
         "nothing moved": "STOP checks that it is at rest",
         "release": "Motors released: position unknown",
-        "no link": f"STOP did not reach it: {switch}",
-    }.get(stopped.means, "STOP sent: not yet at rest")
+    }.get(stopped.means, "STOP sent: not yet at rest"),)  # fmt: skip
 
 
 def awaited_words(stopped: StopReport) -> str:

@@ -29,6 +29,8 @@ class Finding:
     """The same for a terminal of 40 columns, where it must be fixed and a key does that there; else empty."""
     command: str = ""
     """What its key does; empty where no key of the app mends it."""
+    plain: str = ""
+    """The same without its key, for where that does nothing."""
     step: str = ""
     """The step of the setup that the cursor is put on; empty for none."""
 
@@ -43,7 +45,8 @@ def worst(view: View) -> Finding | None:
     glyph, ink = ("✗", "warn-strong") if check.state == "must" else ("▲", "text")
     words = f"{glyph} {sentence} {key}: {deed}." if key and deed else f"{glyph} {sentence}"
     brief = BRIEF.get(check.subject, "") if check.state == "must" and key else ""
-    return Finding(ink, words, brief, command, STEPS.get(check.subject, "") if command == SETUP else "")
+    step = STEPS.get(check.subject, "") if command == SETUP else ""
+    return Finding(ink, words, brief, command, f"{glyph} {sentence}", step)
 
 
 def setup_step(view: View) -> str:

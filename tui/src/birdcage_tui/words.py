@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from datetime import datetime
-
+from birdcage.base.config import feed_label
 from birdcage.station.events import End, MoveEnded
+from birdcage.station.pursuit import Phase
 from birdcage.station.state import Activity, Link, Search
 
 from birdcage_tui.commands.resume import KEY
-from birdcage_tui.stop_words import awaited_words, power_switch, searching, stop_text
+from birdcage_tui.held_words import enter_words, held_words
+from birdcage_tui.stop_words import power_switch, searching, stop_text
 from birdcage_tui.track.pursuing import pursuit_of, told_before_following
 from birdcage_tui.track.resume import resume_words
 from birdcage_tui.track.words import PHASE, headline, live_words, plain_name, trouble
@@ -126,7 +127,7 @@ def bad_day(view: View) -> tuple[str, str] | None:
     if state.fault is not None:
         fault = state.fault
         words = f"✖ FAULT {fault.utc:%H:%M:%S}  {_stopped(fault.what)} {fault.meaning} {fault.remedy}"
-        return "fault-row", f"{words}{_enter(view, 'acknowledge')}{_tags(view, 'FAULT', 'NOT HOMED')}"
+        return "fault-row", f"{words}{enter_words(view, 'acknowledge')}{_tags(view, 'FAULT', 'NOT HOMED')}"
     if link.state is Link.LOST and not state.port:
         return "warn-row", f"○ NO PORT  {link.detail}{_tags(view)}"
     if link.state is Link.LOST:
@@ -136,16 +137,17 @@ def bad_day(view: View) -> tuple[str, str] | None:
     if link.state is Link.SILENT:
         return "warn-row", f"◍ SILENT {span_text(view.now - link.since)}  {_last_seen(view)}{link.detail}{_tags(view)}"
     if state.held is not None:
-        return "warn-row", _held(view) + _tags(view, "HELD")
+        return "warn-row", held_words(view) + _tags(view, "HELD")
     if state.motion_refused_because:
-        accept = _enter(view, "accept the dish's own limits")
+        accept = enter_words(view, "accept the dish's own limits")
         return "warn-row", f"▲ NO MOTION  {state.motion_refused_because}{accept}"
     if state.homed is False and state.activity is Activity.HOMING:
         return "warn-row", f"▲ NOT HOMED  Homing: it runs into its end stops. Only the {power_switch(view)} stops it."
     if state.homed is False:
         return "warn-row", f"▲ NOT HOMED  The dish does not know where it points.  {_homed_by(view)}"
     if state.position_lost == "unreadable" and state.activity is not Activity.HOMING:
-        return "warn-row", f"▲ POSITION UNREADABLE  The position reply is unreadable: see F5.  {_homed_by(view)}"
+        where = "" if "pocket" in view.scopes else ": see F5"
+        return "warn-row", f"▲ POSITION UNREADABLE  The position reply is unreadable{where}.  {_homed_by(view)}"
     pursued = trouble(view)
     if pursued is not None:
         return pursued
@@ -176,42 +178,6 @@ def _stopped(words: str) -> str:
     return words if words.endswith((".", "!", "?")) else f"{words}."
 
 
-def _enter(view: View, does: str) -> str:
-    """Return what Enter does, after a gap; in a field once Esc has closed that, unless Esc stops the dish."""
-    if not view.typing:
-        return f"   Enter {does}"
-    return "" if view.may_move else f"   Esc, then Enter {does}"
-
-
-def _held(view: View) -> str:
-    held = view.state.held
-    assert held is not None, "asked only while held"
-    why = "" if held.reason == "stop" else f" ({held.reason})"
-    words = f"■ HELD by {held.by}{why}{_since(view, held.utc)}"
-    if held.damage:
-        words = f"■ HELD by unknown{_since(view, held.utc)}"
-    if held.next_holder is not None:
-        aim = ""
-        if held.next_az_deg is not None and held.next_el_deg is not None:
-            aim = f" {held.next_az_deg:.1f}/{held.next_el_deg:.1f}"
-        words += f"  {held.next_holder}{aim} ignored"
-        words += f" x{held.ignored}" if held.ignored > 1 else ""
-    stopped = view.state.last_stop
-    if held.reason == "stop" and stopped is not None:
-        awaited = f"  {awaited_words(stopped)}"
-        words += {True: "", False: "  STOP NOT CONFIRMED", None: awaited}[stopped.confirmed]
-    kept = "  NOT KEPT on disk" if view.state.held_trouble else ""
-    resume = "" if view.typing else resume_words(view)  # a field takes its letter
-    return f"{words}{kept}{_enter(view, 'release')}{f'   {resume}' if resume else ''}"
-
-
-def _since(view: View, utc: datetime | None) -> str:
-    """Return when, with the day where that was another one."""
-    if utc is None:
-        return ""
-    return f" {utc:%H:%M:%S}" if utc.date() == view.utc.date() else f" {utc:%d %b %H:%M:%S}"
-
-
 def calm(view: View, *, brief: bool = False) -> str:
     """Return the line under the status when nothing is wrong; it may be empty. `brief`: in some 40 columns."""
     if view.tour:
@@ -237,7 +203,7 @@ def _standing(view: View, *, brief: bool) -> str:
         return doubt.replace("doubtful: ", "")
     if brief and finding is not None and finding.brief:
         return finding.brief
-    parts = [state.feed_name] if state.feed_name else []
+    parts = [feed_label(state.feed_name)] if state.feed_name else []
     if state.beam is not None:
         parts.append(f"beam {state.beam.size}")
     if state.az_offset_deg or state.el_offset_deg:
@@ -273,7 +239,10 @@ def next_steps(view: View) -> list[tuple[str, str]]:
             ("dim", "birdcage sends no motion. The position shows once the dish reports it."),
         ]
     finding = worst(view)
-    lack = [] if finding is None else [(finding.ink, finding.words)]
+    in_pocket = "pocket" in view.scopes  # a finding's key works there where it has a brief form
+    lack = (
+        [] if finding is None else [(finding.ink, finding.plain if in_pocket and not finding.brief else finding.words)]
+    )
     if link is Link.LOST and not state.port:
         return [("warn-strong", "No port set."), ("text", state.link.detail), *lack]
     if link in (Link.LOST, Link.SILENT):
@@ -281,14 +250,13 @@ def next_steps(view: View) -> list[tuple[str, str]]:
         return [
             *_unconfirmed_stop(view),
             ("text", check if link is Link.LOST else f"{check} birdcage asks again by itself."),
-            ("dim", "It stays held until you press Enter." if state.held else "birdcage sends no motion meanwhile."),
+            ("dim", _until_then(view)),
         ]
-    in_pocket = "pocket" in view.scopes
     doing = _doing(view)
     steps = [doing] if doing[1] else []
     pursuit = pursuit_of(view)
     if view.moving and pursuit is None:  # what STOP does stands under the digits, which say whom it pursues
-        steps.append(("text", f"Space: {stop_text(view)}."))
+        steps.append(("text", f"Space: {stop_text(view, 80).removesuffix('.')}."))
     if state.held is not None:
         resume = resume_words(view, sentence=True)
         steps.append(("text", f"birdcage sends no motion until you press Enter{f' or {KEY}' if resume else ''}."))
@@ -322,6 +290,17 @@ def next_steps(view: View) -> list[tuple[str, str]]:
         steps.append((view.clock.ink, f"{view.clock.glyph} {view.clock.doubt}"))
         steps.append(("text", view.clock.cost))
     return steps
+
+
+def _until_then(view: View) -> str:
+    """Return what may move the dish before a person asks for it, while nothing can be said to it."""
+    pursuit = pursuit_of(view)
+    if view.state.held is None:
+        return "birdcage sends no motion meanwhile."
+    if pursuit is not None and pursuit.phase is Phase.INTERRUPTED and pursuit.options.resume:
+        within_s = pursuit.options.resume_within_s
+        return f"Back within {within_s:.0f} s, {pursuit.holder} goes on with {plain_name(pursuit.plan.aim.name)}."
+    return "It stays held until you press Enter."
 
 
 def _unconfirmed_stop(view: View) -> list[tuple[str, str]]:

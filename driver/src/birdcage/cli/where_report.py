@@ -176,6 +176,7 @@ class Report:
         return f": tracking points {self.lift_deg:.3f}° higher ({self.refraction})"
 
     def _rise_words(self) -> str:
+        from birdcage.base.config import feed_label
         from birdcage.sky.rise import rise_words
 
         if self.rise_db is None:
@@ -183,7 +184,7 @@ class Report:
             return "- (name the dish with --firmware: its reflector makes the beam)" if unknown else "-"
         noise = f"{self.system_k:g} K of noise {'' if self.system_given else 'assumed'}".rstrip()
         faint = "; too little to see without averaging" if self.rise_db < FAINT_DB else ""
-        return f"{rise_words(self.rise_db)} to expect with feed {self.feed}, {noise}{faint}"
+        return f"{rise_words(self.rise_db)} to expect with feed {feed_label(self.feed)}, {noise}{faint}"
 
     def _reach_words(self) -> str:
         if self.in_the_way is None:

@@ -156,12 +156,14 @@ def limits(settings: Settings) -> Check:
 def feed(settings: Settings) -> Check:
     """Whether the settings say which feed is fitted."""
     from birdcage.base.beam import beam_of
+    from birdcage.base.config import feed_label
     from birdcage.sky.downlinks_hearing import has_band
     from birdcage.station.known import model_of
 
     name, mounted = settings.feed.active, settings.active_feed
+    label = feed_label(name)
     if "feed.active" not in settings.sources:
-        return Check("feed", "feed", "look", f"{name}, the default: is this feed mounted?", "birdcage setup")
+        return Check("feed", "feed", "look", f"{label}, the default: is this feed mounted?", "birdcage setup")
     if not has_band(mounted):
         return Check("feed", "feed", "look", f"{name} has no band: freq_min_hz and freq_max_hz", "birdcage config path")
     assert mounted.freq_min_hz is not None
@@ -172,7 +174,7 @@ def feed(settings: Settings) -> Check:
     model = model_of(settings.dish.firmware)
     beam = beam_of(mounted, None if model is None else model.reflector)
     width = "" if beam is None else f", beam {beam.size}"
-    return Check("feed", "feed", "good", f"{name}, {band}{lo}{width}, {stow}")
+    return Check("feed", "feed", "good", f"{label}, {band}{lo}{width}, {stow}")
 
 
 def downlinks(paths: Paths) -> Check:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from birdcage.base.config import feed_label
+
 from birdcage_tui.commands.table import Command, can_move, can_release
 from birdcage_tui.view import View
 
@@ -34,7 +36,7 @@ def can_stow(view: View) -> str | None:
     if not state.dish.has_stow:
         return f"The {state.dish.name} has no stow."
     if not state.stow_allowed:
-        return f"Stow is locked by the feed {state.feed_name or 'in use'}."
+        return f"Stow is locked by the feed {feed_label(state.feed_name) or 'in use'}."
     return can_move(view)
 
 

@@ -95,5 +95,8 @@ class ReadoutPane(Pane):
             name = cut(name, room - len(error) - 1)
             words = f"{pad(name, room - len(error))}{error}"
         cells.put(left, y, cut(words, room), ink)
-        for row, words in enumerate(wrap(stop_text(view), cells.width - left), y + 1):
+        rows = wrap(stop_text(view, 80), room)
+        if y + 1 + len(rows) > cells.height:
+            rows = wrap(stop_text(view), room)
+        for row, words in enumerate(rows, y + 1):
             cells.put(left, row, words, "text" if view.moving else "dim")

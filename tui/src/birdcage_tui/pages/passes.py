@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import cast
 
+from birdcage.base.config import feed_label
 from textual import events, on
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
@@ -218,7 +219,8 @@ class PassesPage(Page):
                 self._hidden(choice.reachable_only, "passes in reach of this dish")
             case "pass-hearable":
                 choice.hearable_only = not self.desk.hearable(view)
-                self._hidden(choice.hearable_only, f"satellites that the feed {self.desk.sky(view).feed} can hear")
+                heard = f"satellites that the feed {feed_label(self.desk.sky(view).feed)} can hear"
+                self._hidden(choice.hearable_only, heard)
             case "pass-favourites":
                 choice.favourites_only = not choice.favourites_only
                 self._hidden(choice.favourites_only, "favourites")

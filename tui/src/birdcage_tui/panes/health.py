@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from birdcage.base.config import feed_label
 from birdcage.station.state import Link, StationState
 
 from birdcage_tui.canvas import Cells
@@ -22,7 +23,7 @@ def _search_hint(view: View) -> str:
 
 def _feed(state: StationState) -> tuple[str, ...]:
     """Return feed, beam and whether it may be stowed, from all that there is to say to the least."""
-    name, stow = state.feed_name or "--", "stow allowed" if state.stow_allowed else "stow locked"
+    name, stow = feed_label(state.feed_name) or "--", "stow allowed" if state.stow_allowed else "stow locked"
     if state.beam is None:
         return (f"{name}, beam unknown, {stow}",)
     beams = f"beam {state.beam.words}", f"beam {state.beam.brief}", f"beam {state.beam.size}"

@@ -84,7 +84,9 @@ class PointingPane(Pane):
         cells.put(1, y, cut(motion_text(view), cells.width - 2), motion_ink(view))
         if not self._pursuit(cells, y, view):
             self._bar(cells, y + 1, view)
-        x = cells.put(1, y + 2, cut(stop_text(view), cells.width - 2), "text" if view.moving else "dim")
+        x = cells.put(
+            1, y + 2, cut(stop_text(view, cells.width - 2), cells.width - 2), "text" if view.moving else "dim"
+        )
         pursuit = pursuit_of(view)
         los = "" if pursuit is None or not view.link_up else los_words(pursuit.plan)
         if x + len(los) + 3 <= cells.width:

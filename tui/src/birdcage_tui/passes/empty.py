@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from birdcage.base.config import feed_label
+
 from birdcage_tui.passes.desk import Desk
 from birdcage_tui.unready import NO_LOCATION
 from birdcage_tui.view import View
@@ -31,7 +33,7 @@ def empty_words(view: View, desk: Desk) -> list[tuple[str, str]]:
             return [("text", located.problem), ("dim", "/ changes the filter.")]
         return [("text", f'No pass matches "{choice.filter}".'), ("dim", "/ changes the filter.")]
     if desk.hearable(view):
-        return [("text", f"No passing satellite sends what the feed {sky.feed} can hear."),
+        return [("text", f"No passing satellite sends what the feed {feed_label(sky.feed)} can hear."),
                 ("dim", "h shows the other satellites too.")]  # fmt: skip
     if choice.favourites_only:
         return [("text", "No passes of your favourites soon."), ("dim", "F shows all satellites again.")]

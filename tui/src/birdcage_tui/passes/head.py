@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from birdcage.base.config import feed_label
+
 from birdcage_tui.canvas import Cells
 from birdcage_tui.pane import Pane
 from birdcage_tui.passes.desk import Desk
@@ -59,7 +61,7 @@ class PassHead(Pane):
         if choice.reachable_only:
             filters.append(("in reach only", "pass-reachable"))
         if self._desk.hearable(view):
-            filters.append((f"heard by {sky.feed}", "pass-hearable"))
+            filters.append((f"heard by {feed_label(sky.feed)}", "pass-hearable"))
         if choice.favourites_only:
             filters.append(("favourites only", "pass-favourites"))
         order = [] if self._alone else [(f"sort: {choice.sort}", "pass-sort")]

@@ -8,16 +8,21 @@ from textual.geometry import Region
 
 from birdcage_tui.canvas import Cells
 from birdcage_tui.commands import BY_NAME
+from birdcage_tui.commands.everywhere import can_end_search
 from birdcage_tui.commands.mending import held_up
 from birdcage_tui.commands.table import can_release
 from birdcage_tui.pane import Pane
 from birdcage_tui.skew import has_skew
 from birdcage_tui.status import StopButton
+from birdcage_tui.stop_words import searching
 from birdcage_tui.track.resume import resume_words
+from birdcage_tui.unready import worst
 from birdcage_tui.view import View
 
 JOG = (("left", "◀"), ("up", "▲"), ("down", "▼"), ("right", "▶"))
 MORE = (("goto", "g go to"), ("home", "H home"), ("pocket-passes", "f pass"), ("help", "? help"), ("palette", ": all"))
+BRIEF = {"help": "?", "palette": ":", "goto": "g go"}
+"""The same, one after the other, where others stand beside them and there is no room for all words."""
 LISTED = (
     ("pocket-pass-up", "▲"),
     ("pocket-pass-down", "▼"),
@@ -28,6 +33,8 @@ LISTED = (
 OFFERED = (*LISTED[:2], ("offer-follow", "Enter follow"), LISTED[3])
 SKEWED = tuple(("skew", "S skew") if name == "home" else (name, words) for name, words in MORE)
 """The same for a dish with a third axis, which homes by itself."""
+MENDS = {"place-set": "L place", "elements-add": "I add"}
+"""What the pocket view names as missing, and has a key for."""
 ROOMY = 44
 """Columns from which the row of commands keeps off the edges."""
 STEP_WIDTH = 13
@@ -47,6 +54,24 @@ def _release_words(view: View) -> str:
     return "Enter release" if view.state.held is not None else "Enter own limits"
 
 
+def more_keys(view: View, width: int) -> list[tuple[str, str]]:
+    """Return the commands of the lowest row and their words: first those that the words above name by their keys."""
+    keys = list(SKEWED if has_skew(view) else MORE)
+    if can_release(view) is None:
+        keys = [("release", _release_words(view)), *keys[2:]]
+    if resume_words(view):
+        keys.insert(1 if keys[0][0] == "release" else 0, ("resume", "U resume"))
+    finding = worst(view)
+    if searching(view) and can_end_search(view) is None:
+        keys.insert(0, ("search", "K end it"))
+    elif finding is not None and finding.brief:
+        keys.insert(0, (finding.command, MENDS[finding.command]))
+    for name, brief in BRIEF.items():
+        if sum(len(words) + 2 for _, words in keys) > width:
+            keys = [(command, brief if command == name else words) for command, words in keys]
+    return keys
+
+
 class PocketKeys(Pane):
     """Two rows of buttons; the jog buttons grow when the pane is taller."""
 
@@ -63,12 +88,9 @@ class PocketKeys(Pane):
             self._jog(cells, tall, view)
         if cells.height < 2:
             return
-        more = SKEWED if has_skew(view) else MORE
-        if can_release(view) is None:
-            again = (("resume", "U resume"),) if resume_words(view) else ()
-            more = (("release", _release_words(view)), *again, *more[3:])
         edge = 1 if cells.width >= ROOMY else 0  # in line with the jog buttons
-        self._row(cells, Region(edge, tall, cells.width - 2 * edge, 1), more, view)
+        width = cells.width - 2 * edge
+        self._row(cells, Region(edge, tall, width, 1), more_keys(view, width), view)
 
     def _row(self, cells: Cells, place: Region, keys: Sequence[tuple[str, str]], view: View) -> None:
         """Share a row out among buttons, by the lengths of their words."""

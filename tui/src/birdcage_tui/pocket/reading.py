@@ -11,8 +11,9 @@ from birdcage_tui.digits import angle_text, put_big, width_of
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.pointing import cable_gauge, motion_ink
 from birdcage_tui.skew import has_skew, skew_row, skew_text
-from birdcage_tui.stop_words import stop_text
+from birdcage_tui.stop_words import searching, stop_text
 from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.track.resume import resume_words
 from birdcage_tui.track.words import headline, live_words, los_words, next_words
 from birdcage_tui.view import View
 from birdcage_tui.words import age_text, bad_day, calm, motion_text
@@ -41,6 +42,17 @@ def digit_rows(width: int, height: int, words: int) -> int:
     if width >= SMALL_WIDTH and spare >= 3:
         return 3
     return 1 if spare >= 1 else 0
+
+
+def _mending(view: View) -> str | None:
+    """Return the command that the words of what is wrong name; None where they name none."""
+    if can_release(view) is None:
+        return "release"
+    if view.state.homed is False:
+        return "home" if view.link_up and can_home(view) is None else None
+    if searching(view):
+        return "search"
+    return "resume" if resume_words(view) else None
 
 
 def whole(words: str, width: int) -> str:
@@ -87,7 +99,9 @@ class PocketReading(Pane):
             if pursuit is not None and (coming := next_words(view, cells.width - 2)):
                 both = f"{coming}   {los_words(pursuit.plan)}".rstrip()
                 said = both if len(both) <= cells.width - 2 else coming
-            cells.put(1, y, whole(said or stop_text(view), cells.width - 2), "text" if view.moving else "dim")
+            cells.put(
+                1, y, whole(said or stop_text(view, cells.width - 2), cells.width - 2), "text" if view.moving else "dim"
+            )
             y += 1
         if has_skew(view) and y < cable_y and self.digits > 1:
             skew_row(cells, 1, cable_y - 1, view)
@@ -97,9 +111,7 @@ class PocketReading(Pane):
         room = cells.height - y
         if len(rows) > room > 0:
             rows = [*rows[: room - 1], rows[room - 1][: max(cells.width - 4, 0)] + " …"]
-        command = "release" if can_release(view) is None else None
-        if command is None and view.state.homed is False and view.link_up and can_home(view) is None:
-            command = "home"
+        command = _mending(view)
         if command is not None and rows:
             self.hot.append((Region(0, y, cells.width, len(rows)), command))
         for row in rows:

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+from datetime import datetime
+from typing import TYPE_CHECKING
+
 from birdcage_tui.cell_text import fit
 from birdcage_tui.commands.resume import KEY, can_resume
 from birdcage_tui.passes.words import count_text
 from birdcage_tui.view import View
+
+if TYPE_CHECKING:
+    from birdcage.tracking.plan import Plan
 
 
 def resume_words(view: View, *, sentence: bool = False) -> str:
@@ -32,7 +38,12 @@ def resume_words(view: View, *, sentence: bool = False) -> str:
         words += " (always up)"
     if plan is None:
         return f"{words}: dish moves when a pass comes" if autotrack else f"{words}: dish moves"
-    t_s = view.utc.timestamp()
+    return f"{words}: dish moves to {direction_words(plan, view.utc)}"
+
+
+def direction_words(plan: Plan, utc: datetime) -> str:
+    """Return where a plan takes the dish from that moment on: `231°/44°`, where it is in reach next."""
+    t_s = utc.timestamp()
     start_s = next((leg.start_s for leg in plan.legs if leg.end_s > t_s), t_s)
     az_deg, el_deg = plan.sky.at(max(start_s, t_s))
-    return f"{words}: dish moves to {az_deg % 360.0:.0f}°/{el_deg:.0f}°"
+    return f"{az_deg % 360.0:.0f}°/{el_deg:.0f}°"

@@ -1,7 +1,7 @@
 """`birdcage.toml`: the schema of every section as data, reading it, and writing single keys of it."""
 
 from birdcage.base.config.edit import edit
-from birdcage.base.config.feeds import STOCK_FEED, FeedProfile, FeedSettings
+from birdcage.base.config.feeds import STOCK_FEED, FeedProfile, FeedSettings, feed_label
 from birdcage.base.config.load import load
 from birdcage.base.config.progress import Kept, SetupSettings
 from birdcage.base.config.schema import Row, rows
@@ -42,6 +42,7 @@ __all__ = [
     "SetupSettings",
     "TrackingSettings",
     "edit",
+    "feed_label",
     "load",
     "rows",
 ]

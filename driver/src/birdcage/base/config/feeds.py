@@ -10,6 +10,12 @@ from typing import ClassVar, Literal
 from birdcage.base.config.field import Complaint, Section, setting
 
 STOCK = "stock-ku"
+STOCK_LABEL = "stock Ku LNB"
+
+
+def feed_label(name: str) -> str:
+    """Return a feed as people call it: an owner's own by the name that he gave it, the built-in one in words."""
+    return STOCK_LABEL if name == STOCK else name
 
 
 @dataclass(frozen=True, slots=True)

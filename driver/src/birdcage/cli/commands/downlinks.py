@@ -68,7 +68,10 @@ def command(satellite: tuple[str, ...], every: bool) -> None:
         problem = resolver_of(paths, None, say).resolve(text).problem
         say(problem or f"What {text} sends is not known.")
     elif not rows:
-        say(f"Feed {settings.feed.active} ({_band(feed)}) hears nothing of it; --all lists what it cannot hear.")
+        from birdcage.base.config import feed_label
+
+        name = feed_label(settings.feed.active)
+        say(f"Feed {name} ({_band(feed)}) hears nothing of it; --all lists what it cannot hear.")
 
 
 def _named(text: str, table: Downlinks, paths: Paths) -> tuple[Downlink, ...]:

@@ -40,6 +40,7 @@ def command(
     """
     from datetime import UTC, datetime
 
+    from birdcage.base.config import feed_label
     from birdcage.cli.options import find_paths, load_settings
     from birdcage.cli.say import say, tell, tell_json
     from birdcage.sky.band import Conversion, rf_of
@@ -54,7 +55,7 @@ def command(
     if lo_hz is None:
         lo_hz = settings.active_feed.lo_hz or 0.0
         told = f"LO {lo_hz / 1e6:.10g} MHz" if lo_hz else "no LO is set"
-        say(f"Feed {settings.feed.active}: {told}.")
+        say(f"Feed {feed_label(settings.feed.active)}: {told}.")
     downlinks, now = load_downlinks(paths.downlinks_file), datetime.now(UTC)
     for problem in downlinks.problems:
         say(problem)

@@ -139,6 +139,7 @@ def command(
 
 def _heard(watched: Watched, wants: Wanted, hearable: bool | None, named: bool) -> Watched:
     """Return the satellites that the feed can hear, and say how many are left out; all where that is not asked for."""
+    from birdcage.base.config import feed_label
     from birdcage.cli.say import say
     from birdcage.sky.downlinks import load_downlinks
     from birdcage.sky.downlinks_hearing import has_band, listener
@@ -154,7 +155,7 @@ def _heard(watched: Watched, wants: Wanted, hearable: bool | None, named: bool) 
     hears = listener(table, feed)
     found = watched.chosen(lambda one: hears(one.norad_id, one.name))
     count = f"{len(found.elements)} of {len(watched.elements)} satellites"
-    say(f"{count} are known to send what feed {settings.feed.active} hears. --any lists all.")
+    say(f"{count} are known to send what feed {feed_label(settings.feed.active)} hears. --any lists all.")
     return found
 
 

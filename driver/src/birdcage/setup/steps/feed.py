@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping
 
 from birdcage.base.beam import Beam, beam_of
-from birdcage.base.config import STOCK_FEED, FeedProfile
+from birdcage.base.config import STOCK_FEED, FeedProfile, feed_label
 from birdcage.base.config.edit import Value
 from birdcage.setup.step import Choice, Field, NoSuchChoice
 from birdcage.setup.steps.base import Plan, Step
@@ -115,7 +115,7 @@ def _widths(values: Mapping[str, str]) -> tuple[float | None, float | None, floa
 
 
 def _described(name: str, feed: FeedProfile, beam: Beam | None) -> str:
-    parts = ["stock Ku LNB" if name == STOCK else name]
+    parts = [feed_label(name)]
     if beam is not None:
         parts.append(f"beam {beam.words}")
     if feed.lo_hz:
