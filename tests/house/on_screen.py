@@ -44,8 +44,10 @@ def blocks(rows: Iterable[str]) -> Iterator[str]:
     for number, row in enumerate(rows):
         for start, piece, edge in _pieces(row):
             first = piece.split(maxsplit=1)[0]
-            above = next((each for each in open_ if each.start == start and each.row == number - 1
-                          and each.edge == edge and each.end + 1 + len(first) > edge - 1), None)  # fmt: skip
+            figures = re.search(r"[^\W\d_]{2}", piece) is None  # a column of a table is no sentence
+            above = None if figures else next(
+                (each for each in open_ if each.start == start and each.row == number - 1
+                 and each.edge == edge and each.end + 1 + len(first) > edge - 1), None)  # fmt: skip
             if above is None:
                 open_.append(_Block(piece, start, number, start + len(piece), edge))
             else:

@@ -271,3 +271,25 @@ def test_a_place_that_is_set_in_the_demo_counts_over_the_one_it_began_with(tmp_p
             assert (place.name, place.latitude_deg, place.longitude_deg) == ("Sydney", -33.5, 151.2)
     finally:
         session.close()
+
+
+@pytest.mark.parametrize("size", [(40, 12), (80, 24), (120, 36)], ids=str)
+def test_what_is_understood_of_a_place_stands_under_the_field_while_one_types(tmp_path, size):
+    async def add(garden):
+        await garden.press("L")
+        told = []
+        for text in ("rotterdam", "rotterdxm", "JO21jv", "51.9 4.8 12", "springfield", ""):
+            garden.app.screen.focused.value = text
+            told.append(" ".join((await garden.settle()).replace("│", " ").split()))
+        return told, garden.app.settings.place
+
+    told, place = run(add, tmp_path, size)
+    for text, words in zip(
+        told,
+        ("Rotterdam, NL: 51.92", "No city called 'rotterdxm'", "51.8958° N, 4.7917° E", "51.9000° N, 4.8000° E, 12 m",
+         "Which one? Springfield, US"),
+        strict=False,
+    ):  # fmt: skip
+        assert words in text, text
+    assert "No city" not in told[-1], "nothing is said of an empty field"
+    assert place == Place(51.9, 4.8), "and nothing is set before Enter"

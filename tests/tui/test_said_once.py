@@ -66,3 +66,16 @@ def test_control_and_passes_fill_a_tall_terminal_with_what_comes_next():
     lanes = [row[1:20].strip() for row in timeline.splitlines()[2:]]
     assert lanes[:4] == ["METEOR-M2 4", "ISS (ZARYA)", "METEOR-M2 3", "METOP-C"]
     assert "NOAA 20 (JPSS-1)" in lanes
+
+
+def test_a_page_that_is_to_come_says_what_to_use_until_then():
+    for key in ("f3", "f4", "f6", "f10"):
+        text = flat(run(read, "idle", (240, 70), key=key))
+        assert "Until then:" in text, text
+
+
+def test_open_steps_of_a_tall_setup_say_what_they_ask():
+    text = run(read, "idle", (240, 70), key="f8")
+    assert "Which feed is fitted? Frequencies and offsets come from it." in text
+    assert "Where does the dish stand?" in text
+    assert "Which feed is fitted?" not in run(read, "idle", (120, 36), key="f8")

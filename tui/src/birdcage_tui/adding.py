@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
@@ -36,7 +37,7 @@ def ask_elements(app: BirdcageApp, typed: str = "", wrong: str = "") -> None:
             app.say("This app watches no sky, so it has no elements.")
 
     words = "Type the path of a file with TLE or OMM, or paste its text. The newest elements of each satellite count."
-    fields = (Field("elements", typed, "~/Downloads/iss.txt, or paste", pastes=True),)
+    fields = (Field("elements", typed, "~/iss.txt, or paste", pastes=True),)
     app.push_screen(FieldsScreen("Add elements", words, fields, check, wrong), answered)
 
 
@@ -53,7 +54,7 @@ def ask_place(app: BirdcageApp) -> None:
         try:
             parse_place(values[0])
         except ValueError as problem:
-            return str(problem)
+            return _problem(problem)
         return ""
 
     def answered(values: Values | None) -> None:
@@ -70,5 +71,30 @@ def ask_place(app: BirdcageApp) -> None:
         app.say(f"Location set: {where}{found.latitude_deg:.4f}°, {found.longitude_deg:.4f}°.")
 
     words = "Type a city, a locator, or latitude and longitude. Passes are recomputed at once."
-    app.push_screen(FieldsScreen("Set location", words, (Field("location", "", "Rotterdam, JO21jv, 51.9 4.8"),), check),
+    fields = (Field("location", "", "Rotterdam or JO21jv"),)
+    app.push_screen(FieldsScreen("Set location", words, fields, check, read=lambda values: place_words(values[0])),
                     answered)  # fmt: skip
+
+
+def place_words(typed: str) -> str:
+    """Return where a text lies, with the country of a city; why it can't be told, where it can't; empty for nothing."""
+    from birdcage.sky.cities import search_cities
+    from birdcage.sky.whereabouts import parse_place
+
+    if not typed.strip():
+        return ""
+    try:
+        found = parse_place(typed)
+    except ValueError as problem:
+        return _problem(problem)
+    here = found.latitude_deg, found.longitude_deg
+    cities = search_cities(typed, 6) if found.name else ()
+    label = next((each.label for each in cities if (each.latitude_deg, each.longitude_deg) == here), found.name)
+    angles = [f"{abs(deg):.4f}° {signs[deg < 0]}" for deg, signs in zip(here, ("NS", "EW"), strict=True)]
+    height = f", {found.height_m:.0f} m" if found.height_m else ""
+    return f"{label}{': ' if label else ''}{', '.join(angles)}{height}"
+
+
+def _problem(problem: ValueError) -> str:
+    """Return why a text is no place; of several that it may be, the names, which tell them apart without angles."""
+    return re.sub(r" \(-?[\d.]+, -?[\d.]+\)", "", str(problem))

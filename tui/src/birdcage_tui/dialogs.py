@@ -18,6 +18,9 @@ from birdcage_tui.status import TopRow
 from birdcage_tui.stop_words import esc_text, stop_keys
 from birdcage_tui.view import View
 
+EDGE = 2
+"""Columns of the lower edge of a frame's inside that its words leave free."""
+
 
 class Dialog(ModalScreen[Found], Layer[Found]):
     """Lies over a page, and leaves row 1 alive."""
@@ -37,7 +40,15 @@ class Dialog(ModalScreen[Found], Layer[Found]):
         """Name in the frame the key that closes it now, which is a target for the mouse, and what stops the dish."""
         frame = self.query_one_optional(Vertical)
         closes = esc_text(view, closes="closes", other=self.OTHER)
-        words = f"{self.KEYS}, [bold @click=screen.leave]{closes}[/], {stop_keys(view)}"
+        target = f"[bold @click=screen.leave]{closes}[/]"
+        shapes = ((f"{self.KEYS}, ", f", {stop_keys(view)}"), (f"{self.KEYS}, ", ""), ("", ""))
+        if view.may_move:  # where Esc does not close it, that comes before what Enter does
+            shapes = (shapes[0], ("", f", {stop_keys(view)}"), ("", ", Esc stops"))
+        room = self.size.width if frame is None else frame.size.width - EDGE
+        before, after = next(
+            (shape for shape in shapes if len(shape[0]) + len(closes) + len(shape[1]) <= room), shapes[-1]
+        )
+        words = f"{before}{target}{after}"
         if self.KEYS and words != self._edge and frame is not None:
             self._edge = frame.border_subtitle = words
 

@@ -28,8 +28,8 @@ from birdcage_tui.track.pursuing import pursuit_of
 from birdcage_tui.unready import NO_LOCATION
 from birdcage_tui.view import YOU, View
 
-ROWS = 2
-"""Of what Enter would do."""
+ROWS, MOST_ROWS = 2, 5
+"""Of what Enter would do, and where the terminal is narrow."""
 
 
 def held_back(view: View) -> str | None:
@@ -86,7 +86,7 @@ def _foretell_skew(text: str, view: View, width: int) -> tuple[str, str]:
 
 
 class GotoPreview(Pane):
-    """What Enter would do, in two rows at most."""
+    """What Enter would do, in two rows, or in as many as it needs."""
 
     INK = "bar"
 
@@ -94,11 +94,14 @@ class GotoPreview(Pane):
         super().__init__()
         self.text = ""
 
+    def rows(self, width: int, view: View) -> tuple[str, list[str]]:
+        """Return the ink, and the words in rows of so many cells."""
+        ink, words = foretell(self.text, view, width)
+        return ink, wrap(words, width, most=MOST_ROWS)
+
     def draw(self, cells: Cells, view: View) -> None:
         """Write the words."""
-        width = max(cells.width - 2, 10)
-        ink, words = foretell(self.text, view, width)
-        rows = wrap(words, width, most=cells.height)
+        ink, rows = self.rows(max(cells.width - 2, 10), view)
         for y, row in enumerate(rows):
             cells.put(1, y, row, {"text": "bar", "dim": "bar-dim", "warn": "bar-warn"}[ink])
 
@@ -171,6 +174,9 @@ class GotoLine(Vertical):
             return
         preview = self.query_one(GotoPreview)
         cast(Host, self.app).aim = self._aim(preview.text, view)
+        rows = max(len(preview.rows(max(self.size.width - 2, 10), view)[1]), ROWS) if self.size.width else ROWS
+        if preview.styles.height is None or preview.styles.height.value != rows:
+            preview.styles.height, self.styles.height = rows, rows + 1
         preview.show(view)
         if self._entered is not None and located_of(self._entered, view) is not None:
             text, self._entered = self._entered, None

@@ -126,6 +126,8 @@ class CommandProvider(Provider):
         page = "" if here else page_of(command)
         bold = "bold" if reason is None else ""
         head = Content.assemble((f"{command.shown:>{KEY_WIDTH}}  ", bold), title.stylize_before(bold))
+        if self.app.has_class("-tiny"):  # a phone has room for the title alone
+            return head
         words = f"Not now: {reason}" if reason is not None else command.help
         return Content.assemble(head, f" ({page})" if page else "", f"  {words}")
 

@@ -48,6 +48,8 @@ class StatusLine(Pane):
             # The big digits below say where it points; who has control stands nowhere else.
             link, az, el, activity, holder, *_ = fields
             fields = [link, holder, activity, (f"{az[0]} {el[0]}", az[1])]  # both or neither
+        if cell_len(fields[0][0]) > end - x:  # the name gives way to whether it answers
+            fields[0] = (fields[0][0].partition(" ")[2], fields[0][1])
         must = fields[:MUST]
         gap = 2 if x + sum(cell_len(text) for text, _ in must) + 2 * (len(must) - 1) <= end else 1
         for field, ink in fields:

@@ -13,6 +13,9 @@ GRAND = (150, 38)
 NARROW, WIDE = 43, 62
 """Columns of what is pointed at, in a small and in a grand page."""
 AIM = 11
+VAST = 56
+"""Rows from which peaks stand in the right column too."""
+LEAST_FIT, TALL_SIGNAL = 11, 14
 LEAST_PICTURE = 9
 """Rows that the picture keeps, whatever the figures need."""
 
@@ -25,7 +28,7 @@ def regions(width: int, height: int, *, fit_rows: Callable[[int], int], picture:
     peaks, sets) are what is seen where there is room for one only.
     """
     if width >= GRAND[0] and height >= GRAND[1]:
-        return _grand(width, height, fitted=fit_rows(WIDE) > 0)
+        return _grand(width, height, fit_rows(WIDE))
     if width >= ROOMY[0] and height >= ROOMY[1]:
         return _roomy(width, height, picture, fit_rows)
     left = width - NARROW
@@ -59,16 +62,18 @@ def _roomy(width: int, height: int, picture: str, fit_rows: Callable[[int], int]
     }
 
 
-def _grand(width: int, height: int, *, fitted: bool) -> dict[str, Region]:
+def _grand(width: int, height: int, fit_rows: int) -> dict[str, Region]:
     """Both pictures, as tall as they are wide on the screen; below them figures, peaks and sets."""
     left = width - WIDE
     half = left // 2
-    if not fitted:
+    if not fit_rows:
         return {
             "scatter": Region(0, 0, half, height),
             "sky": Region(half, 0, left - half, height),
             **_column(left, WIDE, height, signal=8),
         }
+    if height >= VAST:
+        return _vast(left, half, height, max(fit_rows, LEAST_FIT))
     upper = min(height - 15, half // 2 + 2)
     lower = height - upper
     sets = max(lower // 3, 5)
@@ -81,6 +86,22 @@ def _grand(width: int, height: int, *, fitted: bool) -> dict[str, Region]:
         "aim": Region(left, 0, WIDE, AIM),
         "signal": Region(left, AIM, WIDE, 9),
         "objects": Region(left, AIM + 9, WIDE, height - AIM - 9),
+    }
+
+
+def _vast(left: int, half: int, height: int, lower: int) -> dict[str, Region]:
+    """The lists in the right column, where the objects alone would leave most of it blank."""
+    top, upper = AIM + TALL_SIGNAL, height - lower
+    objects = (height - top) // 2
+    return {
+        "scatter": Region(0, 0, half, upper),
+        "sky": Region(half, 0, left - half, upper),
+        "fit": Region(0, upper, half, lower),
+        "sets": Region(half, upper, left - half, lower),
+        "aim": Region(left, 0, WIDE, AIM),
+        "signal": Region(left, AIM, WIDE, TALL_SIGNAL),
+        "objects": Region(left, top, WIDE, objects),
+        "peaks": Region(left, top + objects, WIDE, height - top - objects),
     }
 
 

@@ -41,7 +41,10 @@ class PasteInput(Input):
 
 
 class FieldsScreen(Dialog[Values | None]):
-    """Enter keeps all lines if `check` finds nothing wrong, else its sentence is shown; Cancel keeps nothing."""
+    """Enter keeps all lines if `check` finds nothing wrong, else its sentence is shown; Cancel keeps nothing.
+
+    `read`: what is understood of the lines, told under them as one types.
+    """
 
     DEFAULT_CSS = """
     FieldsScreen Horizontal { height: 1; }
@@ -49,15 +52,18 @@ class FieldsScreen(Dialog[Values | None]):
     FieldsScreen Input, FieldsScreen Input:focus { width: 1fr; height: 1; border: none; padding: 0 1;
         background: $panel; }
     FieldsScreen #wrong { color: $warning; margin-top: 1; }
+    FieldsScreen #wrong.-read { color: $foreground; }
     FieldsScreen #words { margin-bottom: 1; }
     """
     KEYS, OTHER = "Enter saves", "Tab to Cancel"
     BINDINGS = [("escape", "leave", "close")]  # noqa: RUF012
 
     def __init__(
-        self, title: str, words: str, fields: Sequence[Field], check: Callable[[Values], str], wrong: str = ""
-    ) -> None:
+        self, title: str, words: str, fields: Sequence[Field], check: Callable[[Values], str], wrong: str = "",
+        read: Callable[[Values], str] | None = None,
+    ) -> None:  # fmt: skip
         super().__init__()
+        self._read = read
         self._wrong = wrong
         self._title, self._words, self._fields, self._check = title, words, fields, check
 
@@ -70,7 +76,8 @@ class FieldsScreen(Dialog[Values | None]):
             for field in self._fields:
                 with Horizontal():
                     label = Label(field.label)
-                    label.styles.width = 12  # the sheet of the app gives every text in a dialog the whole width
+                    # The sheet of the app gives every text in a dialog the whole width.
+                    label.styles.width = max(len(each.label) for each in self._fields) + 2
                     yield label
                     # What stands in a later field is replaced by typing there.
                     replaces = field is not self._fields[0]
@@ -79,6 +86,7 @@ class FieldsScreen(Dialog[Values | None]):
                     else:
                         yield Input(field.value, placeholder=field.hint, select_on_focus=replaces)
             yield Static(f"▲ {self._wrong}" if self._wrong else "", id="wrong", markup=False)
+            self.set_class(bool(self._wrong), "-told")
             yield CancelButton()
 
     def on_mount(self) -> None:
@@ -90,12 +98,27 @@ class FieldsScreen(Dialog[Values | None]):
     def _cancelled(self) -> None:
         self.action_leave()
 
+    @property
+    def _values(self) -> Values:
+        return tuple(field.value for field in self.query(Input))
+
+    def on_input_changed(self, event: Input.Changed) -> None:
+        """Say what is understood so far."""
+        event.stop()
+        if self._read is not None:
+            self._tell(self._read(self._values), read=True)
+
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """Keep, or say what is wrong."""
         event.stop()
-        values = tuple(field.value for field in self.query(Input))
-        wrong = self._check(values)
+        wrong = self._check(self._values)
         if wrong:
-            self.query_one("#wrong", Static).update(f"▲ {wrong}")
+            self._tell(f"▲ {wrong}", read=False)
         else:
-            self.dismiss(values)
+            self.dismiss(self._values)
+
+    def _tell(self, words: str, *, read: bool) -> None:
+        told = self.query_one("#wrong", Static)
+        told.set_class(read, "-read")
+        told.update(words)
+        self.set_class(bool(words), "-told")

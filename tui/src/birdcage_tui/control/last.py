@@ -14,7 +14,7 @@ from birdcage_tui.view import Told, View
 TIME = 11
 """Columns that the time of a command takes, with the gap after it."""
 
-EMPTY = "Results of earlier commands. The bottom row shows the last one."
+EMPTY = "No earlier commands."
 
 
 class LastLine(Pane):

@@ -2,71 +2,138 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
+from textual.app import ComposeResult
+from textual.containers import Horizontal, Vertical
+
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import wrap
+from birdcage_tui.control.last import LogPane
+from birdcage_tui.held_words import after_release
 from birdcage_tui.pane import Pane
+from birdcage_tui.panes.sky import SkyPane
 from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.track.words import live_words, next_words, plain_name
 from birdcage_tui.view import YOU, View
 
-OTHERS = (
-    ("birdcage stop", "stops the dish from any terminal of this machine, whoever has control."),
-    ("birdcage track", "tracks a target without this app. Close the app first: only one program can use the port."),
+Row = tuple[str, str, str]
+"""A name, the ink of the words after it, and the words."""
+
+HELP = "Who controls the dish, and what else can stop or move it."
+NAMES = 18
+"""Columns of the names."""
+BESIDE = 100
+"""Columns from which what the last commands did stands beside it."""
+LOG, FAR = 46, 200
+"""Columns of that, and from which it has half of the width."""
+OVER, LEAST_SKY = 24, 16
+"""Rows of the words where the sky stands under them, and what that has then at least."""
+MOVERS: tuple[Row, ...] = (
+    ("You", "text", "arrows, g, presets, when control is free or the tracker's."),
+    ("Tracker", "text", "f, autotrack on Track, while control is free or its own."),
+    ("Console", "text", "raw lines (page 5), without limits. It asks first."),
+    ("Other programs", "text", "kept out of the port, but for root and who had it before."),
 )
-TAKING = (
-    "An arrow or go-to takes control when it is free or the tracker has it. Other programs keep it. "
-    "Anyone can press STOP."
+SHELL: tuple[Row, ...] = (
+    ("birdcage stop", "text", "stops it, whatever program drives it. It is HELD then."),
+    ("birdcage hold", "text", "the same, before you work on the dish."),
+    ("birdcage release", "text", "releases it, and names who waits to move it."),
 )
-LATER = (
-    "Not in this version. A later version brings the server for Gpredict, Look4Sat and others, with a list of who "
-    "may connect."
-)
+NOT_DEMO = "They do not reach a demo."
+LATER = "The server for Gpredict and others is not in this version."
 
 
-def rows(view: View) -> list[tuple[str, str, str]]:
-    """Return (label, ink, words) of what is known."""
-    state = view.state
+def now_rows(view: View) -> list[Row]:
+    """Return who has control, what for, and what holds the dish."""
+    state, pursuit = view.state, pursuit_of(view)
     holder = state.holder
     control = "free" if holder is None else f"{holder}, at this terminal" if holder == YOU else holder
     found = [("Control", "strong" if holder else "dim", f"{control[:1].upper()}{control[1:]}.")]
     held = state.held
     if held is not None:
-        ignored = f" Refused {held.next_holder} {held.ignored} times." if held.next_holder else ""
-        found.append(("Held", "warn", f"by {held.by} since {held.utc:%H:%M:%S}Z.{ignored} Enter releases it."))
-    pursuit = pursuit_of(view)
+        since = "" if held.utc is None else f" since {held.utc:%H:%M:%S}Z"
+        ignored = f" Refused {held.next_holder} {held.ignored} times." if held.next_holder and held.ignored else ""
+        by = held.by or "unknown"
+        found.append(("Held", "warn", f"by {by}{since}.{ignored} Enter releases it: {after_release(view)}."))
     if pursuit is not None:
-        found.append(("Following", "text", f"{pursuit.plan.aim.name}, for {pursuit.holder}."))
-    found.append(("Taking it", "text", TAKING))
-    found.append(("Port", "text", f"{state.port.split('?')[0] or '--'}: one program at a time can open it."))
+        told = "  ".join(filter(None, (plain_name(pursuit.plan.aim.name), live_words(view))))
+        found.append(("Following", "text", f"{told}, for {pursuit.holder}."))
+        if coming := next_words(view):
+            found.append(("", "dim", f"{coming[:1].upper()}{coming[1:]}."))
+    found.append(("Port", "text", f"{state.port.split('?')[0] or '--'}"))
     return found
 
 
-class NetworkPane(Pane):
-    """Words in two columns; at the end what this version does not have."""
+class ControlPane(Pane):
+    """Words in two columns: what is now, who may move it, and what a shell can do."""
 
-    HELP = "Who controls the dish, and what else can stop or move it."
+    HELP = HELP
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
         self.border_title = "Who may move the dish"
 
     def draw(self, cells: Cells, view: View) -> None:
-        """Write the rows, then the commands of a shell."""
+        """Write group after group; where they do not all fit without, there is no air between them."""
+        shell = (*SHELL, ("", "dim", NOT_DEMO)) if view.state.demo else SHELL
+        groups = (
+            _lines("", now_rows(view), cells.width),
+            _lines("Who may move it", MOVERS, cells.width),
+            _lines("In a shell", shell, cells.width),
+            _lines("", (("rotctld", "dim", LATER),), cells.width),
+        )
+        air = sum(map(len, groups)) + len(groups) - 1 <= cells.height
         y = 0
-        for label, ink, words in rows(view):
-            y = self._row(cells, y, label, words, ink)
-        y += 1
-        cells.put(1, y, "In a shell", "dim")
-        y += 1
-        for name, words in OTHERS:
-            aside = " It does not reach a demo." if view.state.demo and name == "birdcage stop" else ""
-            y = self._row(cells, y, name, words + aside, "text", label_ink="strong")
-        y += 1
-        self._row(cells, y, "rotctld", LATER, "dim")
+        for lines in groups:
+            for name, ink, words in lines:
+                cells.put(1, y, name, "dim")
+                cells.put(1 + NAMES, y, words, ink)
+                y += 1
+            y += air
 
-    @staticmethod
-    def _row(cells: Cells, y: int, label: str, words: str, ink: str, label_ink: str = "dim") -> int:
-        cells.put(1, y, label, label_ink)
-        for line in wrap(words, max(cells.width - 18, 10)):
-            cells.put(17, y, line, ink)
-            y += 1
-        return y
+
+def _lines(heading: str, rows: Sequence[Row], width: int) -> list[Row]:
+    """Return a group with its heading, wrapped beside the names."""
+    found: list[Row] = [(heading, "text", "")] if heading else []
+    for name, ink, words in rows:
+        lines = wrap(words, max(width - NAMES - 2, 10))
+        found += [(name if not index else "", ink, line) for index, line in enumerate(lines)]
+    return found
+
+
+class NetworkPane(Horizontal):
+    """Who may move the dish; where there is room, what the commands did, what comes next, and where the dish points."""
+
+    HELP = HELP
+    DEFAULT_CSS = f"""
+    NetworkPane ControlPane, NetworkPane LogPane, NetworkPane SkyPane {{ border: round $line;
+        border-title-color: $dim; border-title-style: none; border-subtitle-color: $dim; height: 1fr; }}
+    NetworkPane Vertical {{ width: 1fr; }}
+    NetworkPane ControlPane {{ padding: 1 0 0 0; }}
+    NetworkPane LogPane {{ width: 1fr; display: none; }}
+    NetworkPane SkyPane {{ display: none; }}
+    NetworkPane.-beside LogPane {{ display: block; width: {LOG}; }}
+    NetworkPane.-far LogPane {{ width: 1fr; }}
+    NetworkPane.-over ControlPane {{ height: {OVER}; }}
+    NetworkPane.-over SkyPane {{ display: block; }}
+    """
+
+    def compose(self) -> ComposeResult:
+        """All three."""
+        with Vertical():
+            yield ControlPane()
+            yield SkyPane()
+        yield LogPane()
+
+    def on_resize(self) -> None:
+        """Show what has room."""
+        self.set_class(self.size.width >= BESIDE, "-beside")
+        self.set_class(self.size.width >= FAR, "-far")
+        self.set_class(self.size.height >= OVER + LEAST_SKY, "-over")
+
+    def show(self, view: View) -> None:
+        """Draw what is seen."""
+        for pane in self.query(Pane):
+            if pane.display:
+                pane.show(view)

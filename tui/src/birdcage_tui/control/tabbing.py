@@ -35,7 +35,6 @@ class Tabbed(Page):
     Tabbed.-tab-presets #control-lower { display: block; }
     Tabbed #craft, Tabbed #network { display: none; height: 1fr; }
     Tabbed.-tab-craft #craft, Tabbed.-tab-network #network { display: block; }
-    Tabbed #network { border: round $line; border-title-color: $dim; border-title-style: none; padding: 1 0 0 0; }
     """
     FIRST_FOCUS: str | None = FOCUS["manual"]
     tab = TABS[0]

@@ -116,7 +116,7 @@ class ControlPage(Tabbed):
         turn.display, turn.styles.margin = found.skew > 0, (0, 0, int(found.skew >= WITH_ARC), 0)
         self.query_one(CablePane).framed = found.roomy
         self.query_one("#control-upper").styles.height = found.upper or "1fr"
-        log = self.query_one(LogPane)
+        log = self.query_one("#log", LogPane)
         log.display, log.styles.width = found.log > 0 and self.tab == "manual", found.log
         self._face()
 

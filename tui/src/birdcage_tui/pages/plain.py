@@ -31,6 +31,10 @@ WILL = {
 MEANWHILE = {
     "signal": "Until then: the dashboard (1) shows the signal as a strip.",
     "system": "Until then: the dashboard (1) shows health, limits and firmware.",
+    "camera": "Until then: `birdcage log` keeps what was followed when, and how well.",
+    "motor": "Until then: the control page (2) moves the dish, and keeps directions as presets.",
+    "survey": "Until then: `birdcage if --if 1180` lists what a received frequency may be, `birdcage downlinks` what "
+    "satellites send.",
 }
 
 
@@ -48,7 +52,7 @@ class PlainWords(Pane):
         )
         width = min(cells.width - 4, 72)
         x = max((cells.width - width) // 2, 1)
-        y = max((cells.height - 14) // 3, 1)
+        y = max((cells.height - 14) // 2, 1)
         cells.put(x, y, title, "strong")
         cells.right(x + width, y, str(number % 10), "dim")
         cells.put(x, y + 1, "─" * width, "line")

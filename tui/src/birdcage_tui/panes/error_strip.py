@@ -6,6 +6,7 @@ from itertools import pairwise
 
 from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.track.pursuing import sample_of
+from birdcage_tui.track.scale import legible_deg
 from birdcage_tui.view import View
 
 LEAST_WIDTH, MOST_WIDTH = 24, 60
@@ -27,11 +28,11 @@ def draw_error_strip(cells: Cells, x: int, height: int, view: View) -> None:
         return
     x = cells.width - 1 - width
     worst = max(look.error_deg for look in shown)
-    top_deg = max(LEAST_TOP_DEG, worst * 1.1)
+    top_deg = max(LEAST_TOP_DEG, legible_deg([look.error_deg for look in shown]) * 1.1)
     canvas, dots = Braille(width, height - 1), (height - 1) * 4 - 1
 
     def at(at_s: float, error_deg: float) -> tuple[float, float]:
-        return width * 2 - 1 - (view.now - at_s), dots * (1 - error_deg / top_deg)
+        return width * 2 - 1 - (view.now - at_s), dots * (1 - min(error_deg / top_deg, 1.0))
 
     canvas.line(0, dots, width * 2 - 1, dots, "line", every=4)
     for one, other in pairwise(shown):

@@ -174,7 +174,7 @@ def name_target(cells: Cells, polar: Polar, name: str, x: int, y: int) -> None:
 def label(
     cells: Cells, names: tuple[str, ...], x: int, y: int, off: int, ink: str, within: Polar | None = None
 ) -> bool:
-    """Write the first name that lies on nothing beside a mark: outward if possible, else not at all.
+    """Write the first name that lies on nothing beside a mark: in its row if possible, else in the next, else not.
 
     `off`: how many columns right of the middle the mark stands; `within`: the map, when something else stands right of
     it or below. Return whether one was written.
@@ -182,14 +182,20 @@ def label(
     end, bottom = (cells.width, cells.height) if within is None else (within.width, within.height)
     for name in names:
         length = cell_len(name)
-        beside = x + 2 if off >= 0 else x - 1 - length
+        outward, inward = (x + 2, x - 1 - length) if off >= 0 else (x - 1 - length, x + 2)
         below = x - length // 2
-        if abs(off) > 8:
-            places = [(beside, y), (beside, y + 1), (below, y + 1)]
-        else:
-            places = [(below, y + 1), (beside, y + 1), (beside, y), (below, y - 1)]
+        places = [(outward, y), (inward, y), (below, y + 1), (below, y - 1), (outward, y + 1)]
         for start, row in places:
-            if start + length <= end and row < bottom and cells.free(start - 2, row, length + 4, *QUIET):
+            # Two free cells keep it apart from other words; in the mark's row one does, on the mark's side.
+            left, right = start - 2, start + length + 2
+            if row == y:
+                left, right = (start - 1, right) if start > x else (left, start + length + 1)
+            if (
+                start >= 0
+                and start + length <= end
+                and 0 <= row < bottom
+                and cells.free(left, row, right - left, *QUIET)
+            ):
                 cells.put(start, row, name, ink)
                 cells.shut(start, row, length)
                 return True

@@ -18,7 +18,8 @@ TITLE_WIDTH = 15
 LABEL_WIDTH = 8 + TITLE_WIDTH
 """Of a row, before its evidence."""
 ROOMY = 50
-"""Rows from which two blank ones stand between the steps."""
+"""Rows from which an open step says what it asks for, and up to `MOST_AIR` blank ones stand between the steps."""
+MOST_AIR = 2
 
 
 class StepsPane(Pane):
@@ -57,7 +58,7 @@ class StepsPane(Pane):
             return
         rows = sum(1 + len(block) for block in blocks)
         between = len(blocks) - 1
-        gap = 2 if cells.height >= ROOMY else 1
+        gap = MOST_AIR if cells.height >= ROOMY else 1
         while gap and rows + gap * between > cells.height:
             gap -= 1
         for row, block in zip(self._rows, blocks, strict=True):
@@ -74,7 +75,7 @@ class StepsPane(Pane):
             return None
         for most in (3, 2, 1):
             blocks = [
-                wrap(self._words(self._steps[row.first]), max(width - 9, 10), most=most) for row in self._rows
+                wrap(self._told(self._steps[row.first], height), max(width - 9, 10), most=most) for row in self._rows
             ]  # fmt: skip
             if sum(1 + len(block) for block in blocks) <= height:
                 return blocks
@@ -85,6 +86,11 @@ class StepsPane(Pane):
         if step.busy:
             return f"{step.busy} …"
         return step.evidence or (step.mark.value if step.mark in (Mark.SKIPPED, Mark.LATER) else "")
+
+    def _told(self, step: StepView, height: int) -> str:
+        """Return what is known of a step; of an open one, where there is room, what it is about."""
+        about = " ".join(step.words) if height >= ROOMY else ""
+        return self._words(step) or about
 
     @staticmethod
     def _ink(step: StepView) -> str:

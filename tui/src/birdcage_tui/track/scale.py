@@ -4,15 +4,20 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from birdcage_tui.track.pursuing import pursuit_of
 from birdcage_tui.view import View
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from birdcage.station.pursuit import Sample
     from birdcage.tracking.plan import Plan
 
 STEPS_DEG = (0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 45.0, 90.0, 180.0)
 """Upper ends of the scale of errors."""
+USUAL = 0.85
+"""The part of all errors that are no peak."""
+PEAK, OVER_USUAL = 5.0, 2.0
+"""So many times the usual error is a peak that gets no room of its own, and so much of it the scale shows then."""
 AROUND_S = 600.0
 """What is shown before and after now of a target that does not pass."""
 
@@ -27,15 +32,22 @@ def window(plan: Plan, view: View) -> tuple[float, float]:
     return first, min(first + 2 * AROUND_S, end_s)
 
 
-def error_top(view: View, plan: Plan) -> float:
-    """Return the upper end of the scale of errors: what was and what is expected fit."""
-    worst = 0.0
-    if plan.pointing is not None:
-        worst = plan.pointing.dish.max_deg if plan.pointing.median is None else plan.pointing.median.max_deg
-    pursuit = pursuit_of(view)
-    if pursuit is not None and pursuit.plan is plan:
-        worst = max([worst, *(shown_deg(look) for look in view.followed)])
-    return next((step for step in STEPS_DEG if step >= worst * 1.05), STEPS_DEG[-1])
+def legible_deg(errors_deg: Sequence[float]) -> float:
+    """Return the error up to which a scale is to go: the largest, or less where that is a short peak.
+
+    A keyhole's few seconds are dozens of times as bad as the rest of a pass, which would be a flat line beside them.
+    """
+    ranked = sorted(errors_deg)
+    worst, usual = ranked[-1], ranked[int(len(ranked) * USUAL)]
+    return worst if worst <= PEAK * usual else OVER_USUAL * usual
+
+
+def error_top(errors_deg: Sequence[float]) -> float:
+    """Return the upper end of the scale of these errors; what is above it is cut off there."""
+    if not errors_deg:
+        return STEPS_DEG[0]
+    wanted_deg = legible_deg(errors_deg) * 1.05
+    return next((step for step in STEPS_DEG if step >= wanted_deg), STEPS_DEG[-1])
 
 
 def shown_deg(look: Sample) -> float:

@@ -24,6 +24,8 @@ LEFT, RIGHT = 8, 8
 """Columns of name and scale, and of the figures of now and the loss: no name ever stands on a figure."""
 TWO_ROWS = 10
 """From so many rows on, events and times have a row each on the time axis."""
+PEAK_S = 120.0
+"""What is cut off so near to the worst belongs to the same peak."""
 APART = 2
 """Blanks between two words on the time axis."""
 TICKS_S = (10.0, 20.0, 30.0, 60.0, 120.0, 300.0, 600.0, 900.0, 1800.0, 3600.0)
@@ -207,21 +209,24 @@ def _errors(cells: Cells, view: View, plan: Plan, box: tuple[int, int, int], x_o
     Where that of the elements is unknown it is the dish's own, called so, and its cost is unknown.
     """
     y, height, width = box
-    top = error_top(view, plan)
-    canvas, up = Braille(width, height), _scaled(0.0, top, height * 4 - 1)
     pointing = plan.pointing
     level = None if pointing is None else pointing.median
+    expected: list[tuple[float, float]] = []
     if pointing is not None:
         times = pointing.dish.t_s.tolist()
         errors = (pointing.dish if level is None else level).error_deg.tolist()
-        every = max(1, len(times) // (width * 4))
-        _curve(canvas, list(zip(times, errors, strict=True))[::every], x_of, up, "dim", lambda _: False)
+        pairs, every = list(zip(times, errors, strict=True)), max(1, len(times) // (width * 4))
+        expected = [max(pairs[at : at + every], key=lambda pair: pair[1]) for at in range(0, len(pairs), every)]
+    worst: dict[int, tuple[float, float]] = {}  # of each column of dots: what lies between is not to be seen
     if shown_is_followed(view):
-        worst: dict[int, tuple[float, float]] = {}  # of each column of dots: what lies between is not to be seen
         for look in view.followed:
             t_s, column = look.utc.timestamp(), int(x_of(look.utc.timestamp()))
             worst[column] = max(worst.get(column, (t_s, 0.0)), (t_s, shown_deg(look)), key=lambda pair: pair[1])
-        _curve(canvas, list(worst.values()), x_of, up, "accent", lambda _: False)
+    both = [*expected, *worst.values()]
+    top = error_top([deg for _, deg in both])
+    canvas, up = Braille(width, height), _scaled(0.0, top, height * 4 - 1)
+    _curve(canvas, expected, x_of, up, "dim", lambda _: False)
+    _curve(canvas, list(worst.values()), x_of, up, "accent", lambda _: False)
     canvas.onto(cells, LEFT, y)
     if height > 1:
         cells.right(LEFT - 1, y, degrees(top) if top < 10 else f"{top:.0f}°", "dim")
@@ -232,6 +237,23 @@ def _errors(cells: Cells, view: View, plan: Plan, box: tuple[int, int, int], x_o
         cells.right(LEFT - 1, y + height - 1, "0", "dim")
         cells.right(cells.width, y + height - 1, "" if lost is None else "0 dB", "dim")
     cells.put(0, y + (height - 1) // 2 if height > 2 else y + height - 1, "dish" if unknown else "err", "strong")
+    _peak(cells, both, top, (y, width), x_of)
+
+
+def _peak(cells: Cells, errors: Series, top: float, box: tuple[int, int], x_of: Callable[[float], float]) -> None:
+    """Write beside a peak that is cut off how high it goes."""
+    t_s, deg = max(errors, key=lambda pair: pair[1], default=(0.0, 0.0))
+    if deg <= top:
+        return
+    y, width = box
+    beyond = [int(x_of(each)) // 2 for each, error_deg in errors if error_deg > top and abs(each - t_s) < PEAK_S]
+    words = f"↑ {degrees(deg)}"
+    for x in (LEFT + max(beyond) + 1, LEFT + min(beyond) - len(words)):
+        if x >= LEFT and x + len(words) <= LEFT + width and cells.free(x, y, len(words), "dim", "line", "faint"):
+            cells.put(x, y, words, "warn")
+            return
+    column = LEFT + int(x_of(t_s)) // 2
+    cells.put(min(max(column - len(words) // 2, LEFT), LEFT + width - len(words)), y, words, "warn")
 
 
 def _decibels(lost_db: float) -> str:
