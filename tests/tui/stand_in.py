@@ -57,6 +57,9 @@ class Station:
     def only_asks(self, line, prompt):
         return PROTOCOL.only_asks(line, prompt)
 
+    def says_target(self, text):
+        return PROTOCOL.says_target(text)
+
     def is_steering(self):
         return self.steering and self.state.held is None
 

@@ -12,7 +12,7 @@ START = datetime(2026, 3, 20, 12, tzinfo=UTC)
 
 
 def sorted_parts(*lines, prompt="MOT>"):
-    sorter = Sorter(PROTOCOL.only_asks)
+    sorter = Sorter(PROTOCOL.only_asks, PROTOCOL.says_target)
     sorter.sort(Line(START, "<", prompt.encode()))
     return [sorter.sort(Line(START + timedelta(seconds=second), way, data)).part for second, way, data in lines]
 
@@ -63,7 +63,7 @@ STEP = (b"a 0 123.13\r", b"a 0 123.13\r\n", b"Angle = 123.13\r\n", b"MOT>")
 
 def steps_of(*lines):
     """Parts of lines of which those that go out are a pursuit's."""
-    sorter = Sorter(PROTOCOL.only_asks)
+    sorter = Sorter(PROTOCOL.only_asks, PROTOCOL.says_target)
     sorter.sort(Line(START, "<", b"MOT>"))
     return [sorter.sort(Line(START, way, data), step=way == ">").part for way, data in lines]
 
@@ -125,3 +125,11 @@ def test_polling_is_one_row_until_p_shows_every_byte_and_counts_as_nothing_new()
     assert "< mv" not in typed
     assert "HARMLESS" not in typed
     assert "< Max" in typed
+
+
+def test_how_a_machine_says_where_it_goes_is_its_own_to_tell():
+    sorter = Sorter(PROTOCOL.only_asks, lambda text: text == "going")
+    lines = ((">", b"a 0 1.00\r"), ("<", b"a 0 1.00\r\n"), ("<", b"going\r\n"), ("<", b"Angle = 1.00\r\n"))
+    sorter.sort(Line(START, "<", b"MOT>"))
+    parts = [sorter.sort(Line(START, way, data), step=way == ">").part for way, data in lines]
+    assert parts == [Part.STEP] * 3 + [Part.PLAIN]

@@ -46,6 +46,14 @@ class LineRaw:
         """Return whether a line changes nothing."""
         return self.judge(line, None, homed=True).grade is Grade.HARMLESS
 
+    def says_target(self, text: str) -> bool:  # noqa: ARG002 - lines of one shape tell that and what was asked for
+        """Return False: every line is seen."""
+        return False
+
+    def is_prompt(self, text: str) -> bool:  # noqa: ARG002 - there is none
+        """Return False: there is none."""
+        return False
+
     def commands(self, place: str | None) -> tuple[CommandDoc, ...]:
         """Return the documented commands."""
         return tuple(command for command in self._commands if command.menu == place)

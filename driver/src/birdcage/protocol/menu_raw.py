@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from birdcage.base.errors import NoReply
 from birdcage.console.events import Reply
 from birdcage.console.raw import Typed
@@ -12,6 +14,8 @@ from birdcage.rotator.verdict import Grade, Verdict
 
 HELP = ("?",)
 """What brings the help of a menu, unless its dialect knows better (reference section 2.1)."""
+
+PROMPT = re.compile(r"\S{1,16}>")
 
 
 class MenuRaw:
@@ -39,6 +43,14 @@ class MenuRaw:
     def only_asks(self, line: str, prompt: str) -> bool:
         """Return whether a line at this prompt changes nothing but the menu."""
         return self._protocol.only_asks(line, prompt)
+
+    def says_target(self, text: str) -> bool:
+        """Return whether this is a number by its name, which is how the family says where it goes."""
+        return self._protocol.says_target(text)
+
+    def is_prompt(self, text: str) -> bool:
+        """Return whether a line is shaped like a prompt: those of some dishes are in no source."""
+        return PROMPT.fullmatch(text.strip()) is not None
 
     def commands(self, place: str | None) -> tuple[CommandDoc, ...]:
         """Return what the reference lists of a menu."""

@@ -47,6 +47,10 @@ def _nothing() -> None:
     pass
 
 
+TARGET = re.compile(r"\s*[A-Za-z]+(\[\d\])?\s*=\s*[-+]?\d+(\.\d+)?\s*$")
+"""How a dish says where it goes."""
+
+
 class FirmwareProtocol(ABC):
     """Speaks one firmware's console. Synchronous, blocking, not thread-safe, except for `interject`.
 
@@ -259,6 +263,10 @@ class FirmwareProtocol(ABC):
     def says_restart(self, line: str) -> bool:
         """Return whether a line is of those that it prints only when it starts."""
         return any(mark in line for mark in self.boot_marks)
+
+    def says_target(self, text: str) -> bool:
+        """Return whether a line does nothing but say where the dish goes."""
+        return TARGET.match(text) is not None
 
     def only_asks(self, line: str, prompt: str) -> bool:
         """Return whether a line at this prompt changes nothing but the menu, in every menu that has such a prompt.

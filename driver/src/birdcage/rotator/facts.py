@@ -150,7 +150,7 @@ class Facts:
     connectors: tuple[Connector, ...] = ()
     """Its plugs; none where it is not reached by a cable, or no source draws it."""
     kin_connectors: tuple[Connector, ...] = ()
-    """The plugs of its kin whose console nobody speaks here yet."""
+    """The plugs of its kin that birdcage does not drive yet."""
     adapters: tuple[Adapter, ...] = ()
     """The adapters that were used with it."""
 

@@ -98,6 +98,12 @@ class RawLines(Protocol):
     def only_asks(self, line: str, prompt: str) -> bool:
         """Return whether a line that went out at this prompt changes nothing but the place. Any thread."""
 
+    def says_target(self, text: str) -> bool:
+        """Return whether a line from the machine does nothing but name the angle that it was sent to. Any thread."""
+
+    def is_prompt(self, text: str) -> bool:
+        """Return whether a line from the machine is a prompt and nothing else. Any thread."""
+
     def commands(self, place: str | None) -> tuple[CommandDoc, ...]:
         """Return the documented commands of a place. Any thread."""
 

@@ -105,7 +105,7 @@ class Rotator(Protocol):
         """Be where motions, and what stops them, are understood; nothing is sent when it is so already."""
 
     def catch_up(self) -> None:
-        """Account for what an earlier program may have sent, so that it `is_settled`, as far as that is possible."""
+        """Account for what an earlier program may have sent, to make it `is_settled` if that can be."""
 
     def survey(self) -> Survey:
         """Read what it tells of itself; where it tells nothing, nothing is sent."""

@@ -129,6 +129,8 @@ class TranscriptLine(Event):
 
     direction: str
     text: str
+    is_prompt: bool = False
+    """Whether it is a prompt that came unasked, and nothing else."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -154,6 +154,11 @@ class Station:
         raw = self._antenna.raw
         return raw is not None and raw.only_asks(line, prompt)
 
+    def says_target(self, text: str) -> bool:
+        """Return whether a line from the machine does nothing but say where it goes. Any thread."""
+        raw = self._antenna.raw
+        return raw is not None and raw.says_target(text)
+
     @property
     def has_prompt(self) -> bool:
         """Whether the machine shows a prompt; without one its console is a plain line terminal. Any thread."""

@@ -226,7 +226,8 @@ class Vigil:
 
     def on_line(self, line: str) -> None:
         """Hear an unsolicited line."""
-        self._board.tell(TranscriptLine(*self._board.stamp(), "<", line))
+        raw = self._antenna.raw
+        self._board.tell(TranscriptLine(*self._board.stamp(), "<", line, raw is not None and raw.is_prompt(line)))
         self._starting.hear(line, met=self._met)
 
     def troubled(self, trouble: MotorTrouble) -> None:

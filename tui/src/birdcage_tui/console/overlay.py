@@ -45,7 +45,12 @@ class ConsoleOverlay(Container):
 
     def __init__(self, shell: ConsoleHost) -> None:
         super().__init__(id="console")
-        self._shell, self._tap, self._wire = shell, shell.tap, WireLog(shell.tap, shell.station.only_asks)
+        station = shell.station
+        self._shell, self._tap, self._wire = (
+            shell,
+            shell.tap,
+            WireLog(shell.tap, station.only_asks, station.says_target),
+        )
         self._pane, self._entry, self._finder = LogView(), ConsoleInput(self.do), FindInput(self.do)
         self._head, self._hinted, self._prompt, self._keys = HeadLine(), HintLine(), PromptCell(), KeysLine()
         self._sent = LinesSent(shell.station.submit, shell.soon, self._failed)

@@ -12,19 +12,19 @@ from birdcage_tui.console.lines import Line, Part
 
 OnlyAsks = Callable[[str, str], bool]
 """Whether a line at a prompt changes nothing but the menu."""
+SaysTarget = Callable[[str], bool]
+"""Whether a line from the dish says where it goes. Whatever else it says to a step is seen."""
 ANSWER_S = 2.0
 """What comes later than this is no answer to a poll: a dish that restarts prints for seconds."""
 
 LINE_END = re.compile(r"\r\n|\r|\n")
-TAKEN = re.compile(r"\s*[A-Za-z]+(\[\d\])?\s*=\s*[-+]?\d+(\.\d+)?\s*$")
-"""How a dish says where it goes. Whatever else it says to a step is seen."""
 
 
 class Sorter:
     """Reads the talk line by line. What it cannot place stays plain, and so in sight."""
 
-    def __init__(self, only_asks: OnlyAsks) -> None:
-        self._only_asks = only_asks
+    def __init__(self, only_asks: OnlyAsks, says_target: SaysTarget) -> None:
+        self._only_asks, self._says_target = only_asks, says_target
         self._typed: str | None = None
         self._prompt = ""
         """What the dish wrote last; one of before a gap holds until the next, as the station asks for it first."""
@@ -79,7 +79,7 @@ class Sorter:
             self._owed -= line.is_prompt
             if self._stepped is None:
                 return Part.POLL
-            taken = line.is_prompt or line.text.strip() in self._stepped or TAKEN.match(line.text)
+            taken = line.is_prompt or line.text.strip() in self._stepped or self._says_target(line.text)
             return Part.STEP if taken else Part.PLAIN
         self._polled = None
         return Part.ECHO if sent is not None and _bare(sent) == _bare(line) != b"" else Part.PLAIN

@@ -7,7 +7,7 @@ from datetime import datetime
 from birdcage.station.raw import Entry, LineJoiner
 
 from birdcage_tui.console.lines import Line, Part
-from birdcage_tui.console.sorter import OnlyAsks, Sorter
+from birdcage_tui.console.sorter import OnlyAsks, SaysTarget, Sorter
 from birdcage_tui.console.tap import WireTap
 
 PROMPT_LIMIT = 16
@@ -17,8 +17,8 @@ PROMPT_LIMIT = 16
 class WireLog:
     """Takes from the tap what came since the last look."""
 
-    def __init__(self, tap: WireTap, only_asks: OnlyAsks) -> None:
-        self._tap, self._sorter = tap, Sorter(only_asks)
+    def __init__(self, tap: WireTap, only_asks: OnlyAsks, says_target: SaysTarget) -> None:
+        self._tap, self._sorter = tap, Sorter(only_asks, says_target)
         self._joiner = LineJoiner()
         self._sending = self._steps = False
         """Whether the last event went out, and whether a pursuit sent all that has gone out since the dish spoke."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import sys
 from typing import TYPE_CHECKING
 
@@ -31,7 +30,6 @@ RESTORE = (
     "From the next power-up the dish homes and searches for TV satellites: it moves by itself."
 )
 
-PROMPT = re.compile(r"\S{1,16}>")
 REST_S = 6.0
 """How long a dish is watched that was on its way when its search was ended."""
 
@@ -63,9 +61,9 @@ SEARCHES = {
 def command(switch: str | None, yes: bool, timeout_s: float | None) -> None:
     """Wait until the dish answers, then print its state and what its TV search does.
 
-    A dish that has been up for long answers at once; the boot of one just switched on is shown as it goes. A TV search
-    that no setting of the dish switches off is ended, which lasts until the next power-up; any other is left alone
-    unless asked for.
+    A dish that has been up for long answers at once; the boot of one just switched on is shown as it goes. Where no
+    setting of the dish switches its TV search off, the search is ended until the next power-up. Any other search is
+    left alone unless asked for.
     Nothing is moved. Ctrl+C ends it.
     """
     from birdcage.cli.dish import open_dish
@@ -120,7 +118,7 @@ class Follower:
 
         if isinstance(event, TranscriptLine) and event.direction == "<" and event.text.strip():
             self.booted = True
-            if PROMPT.fullmatch(event.text.strip()):
+            if event.is_prompt:
                 return  # what was sent while it booted is answered now, each line with a prompt
             self._dish.progress.clear()
             say(f"{self.elapsed_s:5.1f} s  {event.text.strip()}")

@@ -20,7 +20,7 @@ _AT_ONCE = {
 """What is known of a search that no setting switches off."""
 
 _UNKNOWN = SearchSetting("", "the setting of the search", "", off="off", on="on")
-"""For a dish of which nobody knows how it names that."""
+"""For a dish whose own name for it is not known."""
 
 _STILL = "Nothing moves."
 
