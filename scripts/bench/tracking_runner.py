@@ -11,13 +11,15 @@ from datetime import UTC, datetime
 
 import numpy as np
 from birdcage.antenna.antenna import BirdcageAntenna
-from birdcage.antenna.gear import AXES, Gear, GearFact, GearKind, GearOrigin
+from birdcage.antenna.gear import AXES, PLAY, overshoot_name
 from birdcage.base.clock import VirtualClock
 from birdcage.base.errors import NoReply
 from birdcage.base.geometry import wrap_360
 from birdcage.link.link import Link
 from birdcage.protocol.registry import get_protocol
 from birdcage.rotator.facts import Facts
+from birdcage.rotator.origin import Origin
+from birdcage.rotator.own import OwnFact, OwnFacts
 from birdcage.sim.axis import Axis
 from birdcage.sim.device import Device
 from birdcage.sim.port import SimPort, open_device
@@ -180,16 +182,15 @@ class Bench:
             self.antenna.point(wrap_360(az_deg + by_deg), el_deg + by_deg)
             self.clock.advance(RESTS_S)
             self.antenna.get_position()
-        gear = Gear()
+        own = OwnFacts()
         for axis in AXES:
-            gear = gear.with_fact(axis, GearKind.PLAY, GearFact(play_deg, GearOrigin.USER, self.clock.utc()))
+            own = own.with_fact(f"{axis}.{PLAY}", OwnFact(play_deg, Origin.USER, self.clock.utc()))
         for (axis, up), tally in self.antenna.commands.overshoots.tallies.items():
             if tally.is_sure:
-                kind = GearKind.OVERSHOOT_UP if up else GearKind.OVERSHOOT_DOWN
-                fact = GearFact(tally.mean_deg, GearOrigin.READINGS, self.clock.utc(), tally.count)
-                gear = gear.with_fact(axis, kind, fact)
+                fact = OwnFact(tally.mean_deg, Origin.LEARNT, self.clock.utc(), tally.count)
+                own = own.with_fact(overshoot_name(axis, up=up), fact)
         self.antenna.motion = None
-        self.model = self.antenna.model = gear.on(self.model)
+        self.model = self.antenna.model = own.on(self.model)
 
     def wait(self, until_s: float) -> None:
         ahead_s = until_s - self.now_s

@@ -30,4 +30,4 @@ def test_what_cannot_be_is_refused_and_keeps_nothing(run, pty_dish):
 def test_a_dish_without_an_adapter_or_a_firmware_is_asked_for(run, pty_dish):
     assert "No adapter at" in run("gear", port="sim:g2").stderr
     unnamed = run("gear", "--play-az", "0.05", port=pty_dish.path, firmware="")
-    assert "--firmware g2" in unnamed.stderr
+    assert "Name the firmware with --firmware" in unnamed.stderr

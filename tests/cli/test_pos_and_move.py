@@ -55,7 +55,7 @@ def test_a_dish_that_waits_for_its_motor_is_not_called_deadlocked_and_stays_wher
     truth = pty_dish.device.truth()
     assert not truth.moving
     assert truth.el_deg == pytest.approx(30, abs=0.06)
-    (remembered,) = tmp_path.glob("state/dishes/*/moves.json")
+    (remembered,) = tmp_path.glob("state/dishes/*/facts.json")
     assert "block" in remembered.read_text()
 
 

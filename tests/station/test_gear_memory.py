@@ -7,10 +7,11 @@ from datetime import UTC, datetime
 from statistics import fmean
 
 import pytest
-from birdcage.antenna.gear import Gear, GearFact, GearKind, GearOrigin
 from birdcage.base.errors import ConfigError
 from birdcage.link.identity import dish_folder
-from birdcage.station.gear_memory import FILE, GearFile
+from birdcage.rotator.origin import Origin
+from birdcage.rotator.own import OwnFact, OwnFacts
+from birdcage.station.facts_file import FILE, FactsFile
 from birdcage.station.pursuit import Phase
 from birdcage.station.report import status_report
 from birdcage.station.requests import Goto, Release, Stop
@@ -19,7 +20,9 @@ from .pursuit_bench import PursuitBench, at, plan_of
 
 UTC_NOW = datetime(2026, 11, 22, tzinfo=UTC)
 LASTS_S = 70.0
-UP, DOWN, PLAY = GearKind.OVERSHOOT_UP, GearKind.OVERSHOOT_DOWN, GearKind.PLAY
+AZ_UP, AZ_PLAY = "azimuth.mean_overshoot_up_deg", "azimuth.play_deg"
+UPS = {AZ_UP, "elevation.mean_overshoot_up_deg"}
+OVERSHOOTS = UPS | {"azimuth.mean_overshoot_down_deg", "elevation.mean_overshoot_down_deg"}
 
 
 def dish(tmp_path, options="seed=1&overshoot=1", identity="usb:A"):
@@ -28,7 +31,7 @@ def dish(tmp_path, options="seed=1&overshoot=1", identity="usb:A"):
 
 
 def kept(tmp_path, identity="usb:A"):
-    return GearFile(dish_folder(tmp_path, identity) / FILE, "g2")
+    return FactsFile(dish_folder(tmp_path, identity) / FILE, "g2")
 
 
 def to_and_fro(bench, times):
@@ -40,21 +43,21 @@ def to_and_fro(bench, times):
 
 
 def learnt(bench):
-    return {key: round(fact.deg, 3) for key, fact in bench.state.gear.facts.items()}
+    return {name: round(fact.value, 3) for name, fact in bench.state.own.facts.items()}
 
 
 def test_overshoot_is_learnt_in_each_direction_and_shown_with_where_it_comes_from(tmp_path):
     bench = dish(tmp_path)
     to_and_fro(bench, 9)
-    found = bench.state.gear.facts
-    assert set(found) == {("azimuth", UP), ("azimuth", DOWN), ("elevation", UP), ("elevation", DOWN)}
-    for (_axis, kind), fact in found.items():
-        assert fact.deg == pytest.approx(0.03 if kind is UP else 0.04, abs=0.012)
-        assert fact.origin is GearOrigin.READINGS
+    found = bench.state.own.facts
+    assert set(found) == OVERSHOOTS
+    for name, fact in found.items():
+        assert fact.value == pytest.approx(0.03 if name in UPS else 0.04, abs=0.012)
+        assert fact.origin is Origin.LEARNT
         assert fact.readings >= 6
-    assert bench.state.dish.azimuth.mean_overshoot_up_deg == found["azimuth", UP].deg
+    assert bench.state.dish.azimuth.mean_overshoot_up_deg == found[AZ_UP].value
     told = status_report(bench.state, bench.clock.monotonic())["gear"]
-    assert told["azimuth_overshoot_up_readings"] == found["azimuth", UP].readings
+    assert told["azimuth_overshoot_up_readings"] == found[AZ_UP].readings
     assert "learnt from" in told["sentence"]
     json.dumps(told)
 
@@ -101,23 +104,30 @@ def test_the_next_program_knows_it_of_that_dish_and_of_no_other(tmp_path):
     assert set(learnt(dish(tmp_path))) == set(learnt(first))
     assert learnt(dish(tmp_path, identity="usb:B")) == {}
     assert learnt(dish(tmp_path, identity=None)) == {}
-    kept(tmp_path).forget()
+    kept(tmp_path).forget_gear()
     assert learnt(dish(tmp_path)) == {}
+
+
+def said(**changes):
+    fact = {"name": AZ_PLAY, "value": 0.05, "origin": "user", "utc": "2026-11-22T00:00:00+00:00", "readings": 0}
+    return json.dumps({"firmware": "g2", "facts": [fact | changes]})
 
 
 @pytest.mark.parametrize(
     "text",
     [
-        "", "{", "[]", "[" * 2000, '{"firmware": "g2", "facts": [{"axis": "azimuth"}]}', '{"firmware": "g2"}',
-        '{"firmware": "hal205", "facts": []}',
-        ('{"firmware": "g2", "facts": [{"axis": "azimuth", "kind": "play", "deg": 3.0, "origin": "set by the user", '
-        '"utc": "2026-11-22T00:00:00+00:00", "readings": 0}]}'),
-        ('{"firmware": "g2", "facts": [{"axis": "azimuth", "kind": "play", "deg": NaN, "origin": "set by the user", '
-        '"utc": "2026-11-22T00:00:00+00:00", "readings": 0}]}'),
+        "", "{", "[]", "[" * 2000, '{"firmware": "g2", "facts": [{"name": "azimuth.play_deg"}]}', '{"firmware": "g2"}',
+        '{"firmware": "g2", "facts": 7}', '{"firmware": "g2", "facts": ["azimuth"]}', said(value=3.0),
+        said(value=float("nan")), said(value="far"), said(value=None), said(origin="documented"), said(utc="yesterday"),
+        said(utc="2026-11-22T00:00:00"), said(readings=-1), said(name="elevation.max_deg"),
+        said(name="second_same", value="flee"), said().replace("g2", "hal205"), "\0" * 100_000,
+        json.dumps({"firmware": "g2", "facts": [json.loads(said())["facts"][0]] * 50}),
+        said(name="x" * 100_000),
     ],
+    ids=range(22),
 )  # fmt: skip
 def test_a_damaged_file_tells_nothing(tmp_path, text):
-    kept(tmp_path).write(Gear())
+    kept(tmp_path).write(OwnFacts())
     kept(tmp_path).path.write_text(text)
     assert learnt(dish(tmp_path)) == {}
 
@@ -126,7 +136,7 @@ def test_play_that_was_set_meanwhile_is_not_lost_when_something_is_learnt(tmp_pa
     bench = dish(tmp_path)
     kept(tmp_path).set_play(0.05, None, UTC_NOW)
     to_and_fro(bench, 9)
-    assert kept(tmp_path).read().facts["azimuth", PLAY].deg == 0.05
+    assert kept(tmp_path).read().facts[AZ_PLAY].value == 0.05
     assert bench.state.dish.azimuth.play_deg == 0.05
 
 
@@ -140,18 +150,18 @@ def test_what_cannot_be_written_is_learnt_all_the_same(tmp_path):
     (tmp_path / "dishes").write_text("in the way")
     bench = dish(tmp_path)
     to_and_fro(bench, 9)
-    assert ("azimuth", UP) in learnt(bench)
+    assert AZ_UP in learnt(bench)
 
 
 def followed(tmp_path, *, known, low=18.0, high=40.0):
     """The mean of what the shaft is off, in its own degrees, up and down, as it really stands; and the bench."""
     if known:
-        gear = Gear()
+        own = OwnFacts()
         for axis in ("azimuth", "elevation"):
-            gear = gear.with_fact(axis, PLAY, GearFact(0.06, GearOrigin.USER, UTC_NOW))
-            for kind in (UP, DOWN):
-                gear = gear.with_fact(axis, kind, GearFact(0.0, GearOrigin.READINGS, UTC_NOW, 20))
-        kept(tmp_path).write(gear)
+            own = own.with_fact(f"{axis}.play_deg", OwnFact(0.06, Origin.USER, UTC_NOW))
+        for name in OVERSHOOTS:
+            own = own.with_fact(name, OwnFact(0.0, Origin.LEARNT, UTC_NOW, 20))
+        kept(tmp_path).write(own)
     bench = dish(tmp_path, "seed=1&overshoot=0&backlash=0.06")
     plan = plan_of(at(bench) + 30.0, from_az=170.0, low=low, high=high, lasts_s=LASTS_S)
     bench.pursue(plan)

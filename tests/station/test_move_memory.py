@@ -40,12 +40,32 @@ def test_another_dish_or_one_without_a_name_is_not_it(tmp_path, identity):
     assert at(tmp_path, identity=identity).state.dish.second_other is SecondMove.UNKNOWN
 
 
-@pytest.mark.parametrize("text", ["", "{", "[]", '{"firmware": "hal205", "second_move": "block"}', "[" * 2000])
-def test_a_damaged_file_or_one_of_another_firmware_tells_nothing(tmp_path, text):
+def test_what_an_earlier_version_kept_is_taken_over_once_and_its_files_are_removed(tmp_path):
     folder = dish_folder(tmp_path, "usb:A")
     folder.mkdir(parents=True)
-    (folder / "moves.json").write_text(text)
-    assert at(tmp_path, "g2?seed=1&az=-180").state.dish.second_other is SecondMove.UNKNOWN
+    (folder / "moves.json").write_text('{"firmware": "g2", "second_move": "block"}')
+    (folder / "gear.json").write_text(
+        '{"firmware": "g2", "facts": [{"axis": "azimuth", "kind": "overshoot up", "deg": 0.03, "origin": '
+        '"learnt from readings at rest", "utc": "2026-11-22T00:00:00+00:00", "readings": 9}]}'
+    )
+    for _ in range(2):
+        bench = at(tmp_path, "g2?seed=1&az=-180")
+        assert bench.state.dish.second_other is SecondMove.BLOCK
+        assert bench.state.dish.azimuth.mean_overshoot_up_deg == 0.03
+        assert bench.state.own.facts["azimuth.mean_overshoot_up_deg"].readings == 9
+        assert [each.name for each in folder.iterdir()] == ["facts.json"]
+        bench.session.close()
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", '{"firmware": "hal205", "second_move": "block"}', "[" * 2000])
+@pytest.mark.parametrize("name", ["moves.json", "gear.json"])
+def test_a_damaged_earlier_file_or_one_of_another_firmware_tells_nothing(tmp_path, text, name):
+    folder = dish_folder(tmp_path, "usb:A")
+    folder.mkdir(parents=True)
+    (folder / name).write_text(text)
+    bench = at(tmp_path, "g2?seed=1&az=-180")
+    assert bench.state.dish.second_other is SecondMove.UNKNOWN
+    assert bench.state.own.facts == {}
 
 
 def test_what_cannot_be_written_is_learnt_all_the_same(tmp_path):

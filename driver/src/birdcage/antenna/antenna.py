@@ -5,7 +5,6 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import replace
 from typing import Any
 
 from birdcage.antenna.alignment import Alignment
@@ -14,7 +13,6 @@ from birdcage.antenna.blocking import MoveCommands
 from birdcage.antenna.config import AntennaConfig, DialectBaud
 from birdcage.antenna.foresight import foresee
 from birdcage.antenna.gate import MotionGate
-from birdcage.antenna.gear import Gear
 from birdcage.antenna.latch import Latch
 from birdcage.antenna.maintenance import Maintenance
 from birdcage.antenna.motion import DishMotion, rest_seen
@@ -30,6 +28,7 @@ from birdcage.link.link import Link
 from birdcage.rotator.adapting import as_rotator
 from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.ladder import StopBy, StopOrder
+from birdcage.rotator.own import OwnFacts, with_speeds
 from birdcage.rotator.raw import RawLines
 from birdcage.rotator.rotator import Rotator
 from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION, Position
@@ -77,7 +76,8 @@ class BirdcageAntenna:
         self._readings = Readings(self.gate)
         self.skew = SkewGoal()
         self.maintenance = Maintenance(self.rotator, self.gate)
-        self.gear = Gear()
+        self.own = OwnFacts()
+        """What was learnt of this dish itself."""
         self.kind = self.rotator.facts
         """The dish as it was seen to take commands; `protocol.model` is what is known of all that are like it."""
         self.model = self.kind
@@ -119,18 +119,17 @@ class BirdcageAntenna:
     def use_speeds(self, speeds: Mapping[int, float]) -> None:
         """Plan with these greatest speeds (motor number to deg/s); an axis that is not named goes as its model says."""
         self._check_thread()
-        model = self.kind
         self.speeds_deg_s = dict(speeds)
-        self.model = replace(
-            model,
-            azimuth=replace(model.azimuth, speed_deg_s=speeds.get(MOTOR_AZIMUTH, model.azimuth.speed_deg_s)),
-            elevation=replace(model.elevation, speed_deg_s=speeds.get(MOTOR_ELEVATION, model.elevation.speed_deg_s)),
-        )
+        self.model = with_speeds(self.kind, speeds)
 
-    def remember_blocking(self, *, blocks: bool) -> None:
-        """Count the dish among those that take no command of a move while a motor runs, or no longer."""
-        self.kind = self.gear.on(self.rotator.facts.blocking() if blocks else self.rotator.facts)
+    def know(self, own: OwnFacts) -> None:
+        """Plan and steer from now on by what is known of this dish itself."""
+        self.own, self.kind = own, own.on(self.rotator.facts)
         self.use_speeds(self.speeds_deg_s)
+
+    def remember_blocking(self) -> None:
+        """Count the dish among those that take no command of a move while a motor runs."""
+        self.know(self.own.that_waits(self._clock.utc()))
 
     def doubt(self) -> None:
         """From now on take no reading of the position as true that neither goes on nor comes twice."""

@@ -101,7 +101,7 @@ class MoveCommands:
             return
         antenna.begins_now(motor)
         if not antenna.model.moves_in_turn:
-            antenna.remember_blocking(blocks=True)
+            antenna.remember_blocking()
             self.on_blocking()
 
     def steer(self, motor: int, dish_deg: float) -> None:

@@ -41,6 +41,7 @@ COMMANDS = {
     "downlinks": "List downlinks, and which of them your feed can hear.",
     "if": "Compute the frequency behind a converter, and which receivers tune to it.",
     "ready": "Check what is missing before you leave home.",
+    "facts": "List what is known of this dish, with units and who says so.",
     "gear": "Show this dish's play and overshoot, set the play, or forget both.",
     "calibrate": "Measure the alignment: peaks, pointing model, named alignments.",
     "craft": "Ask a prediction server, if you have set one.",

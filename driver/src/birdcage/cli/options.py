@@ -57,10 +57,10 @@ class Wanted:
 
     @property
     def model(self) -> Facts | None:
-        """What that firmware drives; None for one that this version does not speak."""
+        """What that firmware drives, as its owner says that it is; None for one that this version does not speak."""
         from birdcage.station.known import model_of
 
-        return model_of(self.firmware)
+        return model_of(self.firmware, self.settings)
 
     @property
     def named_model(self) -> Facts | None:

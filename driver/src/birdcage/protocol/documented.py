@@ -91,7 +91,7 @@ class DocumentedRotator(MenuRotator):
     def __init__(self, protocol: FirmwareProtocol) -> None:
         super().__init__(protocol)
         self.raw: RawLines | None = None
-        self.facts = _genuine(protocol.model, GENERIC_FACTS)
+        self._facts = _genuine(protocol.model, GENERIC_FACTS)
         self._hooks = Hooks()
         self._clock: Clock = RealClock()
         self._line = CallLine(self._clock)

@@ -86,8 +86,18 @@ class MenuRotator:
     def __init__(self, protocol: FirmwareProtocol) -> None:
         self.protocol = protocol
         self.raw: RawLines | None = MenuRaw(protocol)
-        self.facts: Facts = protocol.model
+        self._facts: Facts = protocol.model
         self.is_simulated = False
+
+    @property
+    def facts(self) -> Facts:
+        """See `Rotator`."""
+        return self._facts
+
+    @facts.setter
+    def facts(self, facts: Facts) -> None:
+        # Its own check of an angle goes by them too.
+        self._facts = self.protocol.model = facts
 
     @property
     def is_open(self) -> bool:

@@ -63,7 +63,7 @@ class FirmwareProtocol(ABC):
     """
 
     name: ClassVar[str] = GENERIC_FACTS.firmware
-    model: ClassVar[Facts] = GENERIC_FACTS
+    model: Facts = GENERIC_FACTS
     dialect: ClassVar[ConsoleDialect] = GENERIC_DIALECT
     boot_marks: ClassVar[tuple[str, ...]] = ()
     """Words in unasked lines that mean that the dish has just started."""

@@ -87,7 +87,7 @@ def place(settings: Settings) -> Check:
 
 def dish(settings: Settings) -> Check:
     """Whether it is known which dish it is."""
-    from birdcage.station.known import model_of
+    from birdcage.station.known import model_of, wrong_facts
 
     name = settings.dish.firmware
     if name is None:
@@ -95,6 +95,8 @@ def dish(settings: Settings) -> Check:
     model = model_of(name)
     if model is None:
         return Check("dish", "dish", "must", f"firmware {name!r} is unknown to this version", "birdcage setup")
+    for sentence in wrong_facts(name, settings):
+        return Check("dish", "dish", "must", sentence, "birdcage config path")
     return Check("dish", "dish", "good", f"{model.name}, firmware {name}")
 
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from enum import Enum
 
 from birdcage.base.beam import Reflector
 from birdcage.rotator.axis import Axis, CableRange
-from birdcage.rotator.ladder import END_OF_MOVE, POWER_SWITCH, Rung
+from birdcage.rotator.ladder import Rung
+from birdcage.rotator.origin import Origin
 from birdcage.rotator.wiring import Adapter, Connector
 
 
@@ -153,6 +154,12 @@ class Facts:
     """The plugs of its kin that birdcage does not drive yet."""
     adapters: tuple[Adapter, ...] = ()
     """The adapters that were used with it."""
+    origin: Mapping[str, Origin] = field(default_factory=dict)
+    """Who stands for each fact, by its flat name (`listed_facts`); a fact that is missing has no source."""
+
+    def origin_of(self, name: str) -> Origin | None:
+        """Return who stands for a fact; None if it has no source."""
+        return self.origin.get(name)
 
     @property
     def axes(self) -> tuple[Axis, ...]:
@@ -168,16 +175,6 @@ class Facts:
     def moves_in_turn(self) -> bool:
         """Whether it moves one axis at a time, or takes a command only when the one before is done."""
         return self.second_same.waits or self.second_other.waits
-
-    def blocking(self) -> Facts:
-        """Return the same dish, seen to answer no command of a move while a motor runs (reference section 2.6)."""
-        kept = tuple(rung for rung in self.stop_ladder if rung.name != "retarget")
-        return replace(
-            self,
-            second_same=SecondMove.BLOCK,
-            second_other=SecondMove.BLOCK,
-            stop_ladder=(END_OF_MOVE, *kept, POWER_SWITCH),
-        )
 
     def axis(self, index: int) -> Axis:
         """Return the axis that the firmware counts as `index`; KeyError for any other."""

@@ -27,12 +27,21 @@ def refuse_while_moving(board: Board, antenna: BirdcageAntenna, so: str) -> None
         )
 
 
+def refusal_of(wrong_facts: tuple[str, ...]) -> str | None:
+    """Return why nothing moves where a fact of the owner's can't count; None where all can."""
+    return f"Nothing moves: {wrong_facts[0]} Fix birdcage.toml and start again." if wrong_facts else None
+
+
 class Applying:
     """The one place where rules come into force."""
 
-    def __init__(self, board: Board, antenna: BirdcageAntenna, mover: Mover, stopper: Stopper, look: Look) -> None:
+    def __init__(
+        self, board: Board, antenna: BirdcageAntenna, mover: Mover, stopper: Stopper, look: Look,
+        wrong_facts: tuple[str, ...],
+    ) -> None:  # fmt: skip
         self._board, self._antenna = board, antenna
         self._mover, self._stopper, self._look = mover, stopper, look
+        self._wrong_facts = refusal_of(wrong_facts)
 
     def apply(self, settings: Settings) -> None:
         """Take over what these settings say. BirdcageError (`moving`) while the dish moves."""
@@ -53,6 +62,6 @@ class Applying:
             position=position, alignment=alignment,
             az_offset_deg=alignment.az_offset_deg, el_offset_deg=alignment.el_offset_deg,
             feed_name=rules.feed_name, beam=beam_of(rules.feed, self._antenna.model.reflector),
-            stow_allowed=rules.stow_allowed, motion_refused_because=rules.refuse_motion,
+            stow_allowed=rules.stow_allowed, motion_refused_because=rules.refuse_motion or self._wrong_facts,
         )  # fmt: skip
         self._look.limit()

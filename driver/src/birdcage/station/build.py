@@ -65,6 +65,7 @@ def open_session(
             firmware=firmware,
             baud=baud,
             open_link=open_port,
+            own_facts=settings.own_facts,
             find_port=_finder(port, settings.link.usb_identity, ports),
             delay_s=settings.link.delay_s,
             survey=survey,

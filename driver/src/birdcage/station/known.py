@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from birdcage.link.opening import has_speed
 from birdcage.link.ports import PortInfo, list_ports
 from birdcage.link.system import Hindrance, SystemFacts, look_at_system
 from birdcage.rotator import machines
 from birdcage.rotator.facts import Facts, SearchSetting, SearchSwitch, Turn
+from birdcage.rotator.own import laid_by_owner
+
+if TYPE_CHECKING:
+    from birdcage.base.config import Settings
 
 __all__ = [
     "Facts", "Hindrance", "PortInfo", "SearchSetting", "SearchSwitch", "SystemFacts", "Turn", "has_speed",
-    "list_firmwares", "list_models", "list_ports", "look_at_system", "model_of",
+    "list_firmwares", "list_models", "list_ports", "look_at_system", "model_of", "wrong_facts",
 ]  # fmt: skip
 
 
@@ -24,6 +30,16 @@ def list_models() -> tuple[Facts, ...]:
     return tuple(map(machines.facts_of, machines.names()))
 
 
-def model_of(firmware: str | None) -> Facts | None:
-    """Return what a firmware drives; None for none, and for one that this version does not speak."""
-    return next((model for model in list_models() if model.firmware == firmware), None)
+def model_of(firmware: str | None, settings: Settings | None = None) -> Facts | None:
+    """Return what a firmware drives; None for none, and for one that this version does not speak.
+
+    With settings: as its owner says that it is, in `[dish.facts]`.
+    """
+    model = next((model for model in list_models() if model.firmware == firmware), None)
+    return model if model is None or settings is None else laid_by_owner(model, settings.own_facts)[0]
+
+
+def wrong_facts(firmware: str | None, settings: Settings) -> tuple[str, ...]:
+    """Return a sentence for each fact of the owner's that can't count for such a dish."""
+    model = model_of(firmware)
+    return () if model is None else laid_by_owner(model, settings.own_facts)[1]

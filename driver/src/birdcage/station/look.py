@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from datetime import timedelta
+from functools import partial
 from types import MappingProxyType
 
 from birdcage.antenna.antenna import BirdcageAntenna
@@ -12,7 +13,8 @@ from birdcage.antenna.rest import STILL_DEG
 from birdcage.base.config.sections import NoGoSector
 from birdcage.base.errors import CommandRefused, PositionUnknown
 from birdcage.base.geometry import shortest_turn, wrap_360
-from birdcage.rotator.facts import SearchSwitch, Turn
+from birdcage.rotator.facts import Facts, SearchSwitch, Turn
+from birdcage.rotator.origin import Origin
 from birdcage.rotator.values import Survey
 from birdcage.station.board import Board
 from birdcage.station.events import PositionRead
@@ -185,12 +187,18 @@ class Look:
             self._survey = survey
         gate, offset, told = self._antenna.gate, self._antenna.alignment.el_offset_deg, self._survey
         axis, cable, user = gate.model.elevation, gate.model.cable, self.rules
-        low = Limit.of(told.el_min_deg, axis.min_deg).at_least(user.min_elevation_deg)
-        high = Limit.of(told.el_max_deg, axis.max_deg).at_most(user.max_elevation_deg)
+        whose = partial(_whose, gate.model)
+        low = Limit.of(told.el_min_deg, axis.min_deg, whose("elevation.min_deg"))
+        high = Limit.of(told.el_max_deg, axis.max_deg, whose("elevation.max_deg"))
+        if whose("elevation.min_deg") is LimitSource.USER:
+            low = low.at_least(axis.min_deg)
+        if whose("elevation.max_deg") is LimitSource.USER:
+            high = high.at_most(axis.max_deg)
+        low, high = low.at_least(user.min_elevation_deg), high.at_most(user.max_elevation_deg)
         limits = {"el_min": low, "el_max": high}
         if cable is not None:
-            limits["cable_min"] = Limit.of(None, cable.min_deg).at_least(user.cable_min_deg)
-            limits["cable_max"] = Limit.of(None, cable.max_deg).at_most(user.cable_max_deg)
+            limits["cable_min"] = Limit(cable.min_deg, whose("cable.min_deg")).at_least(user.cable_min_deg)
+            limits["cable_max"] = Limit(cable.max_deg, whose("cable.max_deg")).at_most(user.cable_max_deg)
         gate.update(
             el_min_deg=low.deg, el_max_deg=high.deg, cable_min_deg=user.cable_min_deg, cable_max_deg=user.cable_max_deg,
             sectors=tuple(self._antenna.alignment.sector_to_dish(*sector) for sector in user.sectors),
@@ -204,6 +212,10 @@ class Look:
         )  # fmt: skip
 
 
+def _whose(model: Facts, name: str) -> LimitSource:
+    return LimitSource.USER if model.origin_of(name) is Origin.USER else LimitSource.MODEL
+
+
 @dataclass(frozen=True, slots=True)
 class Limit:
     """One limit in degrees, and whose it is."""
@@ -212,9 +224,9 @@ class Limit:
     source: LimitSource
 
     @classmethod
-    def of(cls, told_deg: float | None, model_deg: float) -> Limit:
-        """Return what the dish told, or else its model's."""
-        return cls(model_deg, LimitSource.MODEL) if told_deg is None else cls(told_deg, LimitSource.DISH)
+    def of(cls, told_deg: float | None, model_deg: float, whose: LimitSource) -> Limit:
+        """Return what the dish told, or else its model's, and `whose` that is."""
+        return cls(model_deg, whose) if told_deg is None else cls(told_deg, LimitSource.DISH)
 
     def at_least(self, user_deg: float | None) -> Limit:
         """Return the higher of this and the user's."""

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from birdcage.base.errors import BirdcageError
 from birdcage.rotator.facts import Facts
+from birdcage.rotator.own import with_speeds
 from birdcage.station.reach_limits import reach_limits_of
 from birdcage.station.state import StationState
 from birdcage.tracking.mount import Mount, Standing
@@ -35,16 +34,6 @@ def mount_of(state: StationState, settings: Settings) -> Mount:
     )
 
 
-def own_speeds(model: Facts, lent: Mapping[int, float]) -> Facts:
-    """Return the model without the speeds that a pursuit changes as it follows; `lent`: what they were before."""
-    azimuth, elevation = model.azimuth, model.elevation
-    return replace(
-        model,
-        azimuth=replace(azimuth, speed_deg_s=lent.get(azimuth.index, azimuth.speed_deg_s)),
-        elevation=replace(elevation, speed_deg_s=lent.get(elevation.index, elevation.speed_deg_s)),
-    )
-
-
 def _in_force(model: Facts, state: StationState) -> Facts:
     """Return the model with the speeds that were read or set; without those that a pursuit changes as it follows."""
     read = {
@@ -52,7 +41,7 @@ def _in_force(model: Facts, state: StationState) -> Facts:
         for axis in (model.azimuth, model.elevation)
         if (told := state.readings.get(f"speed.{axis.index}")) is not None and not isinstance(told.value, str)
     }
-    return own_speeds(model, read | dict(state.speeds_lent))
+    return with_speeds(model, read | dict(state.speeds_lent))
 
 
 def _standing(state: StationState) -> Standing | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from birdcage.rotator.facts import Turn
+from birdcage.station.gear_words import gear_values
 from birdcage.station.state import Activity, HeldState, Link, Search, StationState, StopReport
 
 Value = str | float | bool | None
@@ -48,7 +49,7 @@ def status_report(state: StationState, now: float) -> dict[str, Value | dict[str
         "search": None if state.search is Search.UNKNOWN else state.search.value,
         "turn_of_cable": None if state.turn is Turn.UNKNOWN else state.turn.value,
         "alignment": state.alignment.words() or None,
-        "gear": state.gear.values() if state.gear.facts else None,
+        "gear": gear_values(state.own),
         "cable_deg": _rounded(pointing.cable_deg) if pointing and pointing.cable_deg is not None else None,
         "stop_power_s": motion.stop_power_s if motion else None,
         "stop_means": motion.stop_means if motion else None,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -67,6 +67,8 @@ class StationSettings(Rules):
     port: str
     firmware: str
     open_link: OpenLink
+    own_facts: Mapping[str, float | str] = field(default_factory=dict)
+    """What the owner says of this machine, by flat names: `[dish.facts]`. It lies over the facts of its kind."""
     find_port: Callable[[str], str | None] = lambda port: port
     """Where that port is now: the same path, or another one with the same USB identity; None while it is gone."""
     baud: int | None = None

@@ -9,11 +9,11 @@ from enum import Enum
 from types import MappingProxyType
 
 from birdcage.antenna.alignment import Alignment
-from birdcage.antenna.gear import Gear
 from birdcage.base.beam import Beam
 from birdcage.base.config.sections import NoGoSector
 from birdcage.base.held import HeldNote
 from birdcage.rotator.facts import Facts, Turn
+from birdcage.rotator.own import OwnFacts
 from birdcage.station.pursuit import Pursuit
 
 
@@ -262,8 +262,8 @@ class StationState:
     alignment: Alignment = field(default_factory=Alignment)
     """The whole of what is in force: the offsets above, tilt and collimation. Shown whenever it is not zero."""
     feed_name: str = ""
-    gear: Gear = field(default_factory=Gear)
-    """What is known of its own play and overshoot, which `dish` has too, with where it comes from."""
+    own: OwnFacts = field(default_factory=OwnFacts)
+    """What was learnt of this dish itself, which `dish` has too, with where it comes from."""
     beam: Beam | None = None
     """Of this dish with that feed; None if it is not known."""
     stow_allowed: bool = False

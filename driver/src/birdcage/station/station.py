@@ -17,15 +17,15 @@ from birdcage.base.errors import BirdcageError, LinkError, NoReply, Stopped
 from birdcage.base.wake import Wake
 from birdcage.rotator import machines
 from birdcage.rotator.hooks import Hooks
+from birdcage.rotator.own import laid_by_owner
 from birdcage.station.applying import Applying
 from birdcage.station.board import Board, Listener
 from birdcage.station.connection import Connection
 from birdcage.station.control import Control
 from birdcage.station.desk import Desk
-from birdcage.station.gear_memory import GearMemory
+from birdcage.station.facts_memory import FactsMemory
 from birdcage.station.lent import LentSpeeds
 from birdcage.station.look import Look
-from birdcage.station.move_memory import MoveMemory
 from birdcage.station.pursuing import Pursuing
 from birdcage.station.pursuit import Phase
 from birdcage.station.queued_mover import QueuedMover
@@ -58,6 +58,9 @@ class Station:
 
     def __init__(self, clock: Clock, settings: StationSettings) -> None:
         rotator = machines.make(settings.firmware)
+        own_facts, wrong_facts = laid_by_owner(rotator.facts, settings.own_facts)
+        if settings.own_facts:
+            rotator.facts = own_facts
         config = AntennaConfig(settings.port, min_elevation=NO_FLOOR_DEG, leapfrog_enabled=False)
         self.clock, self.settings = clock, settings
         self._antenna = antenna = BirdcageAntenna(rotator, config, settings.alignment)
@@ -75,9 +78,8 @@ class Station:
         queues = rotator.facts.moves_in_turn
         self._mover = QueuedMover(board, antenna, look) if queues else RetargetMover(board, antenna, look)
         self._stopper = Stopper(board, antenna, self._control, self._mover, look)
-        self._moves = MoveMemory(board, antenna, self._stopper, settings.state_folder, settings.identify)
-        self._gears = GearMemory(board, antenna, settings.state_folder, settings.identify)
-        applying = Applying(board, antenna, self._mover, self._stopper, look)
+        self._facts = FactsMemory(board, antenna, self._stopper, settings.state_folder, settings.identify)
+        applying = Applying(board, antenna, self._mover, self._stopper, look, wrong_facts)
         applying.use(settings)
         self._watches = Watches()
         self._vigil = Vigil(board, antenna, self._control, self._mover, self._stopper, look, self._watches)
@@ -86,7 +88,7 @@ class Station:
         )  # fmt: skip
         self._vigil.on_interrupted = self._pursuing.interrupted
         self._pursuing.on_slow = self._vigil.slow
-        self._moves.on_learnt = self._pursuing.suit_dish
+        self._facts.on_waits = self._pursuing.suit_dish
         if settings.state_folder is not None:
             self._pursuing.speeds.remember(LentSpeeds(settings.state_folder, settings.port, settings.firmware))
         self._turns = TurnMemory(
@@ -298,8 +300,7 @@ class Station:
     def _meet(self, port: str) -> None:
         """A port is about to be opened: what is remembered of its dish counts."""
         self._control.meet(port)
-        self._moves.meet(port)
-        self._gears.meet(port)
+        self._facts.meet(port)
         self._turns.meet(port)
 
     def _connect(self) -> None:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.config import Settings
 from birdcage.base.errors import MotionRefused
+from birdcage.rotator.own import with_speeds
 from birdcage.station.board import Board
 
 if TYPE_CHECKING:
@@ -32,7 +33,6 @@ def voyage_for(
     request: Pursue, board: Board, antenna: BirdcageAntenna, hear: Callable[[Notice], None]
 ) -> tuple[Voyage, str]:
     """Return it, and the name of the controller that steers. MotionRefused (`controller`) where that one must not."""
-    from birdcage.station.mounting import own_speeds
     from birdcage.tracking.steering.choice import controller_for, lead_s
     from birdcage.tracking.voyage import Voyage
 
@@ -44,8 +44,10 @@ def voyage_for(
     delay_s = antenna.rotator.line.delay_s
     beam, loss_db = board.state.beam, options.dead_band_db
     voyage = Voyage(
-        request.plan, controller, lambda: own_speeds(antenna.model, board.state.speeds_lent), lambda: _bounds(board),
-        hear, request.asked, park,
+        request.plan, controller,
+        # Without the speeds that it changes itself as it follows.
+        lambda: with_speeds(antenna.kind, {**antenna.speeds_deg_s, **board.state.speeds_lent}),
+        lambda: _bounds(board), hear, request.asked, park,
         gate.cable_limits if gate.cable_deg is not None else None, options.dead_band_steps,
         beam.at(request.plan.aim.frequency_hz).error_deg(loss_db) if beam is not None and loss_db is not None else 0.0,
         lambda: antenna.rotator.line.answered, delay_s, lead_s(name, delay_s),

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import dataclasses
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from types import MappingProxyType
 from typing import TypeVar
 
 from birdcage.base.config.document import Document, read_document
+from birdcage.base.config.fact_sections import FACT_PARTS, FACT_SECTIONS, OwnFactSettings
 from birdcage.base.config.feeds import BUILT_IN, FeedProfile, FeedSettings
 from birdcage.base.config.field import Section
 from birdcage.base.config.progress import SetupSettings
@@ -63,8 +64,10 @@ class _Reader:
         """Read every section."""
         self._check_sections()
         feed, feeds = self._feeds()
+        dish, facts = self._dish()
         return Settings(
-            dish=self._plain(DishSettings),
+            dish=dish,
+            facts=facts,
             link=self._plain(LinkSettings),
             motion=self._plain(MotionSettings),
             alignment=self._plain(AlignmentSettings),
@@ -104,6 +107,31 @@ class _Reader:
     def _plain(self, section: type[S]) -> S:
         return self._section(section(), self._table(section), (section.section,), section.limits_motion)
 
+    def _dish(self) -> tuple[DishSettings, Mapping[str, Section]]:
+        table = dict(self._table(DishSettings))
+        facts = self._part_of(table, ("dish", "facts"))
+        # A table here is a mistyped [dish.facts], which may hold a limit.
+        limits = any(isinstance(value, dict) for value in table.values())
+        dish = self._section(DishSettings(), table, ("dish",), limits, also=("facts",))
+        names = [section.section.rpartition(".")[2] for section in FACT_PARTS]
+        parts = {name: self._part_of(facts, ("dish", "facts", name)) for name in names}
+        read: dict[str, Section] = {}
+        for section in FACT_SECTIONS:
+            path = tuple(section.section.split("."))
+            of_machine = section is OwnFactSettings
+            own = facts if of_machine else parts[path[-1]]
+            also = names if of_machine else ()
+            read[section.section] = self._section(section(), own, path, limits_motion=True, also=also)
+        return dish, MappingProxyType(read)
+
+    def _part_of(self, table: dict[str, object], path: tuple[str, ...]) -> dict[str, object]:
+        """Take a table out of the one that it stands in; empty if it is not there, or is none."""
+        value = table.pop(path[-1], {})
+        if isinstance(value, dict):
+            return dict(value)
+        self._complain(path, f"is a value, where a section [{'.'.join(path)}] belongs", limits_motion=True)
+        return {}
+
     def _feeds(self) -> tuple[FeedSettings, Mapping[str, FeedProfile]]:
         table = self._table(FeedSettings)
         tables = {key: value for key, value in table.items() if isinstance(value, dict)}
@@ -120,13 +148,20 @@ class _Reader:
             feed = FeedSettings()
         return feed, MappingProxyType(feeds)
 
-    def _section(self, base: S, table: dict[str, object], path: tuple[str, ...], limits_motion: bool) -> S:
-        """Read one section: the file's table over `base`, then variables and flags over it."""
+    def _section(
+        self, base: S, table: dict[str, object], path: tuple[str, ...], limits_motion: bool, also: Iterable[str] = ()
+    ) -> S:
+        """Read one section: the file's table over `base`, then variables and flags over it.
+
+        `also`: what else may stand there, for whoever mistypes it.
+        """
         known = rows_of(type(base))
         values: dict[str, object] = {}
         for key, value in table.items():
             if key not in known:
-                self._complain((*path, key), f"is no setting{did_you_mean(key, known)}", limits_motion=limits_motion)
+                self._complain(
+                    (*path, key), f"is no setting{did_you_mean(key, (*known, *also))}", limits_motion=limits_motion
+                )
                 continue
             try:
                 values[key] = from_toml(known[key], value)

@@ -8,6 +8,7 @@ import typing
 from dataclasses import dataclass
 from typing import Any, Literal
 
+from birdcage.base.config.fact_sections import FACT_SECTIONS
 from birdcage.base.config.feeds import FeedProfile, FeedSettings
 from birdcage.base.config.field import Declared, Section
 from birdcage.base.config.progress import SetupSettings
@@ -25,6 +26,7 @@ from birdcage.base.config.tracking_sections import AutotrackSettings, HookSettin
 
 SECTIONS: tuple[type[Section], ...] = (
     DishSettings,
+    *FACT_SECTIONS,
     LinkSettings,
     MotionSettings,
     AlignmentSettings,
@@ -41,7 +43,16 @@ SECTIONS: tuple[type[Section], ...] = (
 )
 """In the order in which they are shown."""
 
-_UNITS = {"_deg_s": "deg/s", "_deg": "deg", "_hz": "Hz", "_s": "s", "_m": "m", "_k": "K", "_db": "dB"}
+_UNITS = {
+    "_deg_s2": "deg/s2",
+    "_deg_s": "deg/s",
+    "_deg": "deg",
+    "_hz": "Hz",
+    "_s": "s",
+    "_m": "m",
+    "_k": "K",
+    "_db": "dB",
+}
 
 Kind = Literal["text", "whole number", "number", "true or false", "choice", "sectors", "points"]
 
@@ -92,7 +103,7 @@ def _row(section: type[Section], field: dataclasses.Field[Any], hint: object) ->
     unit = next((unit for suffix, unit in _UNITS.items() if field.name.endswith(suffix)), None)
     env = declared.env
     if env is None and kind not in ("sectors", "points") and section is not FeedProfile:
-        env = f"BIRDCAGE_{section.section}_{field.name}".upper()
+        env = f"BIRDCAGE_{section.section}_{field.name}".replace(".", "_").upper()
     return Row(
         section=section.section,
         key=field.name,

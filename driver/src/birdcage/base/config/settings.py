@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import Literal
 
+from birdcage.base.config.fact_sections import FACT_SECTIONS
 from birdcage.base.config.feeds import BUILT_IN, FeedProfile, FeedSettings
+from birdcage.base.config.field import Section
 from birdcage.base.config.progress import SetupSettings
 from birdcage.base.config.sections import (
     AlignmentSettings,
@@ -52,6 +54,10 @@ class Settings:
     """All settings, typed. With nothing given, every default."""
 
     dish: DishSettings = field(default_factory=DishSettings)
+    facts: Mapping[str, Section] = field(
+        default_factory=lambda: MappingProxyType({section.section: section() for section in FACT_SECTIONS})
+    )
+    """What the owner says of the machine, by the name of the section: `dish.facts`, `dish.facts.azimuth`, …"""
     link: LinkSettings = field(default_factory=LinkSettings)
     motion: MotionSettings = field(default_factory=MotionSettings)
     alignment: AlignmentSettings = field(default_factory=AlignmentSettings)
@@ -69,6 +75,21 @@ class Settings:
     problems: tuple[Problem, ...] = ()
     sources: Mapping[str, Source] = field(default_factory=lambda: MappingProxyType({}))
     """Where a value came from, by its dotted key; what is not in here has its default."""
+
+    @property
+    def own_facts(self) -> dict[str, float | str]:
+        """What the owner says of the machine, by flat names (`azimuth.speed_deg_s`); what is unset is not in it."""
+        return {
+            f"{name}.{each.name}".removeprefix("dish.facts."): value
+            for name, section in self.facts.items()
+            for each in fields(section)  # type: ignore[arg-type]
+            if (value := getattr(section, each.name)) is not None
+        }
+
+    def section(self, name: str) -> Section:
+        """Return a section by its name; AttributeError for those of feeds, which have names of their own."""
+        found: Section = self.facts[name] if name in self.facts else getattr(self, name)
+        return found
 
     @property
     def active_feed(self) -> FeedProfile:

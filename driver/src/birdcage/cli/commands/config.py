@@ -33,7 +33,7 @@ def show() -> None:
     from birdcage.base.beam import beam_of
     from birdcage.base.config import rows
     from birdcage.cli.say import say, tell, tell_json
-    from birdcage.station.known import model_of
+    from birdcage.station.known import model_of, wrong_facts
 
     settings = load_settings(find_paths())
     model = model_of(settings.dish.firmware)
@@ -42,7 +42,7 @@ def show() -> None:
     for row in rows():
         if row.section == "feed.NAME":
             continue
-        values[row.path] = getattr(getattr(settings, row.section), row.key)
+        values[row.path] = getattr(settings.section(row.section), row.key)
     for name, feed in settings.feeds.items():
         for row in rows():
             if row.section == "feed.NAME":
@@ -65,6 +65,8 @@ def show() -> None:
             tell(f"{key:36} {known}")
     for problem in settings.problems:
         say(problem.text)
+    for sentence in wrong_facts(settings.dish.firmware, settings):
+        say(sentence)
 
 
 @command.command("check", epilog=exits.EPILOG)
@@ -73,14 +75,16 @@ def show() -> None:
 def check(context: click.Context) -> None:
     """Check the settings: name each file, line and key that cannot be read."""
     from birdcage.cli.say import say
+    from birdcage.station.known import wrong_facts
 
     paths = find_paths()
     settings = load_settings(paths)
-    for problem in settings.problems:
-        say(problem.text)
-    if settings.motion_problem is not None:
+    wrong = wrong_facts(settings.dish.firmware, settings)
+    for sentence in (*(problem.text for problem in settings.problems), *wrong):
+        say(sentence)
+    if settings.motion_problem is not None or wrong:
         say("Nothing moves until that is fixed.")
-    if settings.problems:
+    if settings.problems or wrong:
         context.exit(exits.USAGE)
     state = "in order" if paths.config_file.exists() else "absent: every setting has its default"
     say(f"{paths.config_file} is {state}.")

@@ -29,12 +29,13 @@ def command(play_az: float | None, play_el: float | None, forget: bool) -> None:
 
     from birdcage.base.errors import ConfigError, LinkError
     from birdcage.cli.say import tell, tell_json
-    from birdcage.station.gear_memory import GearFile
+    from birdcage.station.facts_file import FactsFile
+    from birdcage.station.gear_words import gear_values, gear_words
 
     if forget and not (play_az is None and play_el is None):
         raise click.UsageError("--forget goes alone.")
     dish = wanted()
-    file = GearFile.of(dish.paths.state, dish.port, dish.firmware if dish.firmware_given else None)
+    file = FactsFile.of(dish.paths.state, dish.port, dish.firmware if dish.firmware_given else None)
     if file is None:
         raise LinkError(
             f"No adapter at {dish.port or 'no port'}. birdcage files what it learns of a dish under its adapter. "
@@ -42,13 +43,13 @@ def command(play_az: float | None, play_el: float | None, forget: bool) -> None:
             reason="missing",
         )
     if forget:
-        file.forget()
+        file.forget_gear()
     elif not (play_az is None and play_el is None):
         if file.firmware is None:
             raise ConfigError("Name the firmware with --firmware. `birdcage detect` tells which it is.")
         file.set_play(play_az, play_el, datetime.now(UTC))
-    gear = file.read()
+    own = file.read()
     if flags().json:
-        tell_json({"port": dish.port, "gear": gear.values() if gear.facts else None})
+        tell_json({"port": dish.port, "gear": gear_values(own)})
     else:
-        tell(gear.words() or "This dish's play and overshoot are unknown.")
+        tell(gear_words(own) or "This dish's play and overshoot are unknown.")

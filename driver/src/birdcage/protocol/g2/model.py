@@ -12,6 +12,7 @@ from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION,
 from birdcage.rotator.axis import Axis, CableRange
 from birdcage.rotator.facts import Facts, Handling, SearchSetting, SearchSwitch, SecondMove, Setting, Turn
 from birdcage.rotator.ladder import Rung
+from birdcage.rotator.origin import by_origin
 
 REFLECTOR = Reflector(0.3048, 0.3048, CountedBeam(6.4, 6.3, 12.45e9))
 """12 inches round (`12-IN G2` in its boot log). The width was scanned in counts, on satellites that stand alone
@@ -65,6 +66,21 @@ CARRYOUT_G2 = Facts(
     settings_name="nvs",
     connectors=(plugs.CARRYOUT_G2,),
     adapters=(plugs.SH_U11, plugs.ESP32),
+    origin=by_origin(
+        documented="""
+            name firmware baud power_switch search_switch turn homing_s homing_stoppable
+            azimuth.min_deg azimuth.max_deg azimuth.speed_deg_s azimuth.acceleration_deg_s2
+            azimuth.step_deg elevation.min_deg elevation.max_deg elevation.speed_deg_s
+            elevation.acceleration_deg_s2 elevation.step_deg cable.min_deg cable.max_deg
+            has_motor_power has_speeds has_rssi has_nvs has_stow position_reported tells_version
+            type_field settings_name reflector.width_m reflector.height_m
+        """,
+        measured="""
+            azimuth.overshoot_deg elevation.overshoot_deg
+            reflector.counted.az_deg reflector.counted.el_deg reflector.counted.at_hz
+        """,
+        inferred="second_same second_other stop_ladder boot_s",
+    ),
 )
 
 DIALECT = ConsoleDialect(

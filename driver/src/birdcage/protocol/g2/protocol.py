@@ -49,7 +49,7 @@ class CarryoutG2Protocol(Rooms):
     """The Carryout G2's console: prompts `TRK>`, `MOT>`, `DVB>`, …; homing and TV search switched by NVS 20."""
 
     name: ClassVar[str] = "g2"
-    model: ClassVar[Facts] = CARRYOUT_G2
+    model: Facts = CARRYOUT_G2
     dialect: ClassVar[ConsoleDialect] = DIALECT
     motor_menu: ClassVar[str] = "mot"
     hazards: ClassVar[HazardTable] = HAZARDS

@@ -8,6 +8,7 @@ from birdcage.protocol.nvs import row_id, row_label
 from birdcage.rotator.axis import Axis, CableRange, MeasuredTimes
 from birdcage.rotator.facts import Facts, Handling, SearchSwitch, SecondMove, Setting, SilentSlew, Turn
 from birdcage.rotator.ladder import END_OF_MOVE, Rung
+from birdcage.rotator.origin import by_origin
 
 SEARCH_MINIMUM, SAFE_MINIMUM = 125, 127
 """The rows of its settings that hold its lowest elevations: that of the search, and the safe one (section 3)."""
@@ -75,6 +76,22 @@ TRAVLER = Facts(
     connectors=(plugs.TRAVLER,),
     kin_connectors=(plugs.CARRYOUT_2003, plugs.TRAVLER_PRO),
     adapters=(plugs.DTECH,),
+    origin=by_origin(
+        documented="""
+            name firmware baud search_switch
+            azimuth.min_deg azimuth.max_deg azimuth.step_deg
+            elevation.min_deg elevation.max_deg elevation.step_deg skew.step_deg
+            cable.min_deg cable.max_deg second_same second_other stop_ladder
+            has_nvs has_stow position_reported settings_name reflector.width_m reflector.height_m
+        """,
+        measured="azimuth.times elevation.times",
+        inferred="""
+            azimuth.speed_deg_s azimuth.acceleration_deg_s2 azimuth.overshoot_deg
+            elevation.speed_deg_s elevation.acceleration_deg_s2 elevation.overshoot_deg
+            skew.min_deg skew.max_deg skew.speed_deg_s skew.acceleration_deg_s2 skew.overshoot_deg skew.times
+            slew.least_deg turn boot_s power_switch has_motor_power has_speeds has_rssi homing_stoppable tells_version
+        """,
+    ),
 )
 """The Trav'ler LG-2112.
 

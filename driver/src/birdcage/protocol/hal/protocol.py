@@ -39,7 +39,7 @@ class HAL205Protocol(FirmwareProtocol):
     """The Trav'ler's console: submenu `motor`, search ended by `ngsearch`, `s`, `q`; prompts are learnt."""
 
     name: ClassVar[str] = "hal205"
-    model: ClassVar[Facts] = TRAVLER
+    model: Facts = TRAVLER
     dialect: ClassVar[ConsoleDialect] = DIALECT
     motor_menu: ClassVar[str] = MOTOR
     hazards: ClassVar[HazardTable] = HAZARDS

@@ -1,0 +1,54 @@
+"""All facts of a machine one by one, under flat names: `azimuth.max_deg`, `second_same`, `boot_s`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, fields, is_dataclass
+from enum import Enum
+
+from birdcage.base.beam import CountedBeam, Reflector
+from birdcage.rotator.axis import Axis, CableRange, MeasuredTimes
+from birdcage.rotator.facts import Facts, SilentSlew
+from birdcage.rotator.origin import Origin
+
+AXES = ("azimuth", "elevation", "skew")
+UNITS = {"_deg_s2": "deg/s2", "_deg_s": "deg/s", "_deg": "deg", "_hz": "Hz", "_s": "s", "_m": "m"}
+"""By the end of a name, the longest first."""
+_PARTS = (Axis, CableRange, SilentSlew, Reflector, CountedBeam)
+"""What is listed field by field; sentences, plugs and tables are no facts of this kind."""
+_LEFT_OUT = {f"{axis}.{key}" for axis in AXES for key in ("name", "index")}
+
+
+@dataclass(frozen=True, slots=True)
+class ListedFact:
+    """One of them, for a person."""
+
+    name: str
+    value: str | float | bool | None
+    """None if it is not known, or there is no such thing."""
+    unit: str
+    origin: Origin | None
+    """None if it has no source."""
+
+
+def listed(facts: Facts) -> Iterator[ListedFact]:
+    """Return every fact, in the order in which `Facts` declares them."""
+    for name, value in _flat("", facts):
+        unit = next((unit for end, unit in UNITS.items() if name.endswith(end)), "")
+        yield ListedFact(name, value, unit, None if value is None else facts.origin_of(name))
+
+
+def _flat(before: str, part: object) -> Iterator[tuple[str, str | float | bool | None]]:
+    assert is_dataclass(part)
+    for field in fields(part):
+        name, value = before + field.name, getattr(part, field.name)
+        if isinstance(value, _PARTS):
+            yield from _flat(f"{name}.", value)
+        elif isinstance(value, MeasuredTimes):
+            yield name, "table"
+        elif isinstance(value, Enum):
+            yield name, str(value.value)
+        elif name == "stop_ladder":
+            yield name, ", ".join(rung.name for rung in value)
+        elif value is None or (isinstance(value, str | float | int) and name not in _LEFT_OUT):
+            yield name, None if value == "" else value
