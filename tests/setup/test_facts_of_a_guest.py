@@ -1,0 +1,73 @@
+"""What Setup says of a machine comes from its facts: one that nobody here has heard of is told like ours."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from types import SimpleNamespace
+
+import pytest
+from birdcage.protocol.g2.model import CARRYOUT_G2
+from birdcage.rotator.facts import SearchSetting, Setting
+from birdcage.rotator.wiring import Connector, Drawing
+from birdcage.setup import wiring
+from birdcage.setup.steps.dish import DishStep
+from birdcage.setup.steps.limits import LimitsStep
+from birdcage.setup.steps.search import SearchStep
+from birdcage.station.state import Search
+
+PLUG = Connector(
+    "din", "Guest dish", "DIN, 5 pins", Drawing.USB, "RS-232, 9600 baud 8N1", (), "Its maker.", ("Note.",), 20
+)
+GUEST = replace(
+    CARRYOUT_G2,
+    name="Guest dish",
+    firmware="guest",
+    tells_version=False,
+    type_field="",
+    floor_settings=(Setting("row.floor", "row F"),),
+    ceiling_settings=(Setting("row.top", "row T"),),
+    search_setting=SearchSetting("row.tv", "row TV", "Find TV", off="no", on="yes"),
+    connectors=(PLUG,),
+    adapters=(),
+)
+
+
+def bench(facts=GUEST, **readings):
+    told = {f"row.{name}": SimpleNamespace(value=value) for name, value in readings.items()}
+    state = SimpleNamespace(
+        dish=facts, readings=told, surveyed=True, firmware_version=None, search=Search.UNKNOWN,
+        el_min_deg=10.0, el_max_deg=80.0, el_offset_deg=0.0,
+    )  # fmt: skip
+    own = SimpleNamespace(min_elevation_deg=None, max_elevation_deg=None, cable_min_deg=None, cable_max_deg=None)
+    return SimpleNamespace(is_up=True, state=state, settings=SimpleNamespace(motion=own), kept=lambda _name: None)
+
+
+@pytest.mark.parametrize(
+    ("facts", "readings", "says"),
+    [
+        (GUEST, {"floor": "10", "top": "80"}, "(read from the dish)"),
+        (GUEST, {"floor": "10"}, "(of the model: not read from this dish)"),
+        (replace(GUEST, ceiling_settings=()), {"floor": "10"}, "(floor read from the dish: row F is 10)"),
+        (replace(GUEST, ceiling_settings=(), floor_settings=()), {"floor": "10"}, "(of the model: not read"),
+    ],
+)
+def test_where_its_limits_come_from(facts, readings, says):
+    assert says in LimitsStep(bench(facts, **readings)).evidence()
+
+
+def test_a_dish_that_tells_no_version_is_waited_for_no_longer_and_one_that_does_is():
+    assert DishStep(bench()).evidence() == "Guest dish, speaks guest; it tells no version"
+    assert DishStep(bench(replace(GUEST, tells_version=True))).evidence() == ""
+
+
+def test_the_setting_of_its_search_is_named_as_it_names_it():
+    assert SearchStep(bench(tv="yes")).evidence() == "on: row TV is yes; the dish moves by itself after power-up"
+
+
+def test_its_plug_is_drawn_and_how_long_it_starts_is_told(monkeypatch):
+    monkeypatch.setattr(wiring, "list_models", lambda: (CARRYOUT_G2, GUEST))
+    monkeypatch.setattr(wiring, "model_of", {"guest": GUEST}.get)
+    assert wiring.connectors_of("guest") == (PLUG,)
+    assert [each.key for each in wiring.connectors()] == ["g2", "din"]
+    assert wiring.spoken_behind(PLUG) == ("guest",)
+    assert "(Guest dish: 20)" in wiring.symptoms()[0].remedy
