@@ -58,7 +58,7 @@ def test_names_and_defaults():
     assert FIRMWARE_REGISTRY["g2"] is CarryoutG2Protocol
     assert issubclass(CarryoutG2Protocol, FirmwareProtocol)
     assert Position(1.0, 2.0).skew is None
-    with pytest.raises(KeyError, match="known: g2"):
+    with pytest.raises(KeyError, match="known: carryout, g2"):
         get_protocol("g9")
 
 

@@ -83,6 +83,10 @@ def _without_plan(view: View) -> tuple[str, ...]:
     """Return what STOP does to a dish that rests, or whose motion this program has not planned."""
     state = view.state
     activity = state.activity
+    if state.dish is not None and not state.dish.position_reported:
+        if state.held is not None and activity is Activity.IDLE:
+            return ("STOP is latched: no motion is sent",)
+        return _and_else(view, "No STOP is known for this dish. {emergency}.", "No STOP but the {switch}")
     if activity is Activity.HOMING:
         return _and_else(view, "Homing has no STOP. {emergency}.", "Homing: no STOP but the {switch}")
     if activity is Activity.INITIALIZING:

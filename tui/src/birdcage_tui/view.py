@@ -149,6 +149,12 @@ class View:
         return None if heard is None else max(0.0, self.now - heard)
 
     @property
+    def on_an_untold_way(self) -> bool:
+        """Whether the dish moves, and is one that is asked nothing meanwhile and tells nothing of where it is."""
+        dish, motion = self.state.dish, self.state.motion
+        return dish is not None and not dish.position_reported and motion is not None
+
+    @property
     def late(self) -> bool:
         """Whether the dish owes an answer: the link is up and watched, yet nothing has come for too long.
 
@@ -156,7 +162,7 @@ class View:
         """
         if not (self.watched and self.link_up) or self.state.activity in (Activity.HOMING, Activity.INITIALIZING):
             return False
-        if self.state.holder == CONSOLE or self.modelled:
+        if self.state.holder == CONSOLE or self.modelled or self.on_an_untold_way:
             return False
         return self.reply_age_s is not None and self.reply_age_s > LATE_S
 

@@ -103,7 +103,10 @@ def motion_text(view: View) -> str:
         rests = "IDLE, at rest" if state.position is not None else "IDLE, position unknown"
         return rests if state.motion is None else "MOVING"
     if state.activity is Activity.UNKNOWN:
-        return "UNKNOWN since a raw line" if state.raw_motion else "UNKNOWN: nothing read yet"
+        if state.raw_motion:
+            return "UNKNOWN since a raw line"
+        told = state.dish is None or state.dish.position_reported
+        return "UNKNOWN: nothing read yet" if told else "UNKNOWN: it may still move"
     return f"{word} {state.activity_text}".rstrip()
 
 

@@ -12,17 +12,18 @@ from birdcage.antenna.belief import Belief, Expected
 from birdcage.antenna.blocking import MoveCommands
 from birdcage.antenna.config import AntennaConfig, DialectBaud
 from birdcage.antenna.foresight import foresee
-from birdcage.antenna.gate import MotionGate
+from birdcage.antenna.gate import UNTOLD, MotionGate
 from birdcage.antenna.latch import Latch
 from birdcage.antenna.maintenance import Maintenance
 from birdcage.antenna.motion import DishMotion, rest_seen
 from birdcage.antenna.odometer import Odometer
 from birdcage.antenna.reading import Readings
+from birdcage.antenna.reckoning import Reckoning
 from birdcage.antenna.rest import RestWatch
 from birdcage.antenna.sender import Sender
 from birdcage.antenna.skew import SkewGoal
 from birdcage.base.clock import Clock, RealClock
-from birdcage.base.errors import CommandRefused, Held, MotionRefused, Stopped, WrongThread
+from birdcage.base.errors import CommandRefused, Held, MotionRefused, PositionUnknown, Stopped, WrongThread
 from birdcage.leapfrog import apply_leapfrog
 from birdcage.link.link import Link
 from birdcage.rotator.adapting import as_rotator
@@ -75,6 +76,7 @@ class BirdcageAntenna:
         self.gate = MotionGate(self.rotator.facts)
         self._readings = Readings(self.gate)
         self.skew = SkewGoal()
+        self.reckoning = Reckoning()
         self.maintenance = Maintenance(self.rotator, self.gate)
         self.own = OwnFacts()
         """What was learnt of this dish itself."""
@@ -189,14 +191,32 @@ class BirdcageAntenna:
         self.rotator.begin(lambda _words: None)
 
     def get_position(self) -> Position:
-        """Read where the dish points, in true degrees. PositionUnknown when it is not homed."""
+        """Read where the dish points, in true degrees. PositionUnknown when it is not homed.
+
+        Of one that does not tell: where it should be by its last move, PositionUnknown (`untold`) before there was one.
+        """
         self._check_thread()
+        if not self.kind.position_reported:
+            return self._reckoned()
         return self._read(lambda: self.rotator.look(busy_s=self.commands.busy_s()))
 
     def glance(self) -> Position:
         """Read where the dish points within a stream of targets: NoReply (`late`) where waiting would hold that up."""
         self._check_thread()
+        if not self.kind.position_reported:
+            return self._reckoned()
         return self._read(lambda: self.rotator.look(hurry=True))
+
+    def _reckoned(self) -> Position:
+        dish = self.reckoning.tell(self.gate, self.motion, self._clock.monotonic(), self._clock.rate)
+        az_deg, el_deg = self.alignment.to_true(dish.azimuth, dish.elevation)
+        self._last_position = Position(az_deg, el_deg)
+        return self._last_position
+
+    def reckon_move(self) -> None:
+        """A move has gone out: a dish that does not tell is on its way until that is over by its time."""
+        if self.motion is not None:
+            self.reckoning.begin(self.motion, self._clock.rate)
 
     def _read(self, once: Callable[[], Position]) -> Position:
         if self.gate.position is None:
@@ -247,10 +267,15 @@ class BirdcageAntenna:
         if self._latch is not None:
             self._latch.check()
         gate = self.gate
-        current = self.get_position()
+        try:
+            current = self.get_position()
+        except PositionUnknown as unknown:
+            if unknown.reason != UNTOLD:
+                raise
+            current = None
         dish_az, dish_el = self.to_dish(az_deg, el_deg, clamp=clamp)
         gate.check(dish_az, dish_el)
-        if not leapfrog:
+        if not leapfrog or current is None:
             return dish_az, dish_el
         wanted = apply_leapfrog(az_deg, el_deg, current.azimuth, current.elevation)
         beyond = self.to_dish(*wanted, clamp=True)

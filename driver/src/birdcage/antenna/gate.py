@@ -46,6 +46,10 @@ class Bounds:
     """Added to the angles in sentences and to `limit_deg`: whoever asked speaks true degrees."""
 
 
+UNTOLD = "untold"
+"""Why the position is not known of a dish that does not report it, before its first move is over."""
+
+
 class MotionGate:
     """Judges targets. Holds what is known of the position; unknown is refused."""
 
@@ -170,13 +174,28 @@ class MotionGate:
                 raise MotionRefused(
                     f"The {name} asked for is {value}, which is not an angle. Nothing was sent.", reason="not_a_number"
                 )
-        if self.position is None:
-            raise self._unknown()
+        start = self.position or self._first_start(az_deg, el_deg)
         if az_deg is not None:
-            self._check_azimuth(self.position, az_deg)
+            self._check_azimuth(start, az_deg)
         if el_deg is not None:
             self._check_elevation(el_deg)
-        return self.position
+        return start
+
+    def _first_start(self, az_deg: float | None, el_deg: float | None) -> Position:
+        """Return what counts as the start of a first move of a dish that does not tell where it is: its target.
+
+        MotionRefused where there is a no-go sector: its way may pass through it. PositionUnknown of any other dish, or
+        where it could turn its cable too far.
+        """
+        if self.unknown_reason != UNTOLD or az_deg is None or el_deg is None or self.model.cable is not None:
+            raise self._unknown()
+        if self.bounds.sectors:
+            raise MotionRefused(
+                "This dish does not tell where it points, so its first way may pass through a no-go sector. Nothing "
+                "was sent. Take the sectors out for the first move, or turn the dish by hand and mind them yourself.",
+                reason="sector",
+            )
+        return Position(az_deg, el_deg)
 
     def judge(self, az_deg: float | None, el_deg: float | None) -> MotionRefused | None:
         """Return which limit a motion would break, as far as that can be said; for raw lines, which pass no gate.
@@ -221,6 +240,7 @@ class MotionGate:
             "unhomed": "the dish is not homed, so it does not know where it points. Home it first.",
             "unreadable": "the dish's position reply can't be read. Home it; the console shows the reply.",
             "released": "the motors were released, so the position is unknown. Home the dish.",
+            UNTOLD: "this dish does not tell where it points. Send it somewhere first, by its full direction.",
             "raw": "a raw command may have moved the dish. Read the position again.",
         }
         sentence = why.get(self.unknown_reason, self.unknown_reason)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.blocking import Without
 from birdcage.antenna.legs import Leg, leg_motion, plan_legs, skew_leg
+from birdcage.antenna.reckoning import farthest
 from birdcage.rotator.values import MOTOR_AZIMUTH, Position
 
 
@@ -32,7 +33,8 @@ class LegSender:
         """
         antenna = self._antenna
         dish = antenna.aim(az_deg, el_deg, leapfrog=leapfrog, clamp=clamp)
-        legs = plan_legs(antenna.model, self._start, *dish, antenna.turn_known(dish[0]), antenna.first_motor())
+        start = antenna.gate.position or farthest(antenna.model, *dish)
+        legs = plan_legs(antenna.model, start, *dish, antenna.turn_known(dish[0]), antenna.first_motor())
         return Way(legs, *antenna.alignment.to_true(*dish))
 
     def plan_skew(self, deg: float) -> Way:
@@ -52,11 +54,14 @@ class LegSender:
         Stopped, CommandRefused and MotionRefused: nothing of it moves.
         """
         antenna, rotator = self._antenna, self._antenna.rotator
-        now = rotator.clock.monotonic()
-        with antenna.begun(leg_motion(antenna.model, self._start, leg, antenna.turn_known(leg.az_deg), now)):
+        now, known = rotator.clock.monotonic(), antenna.gate.position
+        start = known or farthest(antenna.model, leg.az_deg, leg.el_deg)
+        turn_deg = antenna.turn_known(leg.az_deg)
+        with antenna.begun(leg_motion(antenna.model, start, leg, turn_deg, now, start_known=known is not None)):
             if leg.motor is None:
                 antenna.gate.check(leg.az_deg, leg.el_deg)
-                rotator.begin_slew(leg.az_deg, leg.el_deg, antenna.skew.to_name(self._start, now))
+                rotator.begin_slew(leg.az_deg, leg.el_deg, antenna.skew.to_name(start, now))
+                antenna.reckon_move()
             elif leg.skew_deg is not None:
                 self._turn_skew(leg.motor, leg.skew_deg)
             else:

@@ -58,7 +58,9 @@ def plan_legs(
     if az_turn_deg is None and not 0.0 <= start.azimuth + turn < 360.0:
         furthest = 360.0 - abs(turn)
     az_s, climb_s = _seconds(model.azimuth, turn), _seconds(model.elevation, climb)
-    az_longest_s = max(az_s, _seconds(model.azimuth, 360.0 - abs(turn)) if az_turn_deg is None else 0.0)
+    # Where no cable is known to wind up, only a way across north may be gone the other way round.
+    in_doubt = az_turn_deg is None and (model.cable is not None or not 0.0 <= start.azimuth + turn <= 360.0)
+    az_longest_s = max(az_s, _seconds(model.azimuth, 360.0 - abs(turn)) if in_doubt else 0.0)
     if model.slew is not None and max(abs(furthest), abs(climb)) > model.slew.least_deg:
         return (Leg(az_deg, el_deg, None, max(az_s, climb_s), az_longest_s + climb_s),)
     moves_az, moves_el = abs(turn) >= model.azimuth.step_deg / 2, abs(climb) >= model.elevation.step_deg / 2
@@ -84,7 +86,9 @@ def skew_leg(model: Facts, start: Position, deg: float) -> Leg:
     return Leg(start.azimuth, start.elevation, axis.index, seconds, seconds, skew_deg=deg)
 
 
-def leg_motion(model: Facts, start: Position, leg: Leg, az_turn_deg: float | None, now: float) -> DishMotion:
+def leg_motion(
+    model: Facts, start: Position, leg: Leg, az_turn_deg: float | None, now: float, *, start_known: bool = True
+) -> DishMotion:
     """Model a leg that begins now."""
     az_end, el_end, skew = start.azimuth, start.elevation, None
     if leg.skew_deg is not None and model.skew is not None:
@@ -95,7 +99,7 @@ def leg_motion(model: Facts, start: Position, leg: Leg, az_turn_deg: float | Non
         el_end = leg.el_deg
     return DishMotion(
         move_axis(model.azimuth, start.azimuth, az_end, now), move_axis(model.elevation, start.elevation, el_end, now),
-        skew, silent=leg.is_silent, longest_s=leg.longest_s,
+        skew, silent=leg.is_silent, longest_s=leg.longest_s, start_known=start_known,
     )  # fmt: skip
 
 

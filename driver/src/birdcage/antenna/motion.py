@@ -146,6 +146,9 @@ class DishMotion:
     """A combined move that any byte aborts: nothing may be asked while it lasts."""
     longest_s: float = 0.0
     """How long it may take at the longest, whichever way round its azimuth goes; mechanical seconds."""
+    start_known: bool = True
+    """Whether it was known where it began; else its times are those of the longest way, and where it is stays unknown.
+    """
 
     @property
     def axes(self) -> tuple[AxisMotion, ...]:

@@ -187,6 +187,8 @@ class Dish:
 
 def why_unknown(state: StationState) -> str:
     """Return why it is not known where the dish points, and what helps."""
+    if state.awaits_first_move:
+        return "This dish does not tell where it points. `birdcage move AZ EL` sends it somewhere."
     if state.position_text:
         return f"{state.position_text} {how_to_home(state)}"
     return f"The dish is not homed, so it does not know where it points. {how_to_home(state)}"

@@ -66,7 +66,7 @@ def _clues(
         found += [
             (f"`?` lists {_names(marks)} as its menu `{menu}` does", LIKELY)
             for menu, marks in dialect.submenu_marks.items()
-            if menu == protocol.motor_menu and marks <= finding.listed
+            if menu == protocol.motor_menu and marks <= finding.listed and not _is_said_better(marks, finding.listed)
         ]
     if not own_rate:
         return found
@@ -75,6 +75,16 @@ def _clues(
     if finding.saw in (Saw.TEXT, Saw.PROMPT):
         found += [(f"`{mark.strip()}` in its log{at}", LIKELY) for mark in protocol.log_marks if mark in finding.text]
     return found
+
+
+def _is_said_better(marks: frozenset[str], listed: frozenset[str]) -> bool:
+    """Return whether another firmware's motor menu lists these commands and more, and all of them are there."""
+    return any(
+        marks < others <= listed
+        for protocol in FIRMWARE_REGISTRY.values()
+        for menu, others in protocol.dialect.submenu_marks.items()
+        if menu == protocol.motor_menu
+    )
 
 
 def known_tokens() -> tuple[str, ...]:

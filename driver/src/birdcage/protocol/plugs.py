@@ -70,7 +70,7 @@ CARRYOUT_2003 = Connector(
         "It has no limit switches: at power-up its motors run into their end stops, and grind loudly.",
         "Homing and TV search take 10 to 15 minutes from power-up. No known command ends them.",
         "Leave its tracking enabled (menu nvs): without it the dish does not home either.",
-        "No known command stops it: keep the 12 V switch in reach. birdcage does not drive it yet.",
+        "No known command stops it: keep the 12 V switch in reach.",
     ),
     starts_in_min=15,
 )

@@ -130,10 +130,15 @@ class Facts:
     has_nvs: bool
     has_stow: bool
     position_reported: bool
+    """Whether it tells where it is at rest; else that is reckoned from its moves, and never called confirmed."""
     power_switch: str
     """What a person switches off where no STOP helps: `12 V switch`, `power switch`."""
     reflector: Reflector | None = None
     """As sold; None if its size is not known. It makes the beam, together with the feed."""
+    cable_known: bool = True
+    """Whether that is known; without a `cable` then, nothing winds up."""
+    moves_one_axis: bool = True
+    """Whether an axis can be sent by itself; else both are, by a slew."""
     skew: Axis | None = None
     """The axis that turns the feed about the beam; None if there is none."""
     handling: Handling = Handling()

@@ -182,6 +182,8 @@ class Helmsman:
             deg = limit if abs(limit - deg) <= ROUNDING_DEG else deg
         if queues and model.slew is not None and self._way_deg(step) > model.slew.least_deg:
             return self._send_long(step)
+        if not model.moves_one_axis:
+            return Answer(self.now_s, self.now_s)  # it is there, to a step
         sent_s = self.now_s
         try:
             self._antenna.steer(step.axis, deg)

@@ -73,6 +73,12 @@ class Look:
         self._antenna.rotator.make_ready()
         self.position()
 
+    def meet_untold(self) -> None:
+        """Of a dish that does not tell where it is: see that it answers, once no move can be under way."""
+        antenna = self._antenna
+        if not antenna.kind.position_reported and antenna.reckoning.moves_until <= self._board.clock.monotonic():
+            antenna.rotator.meet()
+
     def position(self, *, glance: bool = False) -> Pointing | None:
         """Read where the dish is; None when it does not know: not homed, or released since.
 
@@ -83,7 +89,8 @@ class Look:
         except PositionUnknown as unknown:
             self.elsewhere = False
             self.unknown(unknown)
-            self._board.change(activity=Activity.IDLE)
+            moves = self._antenna.reckoning.moves_until > self._board.clock.monotonic()
+            self._board.change(activity=Activity.UNKNOWN if moves else Activity.IDLE)
             return None
         self.elsewhere = False
         gate = self._antenna.gate
@@ -91,18 +98,20 @@ class Look:
         assert dish is not None, "it was read just now"
         self.on_read()
         at, utc = self._board.stamp()
+        told = self._antenna.kind.position_reported
         pointing = Pointing(
             wrap_360(true.azimuth), true.elevation, dish.azimuth, dish.elevation, at, utc, cable_deg=gate.cable_deg,
-            skew_deg=dish.skew,
+            skew_deg=dish.skew, modelled=not told, read_at=None if told else self._antenna.reckoning.since,
         )  # fmt: skip
-        self._board.change(position=pointing, position_lost=None, position_text="", homed=True, turn=self._turn())
+        homed = True if told else None  # where it should be does not tell that it knows its reference
+        self._board.change(position=pointing, position_lost=None, position_text="", homed=homed, turn=self._turn())
         self._board.tell(PositionRead(at, utc, pointing))
         return pointing
 
     def modelled(self) -> Pointing | None:
         """Show where the model has the dish while nothing may be asked; None, and nothing is shown, at rest."""
         motion, clock, before = self._antenna.motion, self._board.clock, self._board.state.position
-        if motion is None:
+        if motion is None or not motion.start_known:
             return None
         at, utc = self._board.stamp()
         dish = motion.at(at, clock.rate)

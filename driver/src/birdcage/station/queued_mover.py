@@ -238,6 +238,8 @@ class QueuedMover(Mover):
         """Return when the dish should be there: the leg under way and all that are to come."""
         clock, motion = self._board.clock, self._antenna.motion
         now = clock.monotonic()
+        if motion is not None and not motion.start_known:
+            return max(now, motion.over_by(clock.rate))
         rests_at = now if motion is None else max(now, motion.eta(clock.rate))
         if self._legs is not None:
             return rests_at + sum(leg.seconds for leg in self._legs) / clock.rate

@@ -9,6 +9,7 @@ from enum import Enum
 from types import MappingProxyType
 
 from birdcage.antenna.alignment import Alignment
+from birdcage.antenna.gate import UNTOLD
 from birdcage.base.beam import Beam
 from birdcage.base.config.sections import NoGoSector
 from birdcage.base.held import HeldNote
@@ -291,6 +292,11 @@ class StationState:
     """What a person should know of this program itself, by subject: `birdcage stop` can't reach it, …; sentences."""
     readings: Mapping[str, Reading] = field(default_factory=lambda: MappingProxyType({}))
     """By feature: `rssi`, `rssi_peak`, `antenna_id`, `speed.0` (deg/s, in force until it restarts), …"""
+
+    @property
+    def awaits_first_move(self) -> bool:
+        """Whether this dish does not tell where it points, and was not sent anywhere yet: a full direction may be."""
+        return self.position_lost == UNTOLD
 
     @property
     def raw_motion(self) -> bool:

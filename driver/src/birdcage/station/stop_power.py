@@ -19,6 +19,8 @@ class StopPower:
 
 def stop_power(model: Facts, motion: DishMotion | None, rate: float) -> StopPower:
     """Return what STOP can do about this motion; without one, about the first that may begin."""
+    if not model.position_reported:
+        return StopPower(0.0, "none")
     if motion is None or not model.moves_in_turn:
         return StopPower(stop_power_s(model), model.stop_ladder[0].name)
     if motion.silent:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.blocking import LATE_S
+from birdcage.antenna.gate import UNTOLD
 from birdcage.antenna.motion import longest_s, stop_power_s
 from birdcage.antenna.rest import STILL_DEG
 from birdcage.base.errors import CommandRefused
@@ -56,6 +57,10 @@ class StopWay(ABC):
 
     anywhere = False
     """Whether what stops it does so in every menu."""
+    unseen = "The dish does not know where it points, so it can't tell whether it moves. If it does, cut its power."
+    """What is said when no reading proves it."""
+    after = Activity.IDLE
+    """What it is taken to do then."""
 
     def __init__(self, board: Board, antenna: BirdcageAntenna) -> None:
         self._board, self._antenna = board, antenna
@@ -84,6 +89,9 @@ class StopWay(ABC):
     @abstractmethod
     def lasts_s(self, means: str) -> float:
         """Return how long this STOP may take from now on, in mechanical seconds."""
+
+    def called(self) -> None:  # noqa: B027 - most dishes need no more
+        """Take in that STOP was called. On the station's thread."""
 
     def answered(self, means: str) -> None:  # noqa: B027 - most dishes need no more
         """Do what else there is to do, once the dish has answered. May raise LinkError, NoReply or CommandRefused."""
@@ -256,9 +264,45 @@ class Blocked(Queued):
         return super().lasts_s(means)
 
 
+class Untold(Queued):
+    """A dish that tells neither where it is nor that it has stopped: what is sent may help, and is never confirmed."""
+
+    unseen = "This dish does not tell whether it has stopped. If it moves, cut its power."
+    after = Activity.UNKNOWN
+
+    def at_once(self) -> Grip:
+        """Send a byte, which ends a slew on relatives of this dish and moves nothing."""
+        antenna, enter = self._antenna, StopOrder(StopBy.ABORT)
+        motion, now = antenna.motion, self._board.clock.monotonic()
+        if motion is not None and antenna.is_kept:
+            return Grip("nothing moved", "The move was not sent yet, and is dropped.")
+        until = antenna.reckoning.moves_until if motion is None else motion.over_by(self._board.clock.rate)
+        if until <= now:
+            return Grip("nothing moved", "By its time no move is under way. This dish does not tell.")
+        return Grip(
+            "none",
+            "No STOP is known for this dish. A bare Enter was sent, which stops relatives of it. If it goes on, it "
+            f"ends within {until - now:.0f} s. To stop it sooner, cut its power.",
+            enter,
+        )
+
+    def called(self) -> None:
+        """Whether it stops, and where, nothing will tell."""
+        antenna, clock = self._antenna, self._board.clock
+        if antenna.motion is not None:
+            antenna.reckoning.abandon(antenna.motion, clock.monotonic(), clock.rate)
+            antenna.motion = None
+            antenna.gate.forget(UNTOLD)
+
+    def answered(self, means: str) -> None:
+        """Nothing else is to be done."""
+
+
 def stop_way(board: Board, antenna: BirdcageAntenna) -> StopWay:
     """Return how this dish is stopped."""
     model = antenna.model
+    if not model.position_reported:
+        return Untold(board, antenna)
     if not model.moves_in_turn:
         return Retarget(board, antenna)
     return (

@@ -25,7 +25,6 @@ ANSWER_S = 0.3
 POLL_S = 0.05
 READINGS = 4
 """So many exchanges it takes at most until two positions that can be believed agree."""
-UNKNOWN = "The dish does not know where it points, so it can't tell whether it moves. If it does, cut its power."
 RELEASED = "The motors are released: nothing drives the dish, and its position is unknown. Home it."
 
 
@@ -130,6 +129,7 @@ class Stopper:
             self._control.hold(report.by, reason, keep=False)  # the call has done that
             self._mover.fail(End.STOPPED, f"STOP by {report.by}", Stopped(f"STOP by {report.by} ended the motion."))
             self._publish(report, sent=True)
+            self.way.called()
             if report.means == "no link":
                 self._publish(replace(report, confirmed=False), sent=False)
                 if order is None:
@@ -193,7 +193,7 @@ class Stopper:
         self.due = now + POLL_S
         if pointing is None:
             released = bool(self._antenna.gate.released)
-            self._finish(pending, None, RELEASED if released else UNKNOWN)
+            self._finish(pending, None, RELEASED if released else self.way.unseen)
         elif pending.still_from is None:
             pending.still_from = pointing
         elif not self._look.is_still(pointing, pending.still_from):
@@ -330,7 +330,8 @@ class Stopper:
             self.reach = Reach.AT_REST if confirmed or sentence == RELEASED else Reach.NOT
         self._pending, self.due, self._antenna.motion = None, None, None
         self._board.change(motion=None)
-        self._mover.activity(Activity.IDLE, "")
+        moves = self._antenna.reckoning.moves_until > self._board.clock.monotonic()
+        self._mover.activity(self.way.after if moves else Activity.IDLE, "")
         report = replace(pending.report, confirmed=confirmed if earlier is None else earlier, sentence=sentence)
         self._publish(report, sent=False)
 

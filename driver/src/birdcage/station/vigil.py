@@ -76,6 +76,8 @@ class Vigil:
         return min((time for time in times if time is not None), default=None)
 
     def _position_due(self) -> float | None:
+        if self._board.state.activity is Activity.UNKNOWN and not self._antenna.kind.position_reported:
+            return self._antenna.reckoning.moves_until  # then it is over by its time, though nothing tells
         # Whoever waits to leave this menu needs an answer from it first.
         return self._watches.position_due(for_any=not self._look.may_leave)
 
@@ -111,6 +113,7 @@ class Vigil:
 
     def _read_position(self) -> None:
         before, stops = self._board.state.position, self._stopper.count
+        self._look.meet_untold()
         after = self._look.position()
         self._watches.position_was_read(self._board.clock.monotonic())
         self._look_again_at = None

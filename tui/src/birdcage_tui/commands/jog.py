@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from birdcage_tui.commands.table import Command, can_move
+from birdcage_tui.commands.table import Command, can_step
 from birdcage_tui.view import View
 
 WHERE = ("dashboard", "control", "pocket")
@@ -21,20 +21,20 @@ def can_turn_skew(view: View) -> str | None:
     dish = view.state.dish
     if dish is not None and dish.skew is None:
         return f"The {dish.name} has no skew axis."
-    return can_move(view)
+    return can_step(view)
 
 
 JOG = (
     Command(
         "left", ("left", "h"), "← h", "Step counterclockwise", "One azimuth step.", "Jog",
-        can_move, where=WHERE,
+        can_step, where=WHERE,
     ),
     Command(
-        "right", ("right", "l"), "→ l", "Step clockwise", "One azimuth step.", "Jog", can_move,
+        "right", ("right", "l"), "→ l", "Step clockwise", "One azimuth step.", "Jog", can_step,
         where=WHERE,
     ),
-    Command("up", ("up", "k"), "↑ k", "Step up", "One elevation step.", "Jog", can_move, where=WHERE),
-    Command("down", ("down", "j"), "↓ j", "Step down", "One elevation step.", "Jog", can_move, where=WHERE),
+    Command("up", ("up", "k"), "↑ k", "Step up", "One elevation step.", "Jog", can_step, where=WHERE),
+    Command("down", ("down", "j"), "↓ j", "Step down", "One elevation step.", "Jog", can_step, where=WHERE),
     Command(
         "skew-down", ("less_than_sign",), "<", "Skew down a step", "One skew step, on a dish with a skew axis.", "Jog",
         can_turn_skew, where=WHERE,

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from birdcage.station.state import Activity
 
-from birdcage_tui.commands.table import Command, can_move, can_release
+from birdcage_tui.commands.table import Command, can_move, can_release, can_step
 from birdcage_tui.view import View
 
 
@@ -38,9 +38,11 @@ def release_mend(view: View) -> Mend | None:
 def motion_mend(view: View) -> Mend | None:
     """Return what has to be done before the dish can be moved; None when it can be."""
     state = view.state
-    reason = can_move(view)
+    reason = can_step(view)
     if reason is None:
         return None
+    if state.awaits_first_move and can_move(view) is None:
+        return Mend("goto", "g", "go to first", "This dish does not tell where it points: send it somewhere first (g)")
     if view.waiting or not view.link_up:
         waiting = "opening" if view.waiting else "no answer"
         return Mend("", "", waiting, "The port is not open yet" if view.waiting else "The dish does not answer")
@@ -74,7 +76,7 @@ def offered(command: Command, view: View) -> Mend | None:
         mend = None  # there it asks about the limits only once
     if mend is None:
         reason = held_up(command, view)
-        mend = motion_mend(view) if reason is not None and reason == can_move(view) else None
+        mend = motion_mend(view) if reason is not None and reason == can_step(view) else None
     if mend is not None and not mend.command and command.name in ("home", "goto"):
         return None  # dim in their places: one mends, where anything does, and one is known by its word
     return mend

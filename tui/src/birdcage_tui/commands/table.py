@@ -29,11 +29,21 @@ def can_move(view: View) -> str | None:
         return "STOP is latched. Enter releases it."
     if state.motion_refused_because:
         return state.motion_refused_because
+    if state.awaits_first_move:
+        return None
     if state.homed is False or state.position is None:
         if state.dish is not None and state.dish.homing_s is None:
             return "The dish does not know where it points. Switch it off and on: it homes by itself."
         return "The dish does not know where it points. Home it first."
     return None
+
+
+def can_step(view: View) -> str | None:
+    """Return why the dish cannot be moved from where it is now."""
+    reason = can_move(view)
+    if reason is None and view.state.awaits_first_move:
+        return "This dish does not tell where it points. Send it somewhere first (g)."
+    return reason
 
 
 def can_home(view: View) -> str | None:

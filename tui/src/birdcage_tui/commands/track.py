@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from birdcage_tui.commands.table import Command, Reason, can_move, can_release
+from birdcage_tui.commands.table import Command, Reason, can_release, can_step
 from birdcage_tui.track.pursuing import pursuit_of
 from birdcage_tui.view import View
 
@@ -24,7 +24,7 @@ def can_watch(view: View) -> str | None:
 
 def can_follow(view: View) -> str | None:
     """Return why the chosen target cannot be pointed at or followed; the station checks again."""
-    return can_watch(view) or can_move(view) or (None if view.track is None else view.track.problem or None)
+    return can_watch(view) or can_step(view) or (None if view.track is None else view.track.problem or None)
 
 
 def can_leave(view: View) -> str | None:
@@ -56,7 +56,7 @@ def can_autotrack(view: View) -> str | None:
     """Return why autotrack cannot be switched. Off is always possible."""
     if view.track is not None and view.track.autotrack:
         return None
-    return can_search(view) or can_move(view)
+    return can_search(view) or can_step(view)
 
 
 def _tab(name: str, key: str, title: str, text: str) -> Command:

@@ -37,7 +37,8 @@ class CablePane(Pane):
         if (self.border_subtitle or "") != told:  # setting it repaints, equal or not
             self.border_subtitle = told
         if limits is None:
-            words = "Cable turn unknown." if state.dish is None else "This dish's cable has no stop."
+            none = state.dish is not None and state.dish.cable_known
+            words = "This dish's cable has no stop." if none else "Cable turn unknown."
             cells.put(1, 0, words, "dim")
             return
         turn = state.position.cable_deg if state.position is not None else None

@@ -35,7 +35,8 @@ def cable_gauge(cells: Cells, y: int, view: View) -> None:
     state = view.state
     cable = state.dish.cable if state.dish is not None else None
     if state.dish is not None and cable is None:
-        cells.put(1, y, "cable: this dish has no stop", "dim")
+        words = "this dish has no stop" if state.dish.cable_known else "no range is known; watch it"
+        cells.put(1, y, f"cable: {words}", "dim")
         return
     turn = state.position.cable_deg if state.position is not None else None
     if cable is None or turn is None:
@@ -115,7 +116,8 @@ class PointingPane(Pane):
         if position is None:
             note, note_ink = "unknown", "dim" if view.waiting else "warn"
         elif position.modelled and view.link_up:
-            note, note_ink = f"~ modelled, read {age_text(age_s or 0.0)} ago", "text"
+            told = "read" if view.state.dish is None or view.state.dish.position_reported else "sent"
+            note, note_ink = f"~ modelled, {told} {age_text(age_s or 0.0)} ago", "text"
             if len(note) >= start_el - left - 9:
                 note = "~ modelled"
         elif view.stale and age_s is not None:

@@ -14,11 +14,11 @@ KEYS = ("f", "h", "e")
 def other_firmwares(bench: Bench, *, likely: bool = False, heard: str = "") -> tuple[Choice, ...]:
     """Return a choice for each firmware that is known and not spoken now, the one that was `heard` first.
 
-    `likely` makes Enter take the first.
+    Those follow that tell where they point. `likely` makes Enter take the first.
     """
     present = bench.state.dish
     others = [model for model in list_models() if present is None or model.firmware != present.firmware]
-    others.sort(key=lambda model: model.firmware != heard)
+    others.sort(key=lambda model: (model.firmware != heard, not model.position_reported))
     return tuple(
         Choice(f"{OTHER}{model.firmware}", key, f"It is a {model.name} ({model.firmware})")
         for key, model in zip(("enter", *KEYS) if likely else KEYS, others, strict=False)

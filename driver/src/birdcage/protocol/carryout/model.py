@@ -1,0 +1,58 @@
+"""The Carryout of 2003 as data (`docs/reference/carryout-2003.md`). Little is known, most by two programs."""
+
+from __future__ import annotations
+
+from birdcage.protocol import plugs
+from birdcage.protocol.carryout.dialect import BAUD
+from birdcage.protocol.carryout.going import AZ_SPAN_DEG, EL_MAX_ROW, EL_SPAN_DEG
+from birdcage.protocol.nvs import row_id, row_label
+from birdcage.rotator.axis import Axis
+from birdcage.rotator.facts import Facts, Handling, SearchSwitch, SecondMove, Setting, SilentSlew, Turn
+from birdcage.rotator.ladder import END_OF_MOVE, POWER_SWITCH, Rung
+
+_SPEED_DEG_S = 5.0
+"""Not known. A scan program asks for three steps of 1 degree a second, and gives the first way 5 s: no slower than 3
+deg/s then. Motion is judged by time, so too slow a figure is the safe one."""
+_ACCELERATION_DEG_S2 = 5.0
+_STEP_DEG = 0.01
+"""Its records count in hundredths."""
+
+CARRYOUT_2003 = Facts(
+    name="Carryout of 2003",
+    firmware="carryout",
+    baud=BAUD,
+    azimuth=Axis(0, "azimuth", *AZ_SPAN_DEG, _SPEED_DEG_S, _ACCELERATION_DEG_S2, _STEP_DEG),
+    elevation=Axis(1, "elevation", *EL_SPAN_DEG, _SPEED_DEG_S, _ACCELERATION_DEG_S2, _STEP_DEG),
+    cable=None,
+    turn=Turn.UNKNOWN,
+    second_same=SecondMove.QUEUE,
+    second_other=SecondMove.QUEUE,
+    stop_ladder=(
+        Rung("abort", proven=False, sentence="a bare Enter, which ends a combined move of relatives of this dish"),
+        END_OF_MOVE,
+        POWER_SWITCH,
+    ),
+    slew=SilentSlew(0.0),
+    search_switch=SearchSwitch.UNTIL_POWER_UP,
+    homing_s=None,
+    homing_stoppable=False,
+    boot_s=900.0,
+    has_motor_power=False,
+    has_speeds=False,
+    has_rssi=False,
+    has_nvs=False,
+    has_stow=False,
+    position_reported=False,
+    cable_known=False,
+    moves_one_axis=False,
+    power_switch="12 V switch",
+    ceiling_settings=(Setting(row_id(EL_MAX_ROW), row_label(EL_MAX_ROW)),),
+    settings_name="nvs",
+    connectors=(plugs.CARRYOUT_2003,),
+    adapters=(plugs.DTECH,),
+    handling=Handling(
+        coax="Its coax carries 12 to 18 V: connect no 5 V LNA or bias tee to it.",
+    ),
+)
+"""What a second go-to does while it moves is not known: taken is that it waits, so none is sent before the first is
+over by its time. How far its cable turns is not known either."""

@@ -1,0 +1,87 @@
+"""A dish that tells nothing of where it is at rest: driven by time, and nothing of it is called read or confirmed."""
+
+from __future__ import annotations
+
+import pytest
+from birdcage.base.errors import Held, MotionRefused, Stopped
+from birdcage.station.requests import Goto, Jog, Release
+from birdcage.station.state import Activity
+
+from .conftest import Bench
+
+
+@pytest.fixture(params=["", "&prompt_when=at_once", "&second_move=abort"])
+def bench(request):
+    return Bench(f"carryout?seed=1{request.param}", firmware="carryout").connect(8.0)
+
+
+def test_nothing_is_known_before_the_first_move(bench):
+    state = bench.state
+    assert (state.position, state.homed, state.position_lost) == (None, None, "untold")
+    with pytest.raises(MotionRefused):
+        bench.do(Jog(1.0, 0.0, "you"))
+
+
+def test_a_goto_arrives_by_its_time_and_is_called_modelled(bench):
+    bench.do(Goto(180, 45, "you"), 200)
+    here, truth = bench.state.position, bench.device.truth()
+    assert here.modelled
+    assert (here.az_deg, here.el_deg) == pytest.approx((180.0, 45.0), abs=0.01)
+    assert not truth.moving
+    assert (truth.az_deg, truth.el_deg) == pytest.approx((180.0, 45.0), abs=0.1)
+    assert bench.state.homed is None
+    assert bench.lines()[-1] == "g 180.00 45.00"
+
+
+def test_on_the_first_way_nobody_knows_where_it_is(bench):
+    future = bench.station.submit(Goto(180, 45, "you"))
+    bench.step(5)
+    assert bench.state.activity is Activity.SLEWING
+    assert bench.state.position is None
+    assert bench.state.motion.stop_means == "none"
+    while not future.done():
+        bench.step(1)
+    assert bench.state.position is not None
+
+
+def test_a_jog_names_both_axes_as_this_dish_wants(bench):
+    bench.do(Goto(180, 45, "you"), 200)
+    bench.do(Jog(5.0, 0.0, "you"), 60)
+    assert bench.lines()[-1] == "g 185.00 45.00"
+    assert bench.device.truth().az_deg == pytest.approx(185.0, abs=0.1)
+
+
+def test_stop_sends_what_may_help_and_confirms_nothing(bench):
+    bench.do(Goto(180, 45, "you"), 200)
+    future = bench.station.submit(Goto(250, 60, "you"))
+    bench.step(2)
+    bench.station.stop("you")
+    bench.step(4)
+    assert isinstance(future.exception(0), Stopped)
+    stop = bench.state.last_stop
+    assert stop.confirmed is not True
+    assert "No STOP is known" in stop.sentence or "does not tell" in stop.sentence or "not answered" in stop.sentence
+    assert bench.state.position is None
+    assert bench.state.activity is Activity.UNKNOWN
+    assert bench.lines()[-1] == ""
+    with pytest.raises(Held):
+        bench.do(Goto(100, 45, "you"))
+    bench.step(120)
+    assert bench.state.activity is Activity.IDLE
+    bench.do(Release("you"))
+    bench.do(Goto(100, 45, "you"), 200)
+    assert bench.device.truth().az_deg == pytest.approx(100.0, abs=0.1)
+
+
+def test_outside_its_limits_nothing_is_sent(bench):
+    before = bench.lines()
+    with pytest.raises(MotionRefused):
+        bench.do(Goto(180, 80, "you"))
+    assert bench.lines() == before
+
+
+def test_a_lost_cable_leaves_no_position_and_no_motion(bench):
+    bench.do(Goto(180, 45, "you"), 200)
+    bench.sim.unplug() if hasattr(bench.sim, "unplug") else bench.device.unplug()
+    bench.step(3)
+    assert bench.state.position_lost is not None
