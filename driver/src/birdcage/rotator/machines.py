@@ -7,9 +7,9 @@ by the scheme of their addresses. Each class tells its facts: as `model`, or as 
 from __future__ import annotations
 
 from functools import lru_cache
-from importlib.metadata import EntryPoint, entry_points
 from typing import Any
 
+from birdcage.base.entry_points import entry_points, load
 from birdcage.rotator.adapting import as_rotator
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.rotator import Rotator
@@ -18,9 +18,10 @@ DIALECTS, MACHINES = "birdcage.dialects", "birdcage.machines"
 
 
 @lru_cache(maxsize=1)
-def _found() -> dict[str, EntryPoint]:
-    points = [each for group in (DIALECTS, MACHINES) for each in entry_points(group=group)]
-    return {each.name: each for each in sorted(points, key=lambda each: each.name)}
+def _found() -> dict[str, tuple[str, str]]:
+    """Return the group of each, and where its class is, by name in order."""
+    found = {name: (group, target) for group in (DIALECTS, MACHINES) for name, target in entry_points(group).items()}
+    return dict(sorted(found.items()))
 
 
 def names() -> tuple[str, ...]:
@@ -30,14 +31,14 @@ def names() -> tuple[str, ...]:
 
 def names_in(group: str) -> tuple[str, ...]:
     """Return those of one group."""
-    return tuple(name for name, point in _found().items() if point.group == group)
+    return tuple(name for name, (of, _target) in _found().items() if of == group)
 
 
 def class_of(name: str) -> Any:  # noqa: ANN401 - a `FirmwareProtocol` or a `Rotator`
     """Return the class of a machine. Raises KeyError, naming those that exist, for any other."""
     if name not in _found():
         raise KeyError(f"no firmware {name!r} here; known: {', '.join(names())}")
-    return _found()[name].load()
+    return load(_found()[name][1])
 
 
 def facts_of(name: str) -> Facts:

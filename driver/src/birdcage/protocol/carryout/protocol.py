@@ -29,7 +29,7 @@ class CarryoutProtocol(FirmwareProtocol):
     """Its console: menu `target` sends both axes (`g`) and tells where they are while they move, never at rest."""
 
     name: ClassVar[str] = "carryout"
-    model: ClassVar[Facts] = CARRYOUT_2003
+    model: Facts = CARRYOUT_2003
     dialect: ClassVar[ConsoleDialect] = DIALECT
     motor_menu: ClassVar[str] = TARGET
     hazards: ClassVar[HazardTable] = HAZARDS
