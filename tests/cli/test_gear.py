@@ -31,3 +31,10 @@ def test_a_dish_without_an_adapter_or_a_firmware_is_asked_for(run, pty_dish):
     assert "No adapter at" in run("gear", port="sim:g2").stderr
     unnamed = run("gear", "--play-az", "0.05", port=pty_dish.path, firmware="")
     assert "Name the firmware with --firmware" in unnamed.stderr
+
+
+def test_a_play_that_cannot_be_kept_is_said_to_be_lost(run, pty_dish, tmp_path):
+    (tmp_path / "state").write_text("in the way")
+    said = run("gear", "--play-az", "0.05", port=pty_dish.path, env={"BIRDCAGE_HOME": str(tmp_path)})
+    assert said.exit_code == 2
+    assert "facts.json can't be written (Not a directory): nothing was kept." in said.stderr

@@ -15,6 +15,7 @@ from birdcage.protocol.unhomed import is_unhomed, unreadable
 from birdcage.rotator.axis import Axis
 from birdcage.rotator.facts import Facts, SearchSwitch, SecondMove, Turn
 from birdcage.rotator.ladder import POWER_SWITCH, Rung
+from birdcage.rotator.origin import by_origin
 from birdcage.rotator.values import Position
 
 _ASSUMED_SPEED_DEG_S = 5.0
@@ -50,6 +51,13 @@ GENERIC_FACTS = Facts(
     has_stow=False,
     position_reported=True,
     power_switch="power switch",
+    origin=by_origin(
+        inferred="""
+        baud azimuth.min_deg azimuth.max_deg azimuth.speed_deg_s azimuth.acceleration_deg_s2 azimuth.step_deg
+        elevation.min_deg elevation.max_deg elevation.speed_deg_s elevation.acceleration_deg_s2 elevation.step_deg
+        second_same second_other stop_ladder boot_s power_switch
+        """
+    ),
 )
 """Ranges, floor and baud are the defaults of the public API (document 003); its boot is as long as the longest of the
 family. No cable range is known: whoever knows of one sets it in `model`, or in the settings."""

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
-from contextlib import suppress
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
@@ -69,31 +69,43 @@ class FactsFile:
         write_aside_and_rename(self.path, json.dumps({"firmware": self.firmware, "facts": facts}).encode())
 
     def set_play(self, az_deg: float | None, el_deg: float | None, utc: datetime) -> None:
-        """Keep the play that the owner has measured; None leaves that of an axis. ConfigError for no play. OSError."""
+        """Keep the play that the owner has measured; None leaves that of an axis.
+
+        ConfigError for what is no play, or where it can't be kept; what was known then stays as it was.
+        """
         own = self.read()
         for axis, deg in zip(AXES, (az_deg, el_deg), strict=True):
             if deg is not None:
                 name = f"{axis}.{PLAY}"
                 own = own.with_fact(name, OwnFact(checked(name, deg), Origin.USER, utc))
-        self.write(own)
+        with self._or_complain():
+            self.write(own)
 
     def forget_gear(self) -> None:
-        """Know nothing of the dish's play and overshoot any more. OSError."""
+        """Know nothing of the dish's play and overshoot any more. ConfigError where it can't be written."""
         self._forget(lambda name: name in NAMES)
 
     def forget(self) -> None:
-        """Know nothing of the dish any more. OSError."""
+        """Know nothing of the dish any more. ConfigError where it can't be written."""
         self._forget(lambda _name: True)
 
     def _forget(self, is_meant: Callable[[str], bool]) -> None:
         own = self.read()
         for name in own.facts:
             own = own.with_fact(name, None) if is_meant(name) else own
-        if own.facts:
-            self.write(own)
-        else:
-            remove_earlier(self.path.parent)
-            self.path.unlink(missing_ok=True)
+        with self._or_complain():
+            if own.facts:
+                self.write(own)
+            else:
+                remove_earlier(self.path.parent)
+                self.path.unlink(missing_ok=True)
+
+    @contextmanager
+    def _or_complain(self) -> Iterator[None]:
+        try:
+            yield
+        except OSError as error:
+            raise ConfigError(f"{self.path} can't be written ({error.strerror or error}): nothing was kept.") from error
 
 
 def _facts_in(told: Any) -> OwnFacts:  # noqa: ANN401 - whatever JSON has there
