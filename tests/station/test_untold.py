@@ -33,6 +33,18 @@ def test_a_goto_arrives_by_its_time_and_is_called_modelled(bench):
     assert bench.lines()[-1] == "g 180.00 45.00"
 
 
+def test_its_owner_may_say_how_fast_it_is_and_that_is_what_its_moves_are_timed_by():
+    took = {}
+    for facts in ({}, {"azimuth.speed_deg_s": 10.0, "elevation.speed_deg_s": 10.0}):
+        bench = Bench("carryout?seed=1", {"own_facts": facts}, "carryout").connect(8.0)
+        bench.do(Goto(180, 45, "you"), 200)
+        bench.station.submit(Goto(240, 45, "you"))
+        bench.step(1)
+        took[len(facts)] = bench.state.motion.eta - bench.state.motion.started
+    assert took[0] == pytest.approx(60 / 5, abs=3)
+    assert took[2] == pytest.approx(60 / 10, abs=2)
+
+
 def test_on_the_first_way_nobody_knows_where_it_is(bench):
     future = bench.station.submit(Goto(180, 45, "you"))
     bench.step(5)

@@ -9,6 +9,7 @@ from birdcage.protocol.nvs import row_id, row_label
 from birdcage.rotator.axis import Axis
 from birdcage.rotator.facts import Facts, Handling, SearchSwitch, SecondMove, Setting, SilentSlew, Turn
 from birdcage.rotator.ladder import END_OF_MOVE, POWER_SWITCH, Rung
+from birdcage.rotator.origin import by_origin
 
 _SPEED_DEG_S = 5.0
 """Not known. A scan program asks for three steps of 1 degree a second, and gives the first way 5 s: no slower than 3
@@ -52,6 +53,18 @@ CARRYOUT_2003 = Facts(
     adapters=(plugs.DTECH,),
     handling=Handling(
         coax="Its coax carries 12 to 18 V: connect no 5 V LNA or bias tee to it.",
+    ),
+    origin=by_origin(
+        documented="""
+            name firmware baud azimuth.min_deg azimuth.max_deg azimuth.step_deg elevation.min_deg elevation.max_deg
+            elevation.step_deg position_reported power_switch settings_name
+        """,
+        inferred="""
+            azimuth.speed_deg_s azimuth.acceleration_deg_s2 azimuth.overshoot_deg
+            elevation.speed_deg_s elevation.acceleration_deg_s2 elevation.overshoot_deg
+            turn second_same second_other stop_ladder slew.least_deg search_switch homing_stoppable boot_s
+            has_motor_power has_speeds has_rssi has_nvs has_stow cable_known moves_one_axis tells_version
+        """,
     ),
 )
 """What a second go-to does while it moves is not known: taken is that it waits, so none is sent before the first is
