@@ -185,3 +185,12 @@ def test_it_is_never_worse_than_stepping(dish, share):
         assert Phase.INTERRUPTED not in bench.phases
         rms.append(float(np.sqrt(np.mean(np.square(errors)))))
     assert rms[0] < 1.1 * rms[1]
+
+
+def test_a_speed_that_the_owner_has_told_is_not_taken_for_the_one_that_it_glides_at():
+    told = {"own_facts": {"azimuth.speed_deg_s": 40.0, "elevation.speed_deg_s": 30.0}}
+    bench = following(seconds=30.0, settings=told)
+    assert speeds(bench)[0] < 2.0
+    ways_go_at = bench.station._pursuing._voyage.model()
+    assert (ways_go_at.azimuth.speed_deg_s, ways_go_at.elevation.speed_deg_s) == (40.0, 30.0)
+    assert error_deg(bench) < 0.02
