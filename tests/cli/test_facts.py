@@ -61,3 +61,10 @@ def test_config_shows_and_checks_what_the_owner_says(run, as_json, said_by_owner
     assert checked.exit_code != 0
     assert "dish.facts.elevation.max_deg is 90, 25 deg beyond the Carryout G2's own limit of 65 deg" in checked.stderr
     assert "Nothing moves until that is fixed." in checked.stderr
+
+
+def test_ready_says_that_such_a_fact_must_be_mended(run, said_by_owner):
+    said = run("ready", *said_by_owner("elevation.max_deg = 90"))
+    (line,) = [line for line in said.stdout.splitlines() if "dish.facts.elevation.max_deg is 90" in line]
+    assert "✗" in line
+    assert said.exit_code == 1

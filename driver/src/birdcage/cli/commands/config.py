@@ -59,10 +59,10 @@ def show() -> None:
         tell_json(told)
     else:
         for key, value in values.items():
-            tell(f"{key:36} {_shown(value):28} {source(key)}")
+            tell(f"{key:44} {_shown(value):28} {source(key)}")
         for key, beam in beams.items():
             known = "- (needs dish.firmware and the feed's band, or a width)" if beam is None else beam.words
-            tell(f"{key:36} {known}")
+            tell(f"{key:44} {known}")
     for problem in settings.problems:
         say(problem.text)
     for sentence in wrong_facts(settings.dish.firmware, settings):
