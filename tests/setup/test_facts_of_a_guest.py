@@ -1,4 +1,4 @@
-"""What Setup says of a machine comes from its facts: one that nobody here has heard of is told like ours."""
+"""What Setup says of a machine comes from its facts: one never heard of before is told like ours."""
 
 from __future__ import annotations
 

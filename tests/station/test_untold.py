@@ -8,6 +8,7 @@ from birdcage.station.requests import Goto, Jog, Release
 from birdcage.station.state import Activity
 
 from .conftest import Bench
+from .pursuit_bench import PursuitBench, at, plan_of
 
 
 @pytest.fixture(params=["", "&prompt_when=at_once", "&second_move=abort"])
@@ -97,3 +98,21 @@ def test_a_lost_cable_leaves_no_position_and_no_motion(bench):
     bench.sim.unplug() if hasattr(bench.sim, "unplug") else bench.device.unplug()
     bench.step(3)
     assert bench.state.position_lost is not None
+
+
+def test_a_pass_is_followed_by_time():
+    bench = PursuitBench("carryout?seed=1", firmware="carryout").connect(8.0)
+    bench.do(Goto(100, 30, "you"), 200)
+    plan = plan_of(at(bench) + 60.0, lasts_s=200.0, az_rate=0.2, low=30.0, high=45.0)
+    bench.pursue(plan)
+    offs = []
+    while bench.pursuit is not None and at(bench) < plan.legs[-1].end_s + 5.0:
+        bench.step(2.0)
+        t_s = at(bench)
+        if plan.legs[0].start_s + 20.0 < t_s < plan.legs[-1].end_s - 5.0:
+            truth, (az, el) = bench.device.truth(), plan.course.at(t_s)
+            offs.append(max(abs(truth.az_deg - az), abs(truth.el_deg - el)))
+    assert offs
+    assert max(offs) < 3.0
+    assert bench.state.position is None or bench.state.position.modelled
+    assert bench.state.fault is None

@@ -48,6 +48,8 @@ class SearchSwitch(Enum):
     """By a setting, which holds from the next power-up on."""
     UNTIL_POWER_UP = "until power-up"
     """By ending it while it runs; it begins again at each power-up."""
+    NOT_KNOWN = "not known"
+    """No command is known that ends it, nor a setting that can be recommended."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from birdcage.antenna.antenna import BirdcageAntenna
-from birdcage.base.errors import ConfigError, StoreError
+from birdcage.base.errors import CommandRefused, ConfigError, StoreError
 from birdcage.base.paths import write_aside_and_rename
 from birdcage.rotator.facts import SearchSwitch as Switch
 from birdcage.station.applying import refuse_while_moving
@@ -26,6 +26,12 @@ class SearchSwitch:
 
         A search that is to be ended at once may well move the dish; a motion of ours must not be aborted by it.
         """
+        facts = self._antenna.rotator.facts
+        if facts.search_switch is Switch.NOT_KNOWN:
+            raise CommandRefused(
+                f"The {facts.name} has no known command that ends its TV search. Nothing was sent.",
+                reason="unsupported",
+            )
         if self._until_power_up and not disabled:
             self._antenna.rotator.restore_search()  # says why not
         if self._until_power_up and self._board.state.activity is not Activity.MOVING_UNASKED:

@@ -73,7 +73,9 @@ def command(switch: str | None, yes: bool, timeout_s: float | None) -> None:
     from birdcage.station.state import Activity
 
     dish_wanted = with_firmware(wanted(), patience_s=PATIENCE_S if timeout_s is None else timeout_s)
-    at_once = _ends_at_once(dish_wanted.model)
+    at_once, endless = _ends_at_once(dish_wanted.model), _is_endless(dish_wanted.model)
+    if switch is not None and endless:
+        raise click.UsageError("No command is known that switches this dish's TV search off or on.")
     if switch == "restore" and at_once:
         raise click.UsageError("This dish's TV search can't be switched off for good: it starts at each power-up.")
     if switch is not None and not at_once:
@@ -170,6 +172,13 @@ def _ends_at_once(model: Facts | None) -> bool:
     from birdcage.station.known import SearchSwitch
 
     return model is not None and model.search_switch is SearchSwitch.UNTIL_POWER_UP
+
+
+def _is_endless(model: Facts | None) -> bool:
+    """Return whether nothing is known that ends the TV search."""
+    from birdcage.station.known import SearchSwitch
+
+    return model is not None and model.search_switch is SearchSwitch.NOT_KNOWN
 
 
 def _end_search(dish: Dish, *, booted: bool) -> None:

@@ -34,7 +34,7 @@ CARRYOUT_2003 = Facts(
         POWER_SWITCH,
     ),
     slew=SilentSlew(0.0),
-    search_switch=SearchSwitch.UNTIL_POWER_UP,
+    search_switch=SearchSwitch.NOT_KNOWN,
     homing_s=None,
     homing_stoppable=False,
     boot_s=900.0,

@@ -60,9 +60,18 @@ class SearchStep(Step):
         return model is not None and model.search_switch is SearchSwitch.UNTIL_POWER_UP
 
     @property
+    def _endless(self) -> bool:
+        """Whether nothing is known that ends this dish's search."""
+        model = self.bench.state.dish
+        return model is not None and model.search_switch is SearchSwitch.NOT_KNOWN
+
+    @property
     def proven(self) -> bool | None:
         """Off in force, and a restart acknowledged; None while the dish has not told."""
         state = self.bench.state
+        if self._endless:
+            kept = self.bench.kept(self.name)
+            return True if kept is not None and kept.done else None
         if self._at_once:
             return state.search is Search.OFF_UNTIL_POWER_UP if self.bench.is_up else None
         if self.written:
@@ -74,6 +83,8 @@ class SearchStep(Step):
     def evidence(self) -> str:
         """Say what the dish says, and where the backup is."""
         state, kept = self.bench.state, self.bench.kept(self.name)
+        if self._endless:
+            return kept.evidence if kept else "no known command ends it"
         if self._at_once:
             return _AT_ONCE.get(state.search, "not known") if self.bench.is_up else "begins at each power-up"
         if self.written:
@@ -85,6 +96,12 @@ class SearchStep(Step):
 
     def words(self) -> tuple[str, ...]:
         """Name the consequences."""
+        if self._endless:
+            return (
+                "After power-up the dish homes, then searches for TV satellites: it moves by itself.",
+                "No known command ends the search. Wait until the dish rests, and go on then.",
+                *self.trouble(),
+            )
         if self._at_once:
             return (
                 "After power-up the dish homes, then searches for TV satellites: it moves by itself.",
@@ -126,6 +143,8 @@ class SearchStep(Step):
         """Switch it off, or say that the power was cycled."""
         if not self.bench.is_up:
             return ()
+        if self._endless:
+            return () if self.proven else (*self.release_choice(), Choice("rests", "enter", "It rests: go on"))
         if self._at_once:
             key, label = ("e", "End it again") if self.proven else ("enter", "End the TV search now")
             return (*self.release_choice(), Choice("end", key, label))
@@ -142,6 +161,8 @@ class SearchStep(Step):
         """Write, or go on after the power cycle."""
         if choice == "release":
             self.begin(self.release(), "releasing")
+        elif choice == "rests":
+            self.bench.done(self.name, "not ended: it was seen at rest")
         elif choice == "end":
             self.begin(self._end_now(), "ending the TV search")
         elif choice == "cycled":
@@ -168,7 +189,7 @@ class SearchStep(Step):
     def look(self) -> None:
         """Notice the power cycle, and that the search is off."""
         state, setting = self.bench.state, self._setting
-        if self._at_once:
+        if self._at_once or self._endless:
             return
         if self.written:
             self.gone = self.gone or self._restarted or state.activity is Activity.INITIALIZING
