@@ -145,11 +145,11 @@ def test_the_network_tab_says_what_there_is_and_what_there_is_not():
         text = run(read, size=size, keys=("f2", "N"))
         for words in (
             "Tracker.",
-            "An arrow or go-to takes",
+            "arrows, g, presets",
             "birdcage stop",
-            "birdcage track",
+            "birdcage release",
             "rotctld",
-            "Not in this version",
+            "The server for Gpredict",
         ):
             assert words in text
 
