@@ -10,6 +10,7 @@ from typing import Any
 from birdcage.antenna.alignment import Alignment
 from birdcage.antenna.belief import Belief, Expected
 from birdcage.antenna.blocking import MoveCommands
+from birdcage.antenna.cable_turn import by_cable
 from birdcage.antenna.config import AntennaConfig, DialectBaud
 from birdcage.antenna.foresight import foresee
 from birdcage.antenna.gate import UNTOLD, MotionGate
@@ -74,6 +75,7 @@ class BirdcageAntenna:
         self._sender = Sender(self)
         self._modelling = threading.RLock()
         self.gate = MotionGate(self.rotator.facts)
+        self.rotator = by_cable(self.rotator, self.gate)
         self._readings = Readings(self.gate)
         self.skew = SkewGoal()
         self.reckoning = Reckoning()
@@ -209,14 +211,18 @@ class BirdcageAntenna:
 
     def _reckoned(self) -> Position:
         dish = self.reckoning.tell(self.gate, self.motion, self._clock.monotonic(), self._clock.rate)
-        az_deg, el_deg = self.alignment.to_true(dish.azimuth, dish.elevation)
-        self._last_position = Position(az_deg, el_deg)
+        self._last_position = Position(*self.alignment.to_true(dish.azimuth, dish.elevation))
         return self._last_position
 
     def reckon_move(self) -> None:
         """A move has gone out: a dish that does not tell is on its way until that is over by its time."""
         if self.motion is not None:
             self.reckoning.begin(self.motion, self._clock.rate)
+
+    def hear(self, told: Position) -> Position:
+        """Take in where the dish points, told unasked; reads on where that alone cannot be believed. True degrees."""
+        unasked = [told]
+        return self._read(lambda: unasked.pop() if unasked else self.rotator.look())
 
     def _read(self, once: Callable[[], Position]) -> Position:
         if self.gate.position is None:

@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 
 from birdcage.antenna.turning import LONGEST_SURE_DEG, AzimuthWay, azimuth_way, is_safe_at_any_turn
 from birdcage.base.errors import BelowFloor, MotionRefused, PositionUnknown
-from birdcage.base.geometry import shortest_turn
-from birdcage.rotator.facts import Facts
+from birdcage.base.geometry import shortest_turn, wrap_360
+from birdcage.rotator.facts import Facts, Turn
 from birdcage.rotator.values import Position
 
 
@@ -76,13 +76,17 @@ class MotionGate:
         if self.released:
             self.forget("released")
             raise self._unknown()
-        if self.cable_deg is not None and self.position is not None:
+        if self.model.turn is Turn.REPORTED:
+            self.cable_deg, self.remembers_cable = position.azimuth, False
+            position = replace(position, azimuth=wrap_360(position.azimuth))
+        elif self.cable_deg is not None and self.position is not None:
             self.cable_deg += shortest_turn(self.position.azimuth, position.azimuth)
         self.position = position
 
     def count_cable(self) -> None:
         """Begin to count: the dish has just found its reference, so its cable stands at its azimuth (`Wrap: 0`)."""
-        if self.position is not None and self.model.cable is not None:
+        counts = self.model.cable is not None and self.model.turn is not Turn.REPORTED
+        if self.position is not None and counts:
             self.cable_deg, self.remembers_cable = shortest_turn(0.0, self.position.azimuth), False
 
     def remember_cable(self, cable_deg: float) -> None:

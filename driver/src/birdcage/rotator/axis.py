@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from enum import Enum
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +43,15 @@ SHORT_WAYS = 2.0 / 3.0
 """What is left of an overshoot where ways are shorter: the play hides an axis that goes back for them."""
 
 
+class TurnBy(Enum):
+    """Who chooses which way round an azimuth goes, where the cable lets it turn more than once."""
+
+    MACHINE = "machine"
+    """It takes an azimuth of the circle, and turns as it likes."""
+    HOST = "host"
+    """It takes the turn of its cable, tells it (`Turn.REPORTED`), and goes there as it stands on the scale."""
+
+
 @dataclass(frozen=True, slots=True)
 class Axis:
     """One axis in the dish's own frame."""
@@ -59,6 +69,8 @@ class Axis:
     """Goes before speed and acceleration, where it is known."""
     play_deg: float | None = None
     """Of this dish's gear, which no reading shows; None if not measured."""
+    turn_by: TurnBy = TurnBy.MACHINE
+    """Of an azimuth. Its range counts on the circle in either case; that of the cable is a fact of its own."""
     mean_overshoot_up_deg: float | None = None
     mean_overshoot_down_deg: float | None = None
     """How far past its target this dish's axis comes to rest on the mean, of moves to greater angles and to lesser;

@@ -17,6 +17,7 @@ class Turn(Enum):
     """How well the turn of the cable is known (SEAMS *Frames*)."""
 
     REPORTED = "reported"
+    """The azimuth that is read is the turn of the cable, beyond the circle."""
     COUNTED = "counted"
     """From a homing that this program saw."""
     REMEMBERED = "remembered"

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from birdcage.base.trouble import MotorTrouble
+from birdcage.rotator.values import Position
 
 if TYPE_CHECKING:
     from birdcage.base.wake import Wake
@@ -35,6 +36,8 @@ class Hooks:
     """Called then; it may raise to abandon the exchange."""
     on_line: Callable[[str], None] = _nothing
     """Hears a line that nothing asked for, and that is none of what follows."""
+    on_look: Callable[[Position], None] = _nothing
+    """Hears where the machine is, told unasked; only from within `Rotator.listen`, never while something is asked."""
     on_restart: Callable[[str], None] = _nothing
     """Hears a line that tells that the machine has just started: it has forgotten everything."""
     on_trouble: Callable[[MotorTrouble], None] = _nothing

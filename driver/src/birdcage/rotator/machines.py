@@ -24,6 +24,11 @@ def _found() -> dict[str, tuple[str, str]]:
     return dict(sorted(found.items()))
 
 
+def look_anew() -> None:
+    """Look for machines once more: a package was added to, or taken from, the running program."""
+    _found.cache_clear()
+
+
 def names() -> tuple[str, ...]:
     """Return the short names of all machines, in order."""
     return tuple(_found())

@@ -15,7 +15,7 @@ from birdcage.base.errors import CommandRefused, PositionUnknown
 from birdcage.base.geometry import shortest_turn, wrap_360
 from birdcage.rotator.facts import Facts, SearchSwitch, Turn
 from birdcage.rotator.origin import Origin
-from birdcage.rotator.values import Survey
+from birdcage.rotator.values import Position, Survey
 from birdcage.station.board import Board
 from birdcage.station.events import PositionRead
 from birdcage.station.settings import Rules, StationSettings
@@ -64,7 +64,7 @@ class Look:
 
     def _turn(self) -> Turn:
         gate = self._antenna.gate
-        if gate.cable_deg is None:
+        if gate.cable_deg is None or gate.model.turn is Turn.REPORTED:
             return gate.model.turn
         return Turn.REMEMBERED if gate.remembers_cable else Turn.COUNTED
 
@@ -79,13 +79,16 @@ class Look:
         if not antenna.kind.position_reported and antenna.reckoning.moves_until <= self._board.clock.monotonic():
             antenna.rotator.meet()
 
-    def position(self, *, glance: bool = False) -> Pointing | None:
+    def position(self, *, glance: bool = False, heard: Position | None = None) -> Pointing | None:
         """Read where the dish is; None when it does not know: not homed, or released since.
 
         A `glance` is for a stream of targets: NoReply (`late`) where waiting would hold that up.
+        `heard` is what the machine has told unasked: then nothing is asked that need not be.
         """
+        antenna = self._antenna
         try:
-            true = self._antenna.glance() if glance else self._antenna.get_position()
+            look = antenna.glance if glance else antenna.get_position
+            true = look() if heard is None else antenna.hear(heard)
         except PositionUnknown as unknown:
             self.elsewhere = False
             self.unknown(unknown)

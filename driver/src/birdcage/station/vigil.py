@@ -10,6 +10,7 @@ from birdcage.antenna.rest import APART_S, STILL_DEG
 from birdcage.base.errors import BirdcageError, CommandRefused, Stopped
 from birdcage.base.trouble import MotorTrouble
 from birdcage.rotator.facts import SearchSwitch
+from birdcage.rotator.values import Position
 from birdcage.station.board import Board
 from birdcage.station.control import Control
 from birdcage.station.events import End, FaultRaised, TranscriptLine
@@ -17,7 +18,7 @@ from birdcage.station.look import Look
 from birdcage.station.mover import Mover
 from birdcage.station.stalls import MotorFault, blocked, motor_fault
 from birdcage.station.starting import Starting
-from birdcage.station.state import Activity, Fault, Pointing, Search
+from birdcage.station.state import Activity, Fault, Link, Pointing, Search
 from birdcage.station.stopper import Stopper
 from birdcage.station.watches import Watches
 
@@ -111,10 +112,16 @@ class Vigil:
         self._look.signal()
         self._watches.rssi_was_read(now)
 
-    def _read_position(self) -> None:
+    def heard_position(self, told: Position) -> None:
+        """Hear unasked where the dish is: at rest that is a look like any other. In motion its mover looks."""
+        state, resting = self._board.state, (Activity.IDLE, Activity.UNKNOWN, Activity.MOVING_UNASKED)
+        if state.link.state is Link.UP and state.activity in resting and not self.paused:
+            self._read_position(told)
+
+    def _read_position(self, told: Position | None = None) -> None:
         before, stops = self._board.state.position, self._stopper.count
         self._look.meet_untold()
-        after = self._look.position()
+        after = self._look.position(heard=told)
         self._watches.position_was_read(self._board.clock.monotonic())
         self._look_again_at = None
         if self._stopper.count == stops:

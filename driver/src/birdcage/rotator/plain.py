@@ -1,0 +1,111 @@
+"""A machine without menus, tuner, settings, homing or search: what it answers where it has nothing to answer with."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from birdcage.base.errors import CommandRefused
+from birdcage.rotator.facts import Facts
+from birdcage.rotator.raw import RawLines
+from birdcage.rotator.values import RssiReading, Survey
+
+
+@dataclass(slots=True)
+class PlainLine:
+    """A `Line` whose figures its machine keeps."""
+
+    delay_s: float = 2.0
+    place: str | None = None
+    is_settled: bool = True
+    last_reply: float | None = None
+    round_trip_s: float | None = None
+    took_s: float = 0.0
+    answered: int = 0
+    stray_bytes: int = 0
+
+    def unanswered_s(self) -> float:
+        """No line is left open: each is waited for, or given up."""
+        return 0.0
+
+    def note(self, asked_at: float, now: float) -> None:
+        """Take in that what was asked at one time was answered now."""
+        self.took_s = self.round_trip_s = now - asked_at
+        self.last_reply, self.answered = now, self.answered + 1
+
+    def note_silence(self) -> None:
+        """Take in that an answer did not come."""
+        self.answered = 0
+
+
+class PlainRotator:
+    """To inherit: what is left to write are opening, meeting, looking, sending, stopping, listening and closing."""
+
+    facts: Facts
+    raw: RawLines | None = None
+    is_simulated = False
+    printed_deg = 0.01
+
+    def _lacks(self, what: str) -> CommandRefused:
+        return CommandRefused(f"The {self.facts.name} has no {what}. Nothing was sent.", reason="unsupported")
+
+    def begin(self, tell: Callable[[str], None]) -> None:
+        """It is ready as soon as it is open."""
+
+    def make_ready(self) -> None:
+        """It always is."""
+
+    def catch_up(self) -> None:
+        """Nothing is left over from an earlier program."""
+
+    def survey(self) -> Survey:
+        """It tells nothing of itself, and searches for nothing."""
+        return Survey(search_disabled=True)
+
+    def is_answer(self, text: str) -> bool:  # noqa: ARG002
+        """No answer comes unasked."""
+        return False
+
+    def begin_slew(self, az_deg: float, el_deg: float, skew_deg: float | None) -> None:  # noqa: ARG002
+        """Each axis is sent by itself."""
+        raise self._lacks("combined move")
+
+    def slew_is_over(self) -> bool:
+        """There is none."""
+        return True
+
+    def home(self, motor: int) -> None:  # noqa: ARG002
+        """It knows where it is."""
+        raise self._lacks("homing")
+
+    def stow(self) -> None:
+        """It does not fold."""
+        raise self._lacks("stow position")
+
+    def release_motors(self, permit: Callable[[], None]) -> None:  # noqa: ARG002
+        """Its motors keep their current."""
+        raise self._lacks("switch for its motors")
+
+    def engage_motors(self) -> None:
+        """As above."""
+        raise self._lacks("switch for its motors")
+
+    def set_speed(self, motor: int, speed_deg_s: float) -> Mapping[int, float]:  # noqa: ARG002
+        """It goes at its own."""
+        raise self._lacks("command for its speed")
+
+    def signal(self, reads: int) -> RssiReading:  # noqa: ARG002
+        """It hears nothing."""
+        raise self._lacks("tuner")
+
+    def settings_table(self) -> tuple[str, ...]:
+        """It has none."""
+        raise self._lacks("settings")
+
+    def end_search(self) -> None:
+        """It does not search."""
+        raise self._lacks("TV search")
+
+    def restore_search(self) -> None:
+        """As above."""
+        raise self._lacks("TV search")

@@ -1,0 +1,67 @@
+"""The contract, kept by a machine that pushes its position and leaves the turn of its cable to the host."""
+
+from __future__ import annotations
+
+import pytest
+from birdcage.rotator import machines
+from birdcage.rotator.facts import Turn
+from birdcage.station.requests import Goto
+from birdcage.station.state import Activity
+from birdcage.testing import Bench, Contract, Stage, StopScene
+
+from .installed import installed
+
+
+@pytest.fixture(scope="module")
+def twins(tmp_path_factory):
+    with installed(tmp_path_factory.mktemp("toys")):
+        from birdcage_toys import pushy_twin
+
+        yield pushy_twin
+    assert "pushy" not in machines.names(), "it stays installed after the test"
+
+
+@pytest.fixture
+def bench(twins):
+    return Bench("pushy", twins.PushyTwin, stops=(StopScene("retarget", (100.0, 20.0), 1.0),))
+
+
+class TestPushy(Contract):
+    pass
+
+
+@pytest.mark.parametrize(("turn_deg", "az_deg", "sent_deg"), [(250.0, 300.0, -60.0), (-200.0, 170.0, -190.0),
+                                                             (100.0, 250.0, 250.0), (260.0, 250.0, 250.0)])  # fmt: skip
+def test_the_host_chooses_the_turn(bench, twins, turn_deg, az_deg, sent_deg):
+    with Stage(bench, lambda clock: twins.PushyTwin(clock, turn_deg)) as stage:
+        stage.ready()
+        assert stage.state.turn is Turn.REPORTED
+        assert stage.state.position.cable_deg == pytest.approx(turn_deg)
+        stage.do(Goto(az_deg, 40.0, "you"))
+        assert stage.twin.motors[0].deg == pytest.approx(sent_deg)
+        assert stage.state.position.cable_deg == pytest.approx(sent_deg)
+        assert stage.state.position.az_deg == pytest.approx(az_deg)
+
+
+def test_what_it_tells_unasked_is_seen_by_all(bench):
+    """Not asked for: no one watches, and the dish is pushed by hand."""
+    with Stage(bench) as stage:
+        stage.step(5.0)
+        assert stage.state.activity is Activity.IDLE
+        stage.twin.motors[0].go(112.0)
+        stage.step(2.0)
+        assert stage.state.fault.reason == "moved"
+        assert stage.shows_truth()
+
+
+def test_stop_aims_on_the_cable(bench, twins):
+    """In a turn across north, the aim is on the far side of 0, and not a circle away."""
+    with Stage(bench, lambda clock: twins.PushyTwin(clock, 40.0)) as stage:
+        stage.ready()
+        stage.station.submit(Goto(300.0, 30.0, "you"))
+        stage.step(5.0)
+        assert stage.twin.motors[0].deg < -10.0
+        stage.station.stop("you")
+        stage.step(5.0)
+        assert -30.0 < stage.twin.motors[0].deg < -10.0
+        assert stage.state.last_stop.confirmed is True
