@@ -75,6 +75,8 @@ def _in_motion(view: View, motion: Motion) -> tuple[str, ...]:
     if motion.stop_means == "none" or motion.stop_power_s is None:
         ends = f"No STOP: it ends by itself in {max(0.0, motion.eta - view.now):.0f} s"
         return _and_else(view, f"{ends}. {{emergency}}.", ends)
+    if not motion.eta_known:
+        return ("STOP stops it; how fast is unknown",)
     tail = ", by motor release" if motion.stop_means == "release" else ""
     return (f"STOP takes {motion.stop_power_s:.1f} s{tail}",)
 

@@ -222,9 +222,9 @@ class View:
 
     @property
     def progress(self) -> float | None:
-        """The part of the motion's time that has passed, 0 to 1; None when nothing moves."""
+        """The part of the motion's time that has passed, 0 to 1; None when nothing moves, or at unknown speeds."""
         motion = self.state.motion
-        if motion is None:
+        if motion is None or not motion.eta_known:
             return None
         span = motion.eta - motion.started
         return 1.0 if span <= 0 else min(1.0, max(0.0, (self.now - motion.started) / span))

@@ -93,6 +93,8 @@ def motion_text(view: View) -> str:
             return f"{word}: {state.activity_text}"
         if state.motion.az_way_deg is None:
             return f"{word}  direction shows in a moment"
+        if not state.motion.eta_known:
+            return f"{word}{going.rstrip(',')}"
         return f"{word}{going} {left_s:.1f} s" if left_s > 0 else f"{word}{going} overdue {-left_s:.1f} s"
     word = ACTIVITY[state.activity]
     if view.crash:

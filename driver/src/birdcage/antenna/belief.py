@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -133,7 +134,7 @@ class Belief:
 
     def _can_do(self, one: _Seen, other: _Seen, rate: float) -> bool:
         ways, past_s = _ways(one.position, other.position), other.at - one.at
-        speeds = [axis.speed_deg_s * rate for axis in self._model.axes]
+        speeds = [axis.speed_deg_s * rate if axis.speed_known else math.inf for axis in self._model.axes]
         return _same_axes(one, other) and all(
             abs(way) <= NEAR_DEG + speed * (past_s + JITTER_S) for way, speed in zip(ways, speeds, strict=False)
         )

@@ -155,6 +155,11 @@ class DishMotion:
         """Azimuth, elevation and, where it turns, the skew."""
         return tuple(axis for axis in (self.azimuth, self.elevation, self.skew) if axis is not None)
 
+    @property
+    def eta_known(self) -> bool:
+        """Whether the speeds of what moves are known: else `eta` is only when it should rest at the latest."""
+        return all(axis.axis.speed_known for axis in self.axes if axis.slew.segments)
+
     def over_by(self, rate: float) -> float:
         """Return the monotonic time at which it is over at the latest: whichever way round, and in turn."""
         last = max(axis.started for axis in self.axes)

@@ -69,6 +69,9 @@ class Axis:
     """Goes before speed and acceleration, where it is known."""
     play_deg: float | None = None
     """Of this dish's gear, which no reading shows; None if not measured."""
+    speed_known: bool = True
+    """False: speed and acceleration are the least that such machines have. Waits are as long as that may take, readings
+    are not judged by it, and no time of arrival is told."""
     turn_by: TurnBy = TurnBy.MACHINE
     """Of an azimuth. Its range counts on the circle in either case; that of the cable is a fact of its own."""
     mean_overshoot_up_deg: float | None = None

@@ -107,6 +107,7 @@ class Facts:
     name: str
     firmware: str
     baud: int
+    """0 of a machine that is not at the end of a serial line."""
     azimuth: Axis
     elevation: Axis
     cable: CableRange | None
@@ -173,6 +174,10 @@ class Facts:
     def axes(self) -> tuple[Axis, ...]:
         """Every axis that it has."""
         return tuple(axis for axis in (self.azimuth, self.elevation, self.skew) if axis is not None)
+
+    def bits_s(self, bits: float) -> float:
+        """Return how long so many bits take on its line; no time where it has none."""
+        return bits / self.baud if self.baud else 0.0
 
     @property
     def axes_together(self) -> bool:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from birdcage.base.trouble import MotorTrouble
+from birdcage.rotator.facts import Facts
 from birdcage.rotator.values import Position
 
 if TYPE_CHECKING:
@@ -38,6 +39,11 @@ class Hooks:
     """Hears a line that nothing asked for, and that is none of what follows."""
     on_look: Callable[[Position], None] = _nothing
     """Hears where the machine is, told unasked; only from within `Rotator.listen`, never while something is asked."""
+    on_facts: Callable[[Facts], None] = _nothing
+    """Hears what the machine itself has told that it is, within `meet` or `survey`: ranges, speeds, cable.
+
+    How it takes a second move, and what stops it, stays as it was told before it was opened.
+    """
     on_restart: Callable[[str], None] = _nothing
     """Hears a line that tells that the machine has just started: it has forgotten everything."""
     on_trouble: Callable[[MotorTrouble], None] = _nothing

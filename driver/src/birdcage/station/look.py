@@ -15,6 +15,7 @@ from birdcage.base.errors import CommandRefused, PositionUnknown
 from birdcage.base.geometry import shortest_turn, wrap_360
 from birdcage.rotator.facts import Facts, SearchSwitch, Turn
 from birdcage.rotator.origin import Origin
+from birdcage.rotator.own import laid_by_owner
 from birdcage.rotator.values import Position, Survey
 from birdcage.station.board import Board
 from birdcage.station.events import PositionRead
@@ -182,6 +183,16 @@ class Look:
         finally:
             # Last: who waits for it may close the port, and a dish that is left in a menu costs the next one time.
             self._board.change(surveyed=True)
+
+    def learn(self, facts: Facts) -> None:
+        """Take what the machine itself has told that it is; what its owner laid down lies over that, too."""
+        antenna = self._antenna
+        known, _wrong = laid_by_owner(facts, self._settings.own_facts)
+        antenna.rotator.facts = antenna.gate.model = known
+        antenna.know(antenna.own)
+        antenna.doubt()
+        self._board.change(dish=antenna.kind, turn=self._turn())
+        self.limit()
 
     def note_speeds(self, speeds: Mapping[int, float]) -> None:
         """Plan with the speeds that are in force, and show them; what is not among them is not known."""

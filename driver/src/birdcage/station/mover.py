@@ -194,6 +194,7 @@ class Mover(ABC):
         shown = Motion(
             start.az_deg if start else commanded[0], start.el_deg if start else commanded[1], *commanded, now, eta,
             stop_power_s, stop_means, to_skew_deg=job.skew_deg, rests_at=rests_at,
+            eta_known=self._antenna.motion is None or self._antenna.motion.eta_known,
             az_way_deg=self._way(commanded) if job.skew_deg is None else 0.0,
         )  # fmt: skip
         self._board.change(motion=shown)

@@ -59,7 +59,8 @@ def words_of(event: Event) -> str:
         case MoveStarted(motion=motion):
             aim = (f"AZ {motion.to_az_deg:.2f} EL {motion.to_el_deg:.2f}" if motion.to_skew_deg is None
                    else f"skew {motion.to_skew_deg:.2f}")  # fmt: skip
-            return f"{event.holder} moves it to {aim}, {motion.eta - motion.started:.1f} s; STOP by {motion.stop_means}"
+            time = f"{motion.eta - motion.started:.1f} s" if motion.eta_known else "time unknown"
+            return f"{event.holder} moves it to {aim}, {time}; STOP by {motion.stop_means}"
         case MoveEnded(position=position):
             where = "" if position is None else f" at {_direction(position)}"
             return f"move {event.end.value}: {event.reason}{where}"

@@ -145,7 +145,7 @@ class Motion:
     started: float
     """Monotonic seconds."""
     eta: float
-    """Monotonic seconds at which it should have arrived."""
+    """Monotonic seconds at which it should have arrived; at the latest, and not to be shown, unless `eta_known`."""
     stop_power_s: float | None
     """How long a stop takes from top speed; None when nothing stops this motion.
 
@@ -157,6 +157,8 @@ class Motion:
     """Where the skew is sent; None in a motion of azimuth and elevation, whose own angles then do not change."""
     rests_at: float | None = None
     """Monotonic seconds at which the move of one axis that is under way should end; None if STOP need not wait."""
+    eta_known: bool = True
+    """Whether the speeds of what moves are known."""
     az_way_deg: float | None = None
     """How far the azimuth turns from `from_az_deg`, clockwise positive; None while which way round is not known."""
 

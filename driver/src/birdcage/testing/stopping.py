@@ -7,7 +7,7 @@ from birdcage.base.geometry import separation
 from birdcage.rotator import machines
 from birdcage.station.requests import Goto, Jog, Release
 from birdcage.station.state import Activity
-from birdcage.testing.stage import LONGEST_MOVE_S, Stage, require
+from birdcage.testing.stage import LONGEST_MOVE_S, STEP_S, Stage, require
 from birdcage.testing.twin import Bench, StopScene
 
 BY_HAND = "power"
@@ -59,6 +59,7 @@ class Stopping:
 
     @staticmethod
     def _rest(stage: Stage) -> None:
+        stage.step(STEP_S)
         stage.until(lambda: not stage.truth.moving, LONGEST_MOVE_S, "the mechanics rest")
         stage.until(lambda: stage.state.activity is not Activity.STOPPING, 60.0, "STOP was followed up")
 

@@ -138,7 +138,7 @@ def saw_tooth_deg(model: Facts, course: Curve, t: Floats, stretches: tuple[Stret
 
 def _interval_s(model: Facts, across: Floats, up: Floats) -> Floats:
     """Return how long it takes until an axis is sent again."""
-    one_s = LATENCY_S + _LINE_BITS / model.baud
+    one_s = LATENCY_S + model.bits_s(_LINE_BITS)
     interval = np.full(len(across), 2.0 * one_s)
     if not model.moves_in_turn:
         return interval

@@ -122,13 +122,13 @@ class _Stage:
         if isinstance(step, Wait):
             self.now_s = max(self.now_s, step.until_s)
             return Answer(self.now_s)
-        self.now_s += _LINE_BITS / self._model.baud + self._chance.uniform(*LATENCY_S)
+        self.now_s += self._model.bits_s(_LINE_BITS) + self._chance.uniform(*LATENCY_S)
         seen_s = self.now_s
         if isinstance(step, Send):
             self._send(step)
         elif isinstance(step, SlewStep | Limit):
             raise TypeError(f"a rehearsal has no {type(step).__name__}")
-        self.now_s += _REPLY_BITS / self._model.baud
+        self.now_s += self._model.bits_s(_REPLY_BITS)
         if isinstance(step, Look):
             az, el = (self.axes[axis].at(seen_s)[0] for axis in (MOTOR_AZIMUTH, MOTOR_ELEVATION))
             return Answer(self.now_s, az_deg=az, el_deg=el, seen_s=seen_s)

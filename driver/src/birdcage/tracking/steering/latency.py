@@ -42,8 +42,8 @@ class Latency:
     """
 
     def __init__(self, model: Facts, first_s: float) -> None:
-        self._baud = model.baud
-        self._reply_s = REPLY_BYTES * BITS_A_BYTE / model.baud
+        self._reading_s = model.bits_s(READING_BYTES * BITS_A_BYTE)
+        self._reply_s = model.bits_s(REPLY_BYTES * BITS_A_BYTE)
         self._both = model.azimuth.index, model.elevation.index
         self._axes = {axis.index: Smoothed(first_s, LASTING) for axis in model.axes}
         self._trip = Smoothed(first_s, LASTING)
@@ -72,7 +72,7 @@ class Latency:
 
     def seen_s(self, answer: Answer) -> float:
         """Return when the dish was where a reading says: as it answers, not as it is asked."""
-        return answer.now_s - READING_BYTES * BITS_A_BYTE / self._baud
+        return answer.now_s - self._reading_s
 
     def measure(self, axis: int, answer: Answer, move_s: float) -> float:
         """Take in what came of a command whose move takes `move_s`; return when the dish acted on it, POSIX seconds."""

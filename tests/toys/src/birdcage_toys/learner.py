@@ -1,0 +1,135 @@
+"""A machine that is no line of bytes, tells its limits only when it is met, and its speeds never.
+
+It stands for one behind a library: a call brings an answer, or an error. Its end of that is in `MACHINES`, by address.
+"""
+
+from __future__ import annotations
+
+import threading
+from dataclasses import replace
+
+from birdcage.base.clock import Outcome
+from birdcage.base.errors import LinkError, NoReply
+from birdcage.rotator.axis import Axis, CableRange
+from birdcage.rotator.facts import Facts, SearchSwitch, SecondMove, Turn
+from birdcage.rotator.ladder import POWER_SWITCH, Rung
+from birdcage.rotator.plain import PlainLine, PlainRotator
+from birdcage.rotator.values import Position, Survey, Taken
+
+MACHINES = {}
+FACTS = Facts(
+    name="Learner",
+    firmware="learner",
+    baud=0,
+    azimuth=Axis(0, "azimuth", 0.0, 360.0, 2.0, 10.0, 0.1, speed_known=False),
+    elevation=Axis(1, "elevation", 0.0, 90.0, 2.0, 10.0, 0.1, speed_known=False),
+    cable=CableRange(0.0, 360.0),
+    turn=Turn.REPORTED,
+    second_same=SecondMove.RETARGET,
+    second_other=SecondMove.RETARGET,
+    stop_ladder=(Rung("retarget", proven=True, sentence="it halts where it is"), POWER_SWITCH),
+    slew=None,
+    search_switch=SearchSwitch.FOR_GOOD,
+    homing_s=None,
+    homing_stoppable=False,
+    boot_s=1.0,
+    has_motor_power=False,
+    has_speeds=False,
+    has_rssi=False,
+    has_nvs=False,
+    has_stow=False,
+    position_reported=True,
+    power_switch="plug",
+)
+
+
+class Learner(PlainRotator):
+    facts = FACTS
+
+    def __init__(self):
+        self.line, self._machine, self._clock = PlainLine(), None, None
+        self._writing, self._stops = threading.RLock(), 0
+
+    @property
+    def is_open(self):
+        return self._machine is not None
+
+    @property
+    def clock(self):
+        if self._clock is None:
+            raise LinkError("Learner is not open.", reason="lost")
+        return self._clock
+
+    def open(self, address, baud, clock, hooks):
+        machine = MACHINES.get(address)
+        if machine is None or not machine.plugged:
+            raise LinkError(f"There is no Learner at {address}.", reason="missing")
+        self._machine, self._clock, self._hooks, self._stops = machine, clock, hooks, 0
+        self.line, self.is_simulated = PlainLine(hooks.delay_s), True
+
+    def close(self, within_s):
+        self._machine = self._clock = None
+
+    def _pause(self, until):
+        while self.clock.wait(None, until, self._hooks.wake) is Outcome.INTERRUPTED and self._hooks.on_wake:
+            self._hooks.on_wake()
+
+    def _call(self, function, *given, permit=None):
+        clock = self.clock
+        asked = clock.monotonic()
+        try:
+            with self._writing:
+                if permit is not None:
+                    permit()
+                result = function(*given)
+        except ConnectionError as gone:
+            raise LinkError("Learner is gone.", reason="lost") from gone
+        except TimeoutError as silence:
+            self._pause(asked + self.line.delay_s)
+            self.line.note_silence()
+            raise NoReply("Learner is silent.", reason="silent") from silence
+        self._pause(asked + 0.02)
+        self.line.note(asked, clock.monotonic())
+        return result
+
+    def meet(self):
+        (az_low, az_high), (el_low, el_high) = self._call(self._machine.limits)
+        self._hooks.on_facts(
+            replace(
+                FACTS,
+                azimuth=replace(FACTS.azimuth, min_deg=az_low, max_deg=az_high),
+                elevation=replace(FACTS.elevation, min_deg=el_low, max_deg=el_high),
+                cable=CableRange(az_low, az_high),
+            )
+        )
+
+    def survey(self):
+        low, high = self._call(self._machine.limits)[1]
+        return Survey(search_disabled=True, el_min_deg=low, el_max_deg=high)
+
+    def look(self, *, hurry=False, busy_s=0.0):
+        return Position(*self._call(self._machine.angles))
+
+    def send(self, motor, deg, *, hurry=False, busy_s=0.0):
+        self._call(self._machine.go, motor, deg, permit=self._hooks.permit)
+        return Taken(True, "", self.line.took_s)
+
+    def stop_now(self, order):
+        with self._writing:
+            machine = self._machine
+            if machine is None or not machine.plugged:
+                raise LinkError("Learner is gone.", reason="lost")
+            self._stops += machine.halt()
+
+    def settle(self, within_s):
+        done, self._stops = self._stops, 0
+        self._pause(self.clock.monotonic() + (0.02 if done else within_s))
+        if not done:
+            raise NoReply("Learner did not answer STOP.", reason="silent")
+        return (None,) * done
+
+    def listen(self, until):
+        if self.clock.wait(None, until, self._hooks.wake) is Outcome.INTERRUPTED and self._hooks.on_wake:
+            self._hooks.on_wake()
+        if not self._machine.plugged:
+            raise LinkError("Learner is gone.", reason="lost")
