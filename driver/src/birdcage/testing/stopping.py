@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from birdcage.base.errors import Held
+from birdcage.base.clock import VirtualClock
+from birdcage.base.errors import Held, Stopped
 from birdcage.base.geometry import separation
 from birdcage.rotator import machines
+from birdcage.rotator.hooks import Hooks
+from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION
 from birdcage.station.requests import Goto, Jog, Release
 from birdcage.station.state import Activity
 from birdcage.testing.stage import LONGEST_MOVE_S, STEP_S, Stage, require
@@ -85,6 +88,29 @@ class Stopping:
         )
         require(stage.state.held is not None, "STOP does not hold it")
         require(stage.rests_for(5.0), f"{scene.rung}: it moves again: {stage.truth}")
+
+    def test_what_stop_has_latched_does_not_go_out(self, bench: Bench) -> None:
+        """STOP may come after everything was judged: the machine asks once more, just before the first byte."""
+
+        def latched() -> None:
+            raise Stopped("STOP is latched.")
+
+        clock = VirtualClock()
+        twin, rotator = bench.twin(clock), machines.make(bench.machine)
+        rotator.open(twin.address, None, clock, Hooks(dial=twin.dial, permit=latched))
+        rotator.meet()
+        rotator.make_ready()
+        rotator.look()
+        for motor in (MOTOR_AZIMUTH, MOTOR_ELEVATION):
+            axis = rotator.facts.axis(motor)
+            try:
+                rotator.send(motor, (axis.min_deg + axis.max_deg) / 2.0)
+            except Stopped:
+                pass
+            else:
+                raise AssertionError(f"a move of axis {motor} goes out though `Hooks.permit` refuses it")
+        require(not twin.taken(), f"commands of moves went out: {twin.taken()}")
+        rotator.close(0.0)
 
     def test_stop_at_rest_moves_nothing(self, bench: Bench) -> None:
         """STOP may be pressed at any time."""

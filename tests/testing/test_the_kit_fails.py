@@ -1,0 +1,144 @@
+"""Each case of the contract, with a machine that breaks it: the kit must see that."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+import pytest
+from birdcage.base.errors import BirdcageError
+from birdcage.rotator.values import Position, Taken
+from birdcage.testing import Bench, Contract, StopScene
+
+from .installed import installed
+
+
+@pytest.fixture(scope="module")
+def toys(tmp_path_factory):
+    with installed(tmp_path_factory.mktemp("toys")):
+        from birdcage_toys import pushy, pushy_twin
+
+        yield pushy.Pushy, pushy_twin.PushyTwin
+
+
+def claims_to_have_stopped(patch, machine, twin):
+    """It answers STOP, and tells from then on that it stands; its motors go on."""
+    look = machine.look
+    patch.setattr(machine, "stop_now", lambda self, order: setattr(self, "stood", self._told))
+    patch.setattr(machine, "settle", lambda self, within_s: (None,))
+    patch.setattr(machine, "look", lambda self, **more: getattr(self, "stood", None) or look(self, **more))
+
+
+def answers_stop_and_does_nothing(patch, machine, twin):
+    take = twin._take
+    patch.setattr(twin, "_take", lambda self, words: take(self, words if words[0] == "G" else ["T"]))
+
+
+def sends_both_axes(patch, machine, twin):
+    send = machine.send
+
+    def both(self, motor, deg, **more):
+        send(self, 1 - motor, (self._told.azimuth, self._told.elevation)[1 - motor])
+        return send(self, motor, deg, **more)
+
+    patch.setattr(machine, "send", both)
+
+
+def tells_its_target_for_its_position(patch, machine, twin):
+    look, send = machine.look, machine.send
+
+    def told(self, **more):
+        here, aim = look(self, **more), getattr(self, "aim", {})
+        return Position(aim.get(0, here.azimuth), aim.get(1, here.elevation))
+
+    def sent(self, motor, deg, **more):
+        self.aim = {**getattr(self, "aim", {}), motor: deg}
+        return send(self, motor, deg, **more)
+
+    patch.setattr(machine, "look", told)
+    patch.setattr(machine, "send", sent)
+
+
+def moves_when_met(patch, machine, twin):
+    meet = machine.meet
+
+    def met(self):
+        meet(self)
+        self._session.ask("G 1 45.00", re.compile("K"))
+
+    patch.setattr(machine, "meet", met)
+
+
+def asks_for_no_permit(patch, machine, twin):
+    def send(self, motor, deg, **more):
+        self._session.ask(f"G {motor} {deg:.2f}", re.compile("K"))
+        return Taken(True, "K", 0.05)
+
+    patch.setattr(machine, "send", send)
+
+
+def goes_where_it_stood_when_closed(patch, machine, twin):
+    patch.setattr(machine, "close", lambda self, within_s: self._link and self._link.write(b"G 1 60.00\n"))
+
+
+def stops_short(patch, machine, twin):
+    send = machine.send
+    patch.setattr(machine, "send", lambda self, motor, deg, **more: send(self, motor, deg - 0.5, **more))
+
+
+def is_slow_to_follow(patch, machine, twin):
+    go = twin._take
+
+    def late(self, words):
+        self.count = getattr(self, "count", 0) + 1
+        if words[0] == "G" and self.count % 40 and self.count > 4:
+            words = ["G", words[1], str(self.motors[int(words[1])].deg)]
+        go(self, words)
+
+    patch.setattr(twin, "_take", late)
+
+
+def has_another_rung(patch, machine, twin):
+    ladder = machine.facts.stop_ladder
+    patch.setattr(
+        machine, "facts", replace(machine.facts, stop_ladder=(*ladder, replace(ladder[0], name="release")))
+    )  # fmt: skip
+
+
+def has_a_console_unseen(patch, machine, twin):
+    patch.setattr(machine, "raw", object())
+
+
+def has_a_limit_too_wide(patch, machine, twin):
+    """It goes where its facts let it, and does not tell what it refuses."""
+    take = twin._take
+    wide = replace(machine.facts.elevation, max_deg=85.0)
+    patch.setattr(machine, "facts", replace(machine.facts, elevation=wide))
+
+    def clipped(self, words):
+        take(self, [*words[:2], str(min(float(words[2]), 35.0))] if words[0] == "G" and words[1] == "1" else words)
+
+    patch.setattr(twin, "_take", clipped)
+
+
+@pytest.mark.parametrize(("breach", "case"), [
+    (claims_to_have_stopped, "test_stop_in_motion_by_each_rung"),
+    (answers_stop_and_does_nothing, "test_stop_in_motion_by_each_rung"),
+    (sends_both_axes, "test_a_step_moves_one_axis_and_names_only_that"),
+    (tells_its_target_for_its_position, "test_a_go_to_arrives_where_the_truth_is"),
+    (moves_when_met, "test_it_is_met_without_moving"),
+    (moves_when_met, "test_pulled_out_at_rest_and_put_back"),
+    (asks_for_no_permit, "test_what_stop_has_latched_does_not_go_out"),
+    (goes_where_it_stood_when_closed, "test_closing_leaves_it_at_rest"),
+    (stops_short, "test_a_go_to_arrives_where_the_truth_is"),
+    (is_slow_to_follow, "test_a_pass_is_followed_as_foreseen"),
+    (has_another_rung, "test_every_rung_has_a_scene"),
+    (has_a_console_unseen, "test_a_line_and_its_answer_or_no_console_at_all"),
+    (has_a_limit_too_wide, "test_a_go_to_arrives_where_the_truth_is"),
+])  # fmt: skip
+def test_a_breach_is_seen(toys, monkeypatch, breach, case):
+    machine, twin = toys
+    bench = Bench("pushy", twin, stops=(StopScene("retarget", (100.0, 20.0), 1.0),))
+    breach(monkeypatch, machine, twin)
+    with pytest.raises((AssertionError, BirdcageError)):
+        getattr(Contract(), case)(bench)
