@@ -330,6 +330,7 @@ class Vigil:
         )
         self._watches.end_excursion()
         if moving:
+            self._board.change(motion=None)  # a pursuit's, too: where it leads now is not known
             self._mover.activity(Activity.UNKNOWN, "")
             self.look_again()
         if moving or holder is not None:

@@ -5,8 +5,10 @@ from __future__ import annotations
 from concurrent.futures import Future
 
 from birdcage.base.errors import BirdcageError
-from birdcage.station.requests import Goto, Release
+from birdcage.station.pursuit import PursuitOptions
+from birdcage.station.requests import Goto, Pursue, Release
 from birdcage.station.state import MOVING, Link
+from birdcage.testing.passing import made_up_pass
 from birdcage.testing.stage import LONGEST_MOVE_S, Stage, require
 from birdcage.testing.twin import Bench
 
@@ -39,6 +41,21 @@ class Wire:
             self._comes_back(stage)
             self._goes(stage)
 
+    def test_each_fault_at_each_moment(self, bench: Bench) -> None:
+        """The line pulled out, or the machine silent: at rest, in motion, in a pass, and while it is HELD."""
+        for fault, shows in (("unplug", Link.LOST), ("mute", Link.SILENT)):
+            for moment in (self._at_rest, self._moving, self._passing, self._held):
+                with Stage(bench) as stage:
+                    moment(stage)
+                    held = stage.state.held is not None
+                    (stage.twin.unplug if fault == "unplug" else stage.twin.mute)()
+                    self._until(stage, shows)
+                    self._claims_nothing(stage)
+                    stage.until(lambda: not stage.truth.moving, LONGEST_MOVE_S, "the mechanics rest by themselves")
+                    (stage.twin.plug if fault == "unplug" else stage.twin.unmute)()
+                    self._comes_back(stage)
+                    require(stage.state.held is not None or not held, f"{fault}: STOP no longer holds it")
+
     def test_silent_in_motion(self, bench: Bench) -> None:
         """A machine that no longer answers is said to be silent, and its STOP is not called confirmed."""
         with Stage(bench) as stage:
@@ -55,6 +72,26 @@ class Wire:
             require(stage.state.held is not None, "STOP no longer holds it")
 
     @staticmethod
+    def _until(stage: Stage, shows: Link) -> None:
+        stage.until(lambda: stage.state.link.state is shows, NOTICED_S, f"the link was shown as {shows.value}")
+
+    @staticmethod
+    def _at_rest(stage: Stage) -> None:
+        stage.ready()
+
+    @staticmethod
+    def _passing(stage: Stage) -> None:
+        plan = made_up_pass(stage.ready())
+        stage.do(Pursue(plan, "contract", PursuitOptions(at_end="stay")))
+        stage.step(plan.legs[0].start_s + 10.0 - stage.clock.utc().timestamp())
+
+    @staticmethod
+    def _held(stage: Stage) -> None:
+        stage.ready()
+        stage.station.stop("contract")
+        stage.step(5.0)
+
+    @staticmethod
     def _moving(stage: Stage) -> Future[object]:
         scene = stage.bench.stops[0]
         stage.ready()
@@ -66,11 +103,13 @@ class Wire:
         return future
 
     @staticmethod
-    def _claims_nothing(stage: Stage, motion: Future[object]) -> None:
+    def _claims_nothing(stage: Stage, motion: Future[object] | None = None) -> None:
         state = stage.state
         require(state.position_lost is not None, f"the position is still claimed: {state.position}")
         require(state.motion is None, f"a motion is still shown: {state.motion}")
         require(state.activity not in MOVING, f"it still shows {state.activity}")
+        if motion is None:
+            return
         done, error = motion.done(), motion.exception(0) if motion.done() else None
         require(done and isinstance(error, BirdcageError), f"who asked for the motion was told {error!r}")
 
