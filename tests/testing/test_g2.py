@@ -8,16 +8,31 @@ from birdcage.testing import Bench, ConsoleScene, Contract, Golden, StopScene
 
 from .simulated import sim
 
+
+def home_go_and_look(rotator):
+    rotator.make_ready()
+    rotator.home(0)
+    rotator.home(1)
+    rotator.send(0, 180.0)
+    rotator.send(1, 45.0)
+    return rotator.look()
+
+
 MOVE = Golden(
     "T-G2-MOVE",
     (
         (b"\r", b"\r\nTRK>"),
         (b"mot\r", b"mot\r\nMOT>"),
-        (b"a\r", b"a\r\nAngle[0] = 180.00\r\nAngle[1] = 45.00\r\nMOT>"),
+        (b"h 0\r", b"h 0\r\nwrap_min:-42333 wrap_max:2333\r\nMOT>"),
+        (b"h 1\r", b"h 1\r\nMOT>"),
+        (b"a 0 180.00\r", b"a 0 180.00\r\nAngle = 180.00\r\nMOT>"),
+        (b"a 1 45.00\r", b"a 1 45.00\r\nAngle = 45.00\r\nMOT>"),
+        (b"a\r", b"a\r\nAngle[0] = 180.01\r\nAngle[1] = 45.02\r\nMOT>"),
     ),
-    lambda rotator: rotator.look(),
-    Position(180.0, 45.0),
+    home_go_and_look,
+    Position(180.01, 45.02),
 )
+"""The record that tests/protocol/test_golden_g2.py plays to the dialect."""
 STUBBORN = sim("g2?seed=1&second_move=queue&az_speed=10")
 
 

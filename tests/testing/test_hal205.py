@@ -3,9 +3,33 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.testing import Bench, ConsoleScene, Contract, StopScene
+from birdcage.rotator.values import Position
+from birdcage.testing import Bench, ConsoleScene, Contract, Golden, StopScene
 
 from .simulated import sim
+
+
+def look(rotator):
+    rotator.make_ready()
+    return rotator.look()
+
+
+LOOK = Golden(
+    "T-HAL205",
+    (
+        (b"\r", b"\r\nHAL>"),
+        (b"\r", b"\r\nHAL>"),
+        (b"?\r", b"?\r\nmotor\r\nngsearch\r\nnvs\r\nos\r\nstow\r\nreboot\r\nq\r\nHAL>"),
+        (b"motor\r", b"motor\r\nMOT>"),
+        (b"\r", b"\r\nMOT>"),
+        (b"?\r", b"?\r\na\r\ng\r\nq\r\nMOT>"),
+        (b"?\r", b"?\r\na\r\ng\r\nq\r\nMOT>"),
+        (b"a\r", b"a\r\nAZ =   8.34\r\nEL =  34.33\r\nSK =   0.00\r\nWrap position: 455\r\nMOT>"),
+    ),
+    look,
+    Position(8.34, 34.33, 0.0),
+)
+"""The answers as docs/reference/travler.md has them; its prompts are one of the ways in which they may look."""
 
 
 @pytest.fixture
@@ -19,6 +43,7 @@ def bench():
         ),
         console=ConsoleScene("a", "AZ", "a 0 200", ends=("q", "q")),
         frail=sim("hal205?seed=1&root_q=kill"),
+        goldens=(LOOK,),
         ready_s=60.0,
         follows_deg=0.3,
     )
