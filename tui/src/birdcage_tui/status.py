@@ -68,7 +68,8 @@ class StatusLine(Pane):
         age = age_text(view.now - heard) if heard is not None else "--"
         name = state.dish.name if state.dish is not None else "dish"
         if not wide:
-            name = name.rsplit(" ", 1)[-1][:8]
+            words = name.split(" ")  # a year names no dish
+            name = (words[0] if words[-1].isdigit() else words[-1])[:8]
         link_ink = "bar" if view.link_up or view.waiting else "bar-warn"
         if view.late:
             glyph, link_ink = LATE, "bar-warn"

@@ -374,4 +374,6 @@ def ended_text(event: MoveEnded) -> str:
     if event.end is not End.ARRIVED or position is None:
         return reason
     skew = "" if position.skew_deg is None else f", skew {position.skew_deg:.2f}°"
+    if position.modelled:
+        return f"By its time the dish is at {position.az_deg:.2f}°/{position.el_deg:.2f}°. It does not tell."
     return f"{reason} at {position.az_deg:.2f}°/{position.el_deg:.2f}°{skew}."

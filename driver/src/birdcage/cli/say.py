@@ -48,6 +48,7 @@ def position_values(position: Pointing) -> dict[str, object]:
         "azimuth_deg": round(position.az_deg, 3),
         "elevation_deg": round(position.el_deg, 3),
         "skew_deg": None if skew_deg is None else round(skew_deg, 3),
+        "modelled": position.modelled,
     }
 
 

@@ -43,7 +43,7 @@ def command(
     angles that you give it is not.
     """
     from birdcage.cli.dish import open_dish
-    from birdcage.cli.say import position_lines, position_values, tell, tell_json
+    from birdcage.cli.say import position_lines, position_values, say, tell, tell_json
     from birdcage.station.requests import Goto
     from birdcage.station.state import Pointing
 
@@ -64,6 +64,8 @@ def command(
         tell_json({**position_values(arrived), "demo": dish.state.demo})
     else:
         tell(position_lines(arrived))
+    if arrived.modelled:
+        say("By its time the dish is there. It does not tell.")
 
 
 def _direction(
@@ -147,7 +149,9 @@ def _begin(dish: Dish, request: Goto, timeout_s: float) -> None:
     if future.done():
         future.result()
     dish.leave_moving = True
-    say(f"On its way to AZ {request.az_deg:.2f}° EL {request.el_deg:.2f}°. `birdcage stop` stops it.")
+    facts = dish.state.dish
+    stops = "`birdcage stop` stops it." if facts is None or facts.position_reported else "No STOP is known for it."
+    say(f"On its way to AZ {request.az_deg:.2f}° EL {request.el_deg:.2f}°. {stops}")
 
 
 class Shown:
