@@ -86,6 +86,33 @@ def test_stop_sends_what_may_help_and_confirms_nothing(bench):
     assert bench.device.truth().az_deg == pytest.approx(100.0, abs=0.1)
 
 
+def test_stop_at_rest_confirms_nothing_either(bench):
+    bench.do(Goto(180, 45, "you"), 200)
+    bench.station.stop("you")
+    bench.step(4)
+    stop = bench.state.last_stop
+    assert stop.confirmed is None
+    assert stop.sentence == "This dish does not tell whether it has stopped. If it moves, cut its power."
+
+
+def test_a_newer_target_waits_and_nothing_is_sent_to_end_the_one_before(bench):
+    bench.station.submit(Goto(180, 45, "you"))
+    bench.step(0.5)
+    sent = len(bench.lines())
+    bench.do(Goto(200, 50, "you"), 300)
+    assert [line for line in bench.lines()[sent:] if line != "target"] == ["g 200.00 50.00"]
+    assert (bench.state.position.az_deg, bench.device.truth().az_deg) == pytest.approx((200.0, 200.0), abs=0.1)
+
+
+def test_a_step_from_nowhere_known_says_what_to_do(bench):
+    with pytest.raises(MotionRefused, match="Send it to an azimuth and an elevation first"):
+        bench.do(Jog(1.0, 0.0, "you"))
+    bench.station.stop("you")
+    bench.step(4)
+    with pytest.raises(Held):
+        bench.do(Jog(1.0, 0.0, "you"))
+
+
 def test_outside_its_limits_nothing_is_sent(bench):
     before = bench.lines()
     with pytest.raises(MotionRefused):
@@ -98,6 +125,20 @@ def test_a_lost_cable_leaves_no_position_and_no_motion(bench):
     bench.sim.unplug() if hasattr(bench.sim, "unplug") else bench.device.unplug()
     bench.step(3)
     assert bench.state.position_lost is not None
+
+
+def test_a_cable_lost_on_the_way_leaves_no_position_when_it_is_back(bench):
+    bench.do(Goto(180, 45, "you"), 200)
+    bench.station.submit(Goto(300, 60, "you"))
+    bench.step(3)
+    bench.device.unplug()
+    bench.step(3)
+    bench.device.plug()
+    for _ in range(300):
+        bench.step(0.2)
+        assert bench.state.position_lost is not None
+    assert (bench.state.position, bench.state.position_lost) == (None, "untold")
+    assert bench.state.activity is Activity.IDLE
 
 
 def test_a_pass_is_followed_by_time():

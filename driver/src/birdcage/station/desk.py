@@ -192,6 +192,12 @@ class Desk:
         if base is None:
             position = self._board.state.position if self._board.state.position_lost is None else None
             if position is None:
+                self._control.refuse(jog.holder)
+                if self._board.state.awaits_first_move:
+                    raise MotionRefused(
+                        "This dish does not tell where it points, so no step is sent. Send it to an azimuth and an "
+                        "elevation first. Nothing was sent.", reason="untold",
+                    )  # fmt: skip
                 raise MotionRefused(
                     "The position is unknown, so no step is sent. Wait until it is read.", reason="unread"
                 )

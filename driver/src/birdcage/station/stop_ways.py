@@ -8,7 +8,6 @@ from dataclasses import dataclass
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.blocking import LATE_S
-from birdcage.antenna.gate import UNTOLD
 from birdcage.antenna.motion import longest_s, stop_power_s
 from birdcage.antenna.rest import STILL_DEG
 from birdcage.base.errors import CommandRefused
@@ -18,6 +17,7 @@ from birdcage.rotator.ladder import StopBy, StopOrder
 from birdcage.rotator.values import Position
 from birdcage.station.board import Board
 from birdcage.station.state import Activity, Pointing, Search
+from birdcage.station.untold import lose_track
 
 GRACE_S = 1.0
 """How much longer than its stopping power a dish may take to rest, before STOP is reported as not working."""
@@ -288,11 +288,7 @@ class Untold(Queued):
 
     def called(self) -> None:
         """Whether it stops, and where, nothing will tell."""
-        antenna, clock = self._antenna, self._board.clock
-        if antenna.motion is not None:
-            antenna.reckoning.abandon(antenna.motion, clock.monotonic(), clock.rate)
-            antenna.motion = None
-            antenna.gate.forget(UNTOLD)
+        lose_track(self._antenna, self._board.clock)
 
     def answered(self, means: str) -> None:
         """Nothing else is to be done."""

@@ -191,7 +191,7 @@ class Stopper:
             return
         now = self._board.clock.monotonic()
         self.due = now + POLL_S
-        if pointing is None:
+        if pointing is None or pointing.modelled:  # two that were not read agree, and prove nothing
             released = bool(self._antenna.gate.released)
             self._finish(pending, None, RELEASED if released else self.way.unseen)
         elif pending.still_from is None:

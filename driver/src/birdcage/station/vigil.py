@@ -20,6 +20,7 @@ from birdcage.station.stalls import MotorFault, blocked, motor_fault
 from birdcage.station.starting import Starting
 from birdcage.station.state import Activity, Fault, Link, Pointing, Search
 from birdcage.station.stopper import Stopper
+from birdcage.station.untold import lose_track
 from birdcage.station.watches import Watches
 
 CLOCK_STEP_S = 2.0
@@ -329,6 +330,8 @@ class Vigil:
             End.STOPPED, f"interrupted: {reason}", Stopped(f"The motion was cancelled: {reason}.", reason=reason)
         )
         self._watches.end_excursion()
+        if not self._antenna.kind.position_reported:
+            lose_track(self._antenna, self._board.clock)
         if moving:
             self._board.change(motion=None)  # a pursuit's, too: where it leads now is not known
             self._mover.activity(Activity.UNKNOWN, "")
