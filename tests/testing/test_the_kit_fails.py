@@ -7,10 +7,14 @@ from dataclasses import replace
 
 import pytest
 from birdcage.base.errors import BirdcageError
+from birdcage.protocol.carryout.protocol import CarryoutProtocol
 from birdcage.rotator.values import Position, Taken
-from birdcage.testing import Bench, Contract, StopScene
+from birdcage.station.look import Look
+from birdcage.station.stopper import Stopper
+from birdcage.testing import Bench, ConsoleScene, Contract, StopScene
 
 from .installed import installed
+from .simulated import sim
 
 
 @pytest.fixture(scope="module")
@@ -119,6 +123,53 @@ def has_a_limit_too_wide(patch, machine, twin):
         take(self, [*words[:2], str(min(float(words[2]), 35.0))] if words[0] == "G" and words[1] == "1" else words)
 
     patch.setattr(twin, "_take", clipped)
+
+
+def calls_itself_homed(patch):
+    unknown, position = Look.unknown, Look.position
+
+    def homed(look, *args, **more):
+        pointing = position(look, *args, **more)
+        look._board.change(homed=True)
+        return pointing
+
+    patch.setattr(Look, "position", homed)
+    patch.setattr(Look, "unknown", lambda look, why: (unknown(look, why), look._board.change(homed=True)))
+
+
+def confirms_its_stop(patch):
+    finish = Stopper._finish
+    patch.setattr(Stopper, "_finish", lambda stopper, pending, _, said: finish(stopper, pending, True, said))
+
+
+def pretends_to_tell(patch):
+    """Where it was sent it says to be, as if it were read."""
+    begin = CarryoutProtocol.begin_slew
+
+    def sent(self, az_deg, el_deg, skew_deg):
+        self.aim = Position(az_deg, el_deg)
+        begin(self, az_deg, el_deg, skew_deg)
+
+    patch.setattr(CarryoutProtocol, "model", replace(CarryoutProtocol.model, position_reported=True))
+    patch.setattr(CarryoutProtocol, "begin_slew", sent)
+    patch.setattr(CarryoutProtocol, "_read_position", lambda self, busy_s: getattr(self, "aim", Position(100.0, 30.0)))
+
+
+@pytest.mark.parametrize(("breach", "case"), [
+    (calls_itself_homed, "test_it_is_met_without_moving"),
+    (calls_itself_homed, "test_a_go_to_arrives_where_the_truth_is"),
+    (confirms_its_stop, "test_stop_in_motion_by_each_rung"),
+    (confirms_its_stop, "test_stop_at_rest_moves_nothing"),
+    (pretends_to_tell, "test_what_is_shown_is_what_the_mechanics_do"),
+    (pretends_to_tell, "test_stop_in_motion_by_each_rung"),
+])  # fmt: skip
+def test_a_machine_that_does_not_tell_is_never_vouched_for(monkeypatch, breach, case):
+    scene = StopScene("none", (100.0, 20.0), 2.0, reaches_target=True)
+    bench = Bench("carryout", sim("carryout?seed=1"), stops=(scene,), console=ConsoleScene("?", "g <az>", "g 100 40"))
+    getattr(Contract(), case)(bench)
+    breach(monkeypatch)
+    with pytest.raises(AssertionError):
+        getattr(Contract(), case)(bench)
 
 
 @pytest.mark.parametrize(("breach", "case"), [

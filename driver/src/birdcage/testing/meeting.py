@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from birdcage.base.errors import MotionRefused
 from birdcage.rotator import machines
+from birdcage.station.requests import Goto, Jog, ReleaseLease
 from birdcage.station.state import Link
-from birdcage.testing.stage import Stage, require
+from birdcage.testing.stage import FIRST_DEG, STEP_S, Stage, require
 from birdcage.testing.twin import Bench
 
 
@@ -31,14 +33,35 @@ class Meeting:
             require(not stage.twin.taken(), f"commands of moves went out: {stage.twin.taken()}")
 
     def test_what_is_shown_is_what_the_mechanics_do(self, bench: Bench) -> None:
-        """The position on the screen is where it points, within its limits, and control is free."""
+        """The position on the screen is where it points, within its limits, and control is free.
+
+        A machine that does not tell it refuses a step, and shows nothing before the end of its first go-to.
+        """
         with Stage(bench) as stage:
             stage.ready()
+            if not stage.tells:
+                self._not_told(stage)
             require(stage.shows_truth(), f"shown: {stage.state.position}, true: {stage.truth}")
             low, high = stage.elevations
             require(low <= stage.truth.el_deg <= high, f"it stands at {stage.truth.el_deg}°, outside {low} to {high}")
             require(stage.state.holder is None, f"{stage.state.holder} has control, unasked")
             require(stage.state.fault is None, f"a fault stands: {stage.state.fault}")
+
+    @staticmethod
+    def _not_told(stage: Stage) -> None:
+        stage.refused(Jog(1.0, 0.0, "contract"), MotionRefused)
+        require(stage.rests_for(2.0) and not stage.twin.taken(), "a step from nowhere known has moved it")
+        target = stage.target(*FIRST_DEG)
+        future = stage.station.submit(Goto(*target, "contract"))
+        while not future.done():
+            require(
+                not stage.is_found or not stage.truth.moving,
+                f"shown on a way from nowhere known: {stage.state.position}",
+            )
+            stage.step(STEP_S)
+        future.result(0)
+        require(stage.stands_at(*target), f"it said to have arrived at {target}, and is at {stage.truth}")
+        stage.do(ReleaseLease("contract"))
 
     def test_closing_leaves_it_at_rest(self, bench: Bench) -> None:
         """A program that ends while the machine rests sends nothing that moves it."""

@@ -8,8 +8,9 @@ from typing import Any
 from birdcage.base.clock import VirtualClock
 from birdcage.base.errors import BirdcageError
 from birdcage.base.geometry import shortest_turn
+from birdcage.rotator import machines
 from birdcage.station.events import Event
-from birdcage.station.requests import Goto, Request, Watch
+from birdcage.station.requests import Goto, ReleaseLease, Request, Watch
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings
 from birdcage.station.state import Activity, Link, StationState
@@ -20,6 +21,8 @@ STEP_S = 0.1
 LONGEST_MOVE_S = 240.0
 SEAM_DEG = 20.0
 """How far from north targets are chosen: a cable may make a machine go the long way round there."""
+FIRST_DEG = (30.0, 10.0)
+"""How far a machine that does not tell its position is sent, before it can be known."""
 
 
 def require(held: object, sentence: str) -> None:
@@ -39,6 +42,7 @@ class Stage:
     ) -> None:
         """`twin` and `settings` replace, or add to, those of the bench."""
         self.bench = bench
+        self.facts = machines.facts_of(bench.machine)
         self.clock = VirtualClock()
         self.twin: Twin = (twin or bench.twin)(self.clock)
         more = {**bench.settings, **(settings or {})}
@@ -70,18 +74,49 @@ class Stage:
         return self.twin.truth()
 
     def ready(self) -> Stage:
-        """Open, meet, and read everything; somebody looks at the position from then on."""
+        """Open, meet, and read everything there is; somebody looks at the position from then on."""
         self.station.submit(Watch("contract", frozenset({"position"}), 2.0))
         self.until(
-            lambda: self.state.link.state is Link.UP and self.state.surveyed and self.state.position is not None,
+            lambda: self.state.link.state is Link.UP and self.state.surveyed and (self.is_found or not self.tells),
             self.bench.ready_s, "the machine was met and its position read",
         )  # fmt: skip
         self.until(lambda: self.state.activity is Activity.IDLE, self.bench.ready_s, "the machine was seen at rest")
+        require(self.tells or self.knows_nothing(), f"it was not told, and {self.state.position} is claimed")
         return self
 
+    def found(self) -> Stage:
+        """Have it ready and its position known: a machine that does not tell it is sent somewhere for that."""
+        self.ready()
+        if not self.tells:
+            self.go(*FIRST_DEG)
+            self.do(ReleaseLease("contract"))
+        return self
+
+    @property
+    def tells(self) -> bool:
+        """Whether this machine tells its position; else it is driven by time, and its position is modelled."""
+        return self.facts.position_reported
+
+    @property
+    def is_found(self) -> bool:
+        """Whether a position is shown."""
+        return self.state.position is not None and self.state.position_lost is None
+
+    def knows_nothing(self) -> bool:
+        """Return whether the position is shown as one that a machine does not tell."""
+        return self.state.position is None and self.state.awaits_first_move
+
     def step(self, seconds: float) -> None:
-        """Let time pass."""
+        """Let time pass; of a machine that does not tell its position, nothing is ever called read or confirmed."""
         self.session.step(seconds)
+        if self.tells:
+            return
+        here, stop, homed = self.state.position, self.state.last_stop, self.state.homed
+        require(here is None or here.modelled, f"nothing told its position, and it is shown as read: {here}")
+        require(homed is None, f"nothing told whether it is homed, and it is shown as {homed}")
+        require(
+            stop is None or stop.confirmed is not True, f"nothing told that it stopped, and STOP is confirmed: {stop}"
+        )
 
     def until(self, holds: Callable[[], bool], within_s: float, what: str) -> None:
         """Let time pass until something holds; fail the case after `within_s`."""

@@ -140,7 +140,5 @@ class Bench:
     """How long it takes at most from opening the line to everything read."""
     follows_deg: float = 0.1
     """How much worse than the plan foresees a pass may be followed: overshoot, play and reading, which no plan has."""
-    names_one_axis: bool = True
-    """Whether one axis can be sent alone."""
     settings: Mapping[str, Any] = field(default_factory=dict)
     """Fields of `StationSettings` for every case."""
