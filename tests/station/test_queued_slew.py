@@ -45,7 +45,7 @@ def test_a_slew_replaced_many_times_is_ended_once():
 
 def test_a_slew_that_the_dish_refuses_ends_where_the_dish_says_that_it_is(monkeypatch):
     bench = connected()
-    monkeypatch.setattr("birdcage.protocol.hal.protocol._text", lambda _degrees: "x")
+    monkeypatch.setattr("birdcage.protocol.hal.protocol.angle_text", lambda _degrees: "x")
     asked = bench.station.submit(Goto(290.0, 30.0, "you"))
     bench.step(10.0)
     assert isinstance(asked.exception(0), CommandRefused)
