@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from types import SimpleNamespace
-
 import pytest
 from birdcage.base.clock import VirtualClock
 from birdcage.base.errors import LinkError, Stopped
@@ -95,8 +93,7 @@ def made(monkeypatch):
             super().__init__()
             made.append(self)
 
-    point = SimpleNamespace(name="own", group=machines.DIALECTS, load=lambda: Made)
-    monkeypatch.setattr(machines, "_found", lambda: {"own": point})
+    monkeypatch.setattr(machines, "class_of", {"own": Made}.__getitem__)
     return made
 
 

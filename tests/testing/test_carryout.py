@@ -1,4 +1,4 @@
-"""The contract, kept by the Carryout of 2003: a dish that tells its position to nobody."""
+"""The contract, kept by the Carryout of 2003: a dish that does not tell its position."""
 
 from __future__ import annotations
 

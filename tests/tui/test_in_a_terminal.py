@@ -62,7 +62,7 @@ def send(app, dish, where):
     app.press(b"g")
     app.wait_for(b"Enter goes there", shown)
     app.press(where + b"\r")
-    dish.wait_for(lambda truth: len(stops_since(dish, lines)) > 1 and truth.moving)
+    dish.wait_for(lambda truth: stops_since(dish, lines) and truth.moving)
 
 
 def stops_since(dish, lines):

@@ -16,7 +16,8 @@ UNITS = {"_deg_s2": "deg/s2", "_deg_s": "deg/s", "_deg": "deg", "_hz": "Hz", "_s
 """By the end of a name, the longest first."""
 _PARTS = (Axis, CableRange, SilentSlew, Reflector, CountedBeam)
 """What is listed field by field; sentences, plugs and tables are no facts of this kind."""
-_LEFT_OUT = {f"{axis}.{key}" for axis in AXES for key in ("name", "index")}
+_LEFT_OUT = {f"{axis}.{key}" for axis in AXES for key in ("name", "index", "turn_by", "speed_known")}
+"""How the others are to be taken, and no facts of their own."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +43,8 @@ def _flat(before: str, part: object) -> Iterator[tuple[str, str | float | bool |
     assert is_dataclass(part)
     for field in fields(part):
         name, value = before + field.name, getattr(part, field.name)
+        if name in _LEFT_OUT:
+            continue
         if isinstance(value, _PARTS):
             yield from _flat(f"{name}.", value)
         elif isinstance(value, MeasuredTimes):
@@ -50,5 +53,5 @@ def _flat(before: str, part: object) -> Iterator[tuple[str, str | float | bool |
             yield name, str(value.value)
         elif name == "stop_ladder":
             yield name, ", ".join(rung.name for rung in value)
-        elif value is None or (isinstance(value, str | float | int) and name not in _LEFT_OUT):
+        elif value is None or isinstance(value, str | float | int):
             yield name, None if value == "" else value

@@ -47,7 +47,7 @@ class QueuedMover(Mover):
             dish = antenna.to_dish(job.az_deg, job.el_deg, clamp=clamp)
             antenna.gate.check_target(*dish)
             job.az_deg, job.el_deg = antenna.alignment.to_true(*dish)
-            # Where one that does not tell would be ended, nobody knows: its motion runs out.
+            # Where one that does not tell would end is not known: its motion runs out.
             if under_way.silent and antenna.kind.position_reported and not self._ends_near(under_way, *dish):
                 self._silence.end()
         self._begin_job(job, asked)

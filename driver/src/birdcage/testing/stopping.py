@@ -30,7 +30,7 @@ class Stopping:
     def test_every_rung_has_a_scene(self, bench: Bench) -> None:
         """A rung that no case has seen at work is a promise.
 
-        Of a machine that does not tell its position nobody sees whether a rung works, and STOP names none.
+        Whether a rung works cannot be seen of a machine that does not tell its position: STOP names none.
         """
         facts = machines.facts_of(bench.machine)
         ladder = (

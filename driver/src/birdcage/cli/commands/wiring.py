@@ -6,26 +6,29 @@ import click
 
 from birdcage.cli.exits import EPILOG
 from birdcage.cli.options import flags, global_options
-from birdcage.setup import wiring
 
 WIDTH = 80
 
 
 @click.command("wiring", epilog=EPILOG)
-@click.argument("plug", required=False, type=click.Choice([*(each.key for each in wiring.connectors()), "adapters"]))
+@click.argument("plug", required=False)
 @global_options("json", "verbose")
 def command(plug: str | None) -> None:
     """Print which wire goes where, what a wrong one looks like, and which adapters work.
 
-    No dish is needed, and no port is opened.
+    PLUG is one of those that it prints, or `adapters`. No dish is needed, and no port is opened.
     """
     from dataclasses import asdict
 
     from birdcage.cli.say import tell, tell_json
+    from birdcage.setup import wiring
     from birdcage.setup.wiring_text import adapter_lines, wiring_lines
 
     adapters = plug == "adapters"
-    connectors = () if adapters else wiring.connectors() if plug is None else (wiring.connector(plug),)
+    try:
+        connectors = () if adapters else wiring.connectors() if plug is None else (wiring.connector(plug),)
+    except KeyError as unknown:
+        raise click.UsageError(f"{unknown.args[0]}, adapters") from None
     if flags().json:
         tell_json(
             {
