@@ -113,6 +113,23 @@ def test_a_step_from_nowhere_known_says_what_to_do(bench):
         bench.do(Jog(1.0, 0.0, "you"))
 
 
+def test_released_while_it_may_still_be_on_its_way_it_is_sent_nowhere(bench):
+    bench.do(Goto(180, 45, "you"), 200)
+    bench.station.submit(Goto(250, 60, "you"))
+    bench.step(2)
+    bench.station.stop("you")
+    bench.step(4)
+    bench.do(Release("you"))
+    before = [line for line in bench.lines() if line.startswith("g")]
+    with pytest.raises(MotionRefused, match="may still be on its way") as refused:
+        bench.do(Goto(100, 45, "you"))
+    assert refused.value.reason == "moving"
+    assert [line for line in bench.lines() if line.startswith("g")] == before
+    bench.step(60)
+    bench.do(Goto(100, 45, "you"), 200)
+    assert bench.device.truth().az_deg == pytest.approx(100.0, abs=0.1)
+
+
 def test_outside_its_limits_nothing_is_sent(bench):
     before = bench.lines()
     with pytest.raises(MotionRefused):

@@ -31,7 +31,9 @@ class LegSender:
 
         Raises as `BirdcageAntenna.point`. Nothing is sent that moves.
         """
-        antenna = self._antenna
+        antenna, clock = self._antenna, self._antenna.rotator.clock
+        if antenna.motion is None:
+            antenna.reckoning.refuse_on_its_way(clock.monotonic())
         dish = antenna.aim(az_deg, el_deg, leapfrog=leapfrog, clamp=clamp)
         start = antenna.gate.position or farthest(antenna.model, *dish)
         legs = plan_legs(antenna.model, start, *dish, antenna.turn_known(dish[0]), antenna.first_motor())

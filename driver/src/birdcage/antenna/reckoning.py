@@ -6,7 +6,7 @@ import math
 
 from birdcage.antenna.gate import UNTOLD, MotionGate
 from birdcage.antenna.motion import DishMotion
-from birdcage.base.errors import PositionUnknown
+from birdcage.base.errors import MotionRefused, PositionUnknown
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.values import Position
 
@@ -50,6 +50,15 @@ class Reckoning:
         if self._position is None:
             raise self._untold("it was not sent anywhere yet, or was stopped on its way")
         return self._position
+
+    def refuse_on_its_way(self, now: float) -> None:
+        """Raise MotionRefused (`moving`) while a move that was given up may last: what another does then is unknown."""
+        if now < self.moves_until:
+            raise MotionRefused(
+                f"The dish may still be on its way for {self.moves_until - now:.0f} s, and does not tell. Nothing was "
+                "sent: wait until then.",
+                reason="moving",
+            )
 
     @staticmethod
     def _untold(why: str) -> PositionUnknown:

@@ -157,10 +157,10 @@ class Motion:
     """Where the skew is sent; None in a motion of azimuth and elevation, whose own angles then do not change."""
     rests_at: float | None = None
     """Monotonic seconds at which the move of one axis that is under way should end; None if STOP need not wait."""
-    eta_known: bool = True
-    """Whether the speeds of what moves are known."""
     az_way_deg: float | None = None
     """How far the azimuth turns from `from_az_deg`, clockwise positive; None while which way round is not known."""
+    eta_known: bool = True
+    """Whether the speeds of what moves are known."""
 
 
 @dataclass(frozen=True, slots=True)

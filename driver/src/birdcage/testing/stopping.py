@@ -159,5 +159,7 @@ class Stopping:
             require(stage.rests_for(5.0), "its release set it in motion")
             require(stage.truth == before, f"it stood at {before} and is at {stage.truth}")
             require(not stage.taken_since(since), f"commands of moves went out: {stage.taken_since(since)}")
+            # One that does not tell is sent nowhere before the move that was stopped must be over.
+            stage.until(lambda: stage.state.activity is Activity.IDLE, LONGEST_MOVE_S, "it counted as resting")
             stage.do(Goto(*target, "contract"))
             require(stage.stands_at(*target), f"sent to {target} after its release, and is at {stage.truth}")
