@@ -216,7 +216,7 @@ class BirdcageAntenna:
 
     def reckon_move(self) -> None:
         """A move has gone out: a dish that does not tell is on its way until that is over by its time."""
-        if self.motion is not None:
+        if self.motion is not None and not self.kind.position_reported:
             self.reckoning.begin(self.motion, self._clock.rate)
 
     def hear(self, told: Position) -> Position:
