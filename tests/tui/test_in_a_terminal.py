@@ -62,7 +62,8 @@ def send(app, dish, where):
     app.press(b"g")
     app.wait_for(b"Enter goes there", shown)
     app.press(where + b"\r")
-    dish.wait_for(lambda truth: stops_since(dish, lines) and truth.moving)
+    # Both axes were sent, or the one that changes, once the position is asked for again.
+    dish.wait_for(lambda truth: stops_since(dish, lines) and dish.lines()[-1] == "a" and truth.moving)
 
 
 def stops_since(dish, lines):
