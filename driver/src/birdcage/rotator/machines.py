@@ -1,4 +1,4 @@
-"""Which machines there are: found by entry point, ours as well as anybody's.
+"""Which machines there are: found by entry point, ours and those of other packages.
 
 `birdcage.dialects` names classes of `FirmwareProtocol` by their firmware; `birdcage.machines` whole `Rotator` classes,
 by the scheme of their addresses. Each class tells its facts: as `model`, or as `facts`.

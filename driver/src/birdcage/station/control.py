@@ -36,7 +36,7 @@ class Control:
             raise LeaseDenied(f"{previous} has control. Take control, or wait until it is free.")
 
     def hand_back(self, holder: str, previous: str | None) -> None:
-        """Give the lease that `holder` has taken back to who had it before, if anybody did."""
+        """Give the lease that `holder` has taken back to its previous holder, if there was one."""
         if previous is None:
             self.give_back(holder)
         else:

@@ -1,4 +1,4 @@
-"""How the console of a Carryout of 2003 looks, as far as anybody knows: its prompts are learnt."""
+"""How the console of a Carryout of 2003 looks, as far as it is known: its prompts are learnt."""
 
 from __future__ import annotations
 

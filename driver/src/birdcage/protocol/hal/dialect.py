@@ -1,4 +1,4 @@
-"""How the console of HAL 2.05 looks, as far as anybody knows (reference sections 2 to 4): its prompts are learnt."""
+"""How the console of HAL 2.05 looks, as far as it is known (reference sections 2 to 4): its prompts are learnt."""
 
 from __future__ import annotations
 
