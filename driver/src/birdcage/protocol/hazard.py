@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
 from birdcage.rotator.verdict import Grade, Verdict
@@ -46,6 +46,26 @@ class Hazard:
             restarts=self.restarts,
             releases=self.releases,
         )
+
+
+def row_maker(menus: frozenset[str], root: str) -> Callable[..., Hazard]:
+    """Return what makes a row of a dialect with these menus.
+
+    It takes `all`, `sub` (all but the root) or the name of a menu, the pattern, grade and consequence (harmless unless
+    told), and whatever else `Hazard` has.
+    """
+    places = {"all": menus, "sub": menus - {root}}
+
+    def row(where: str, pattern: str, grade: Grade = Grade.HARMLESS, consequence: str = "", **more: object) -> Hazard:
+        return Hazard(
+            places.get(where, frozenset({where})),
+            re.compile(pattern),
+            grade,
+            consequence,
+            **more,  # type: ignore[arg-type]
+        )
+
+    return row
 
 
 READ_S = 0.1

@@ -100,7 +100,7 @@ class Handling:
     """What helps an axis that fails to home, by the name of the axis."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Facts:
     """A dish. What it lacks is None or False here, and every face greys it out and says why."""
 
@@ -122,17 +122,17 @@ class Facts:
     search_switch: SearchSwitch
     homing_s: float | None
     """The longest that homing one axis takes; None when it homes only by itself."""
-    homing_stoppable: bool
+    homing_stoppable: bool = False
     boot_s: float
     """The longest that a boot takes; waiting for it never lasts longer unless asked."""
-    has_motor_power: bool
+    has_motor_power: bool = False
     """Whether its motors can be released and engaged by command."""
-    has_speeds: bool
+    has_speeds: bool = False
     """Whether the greatest speed of an axis can be read and lowered; `Axis.speed_deg_s` is the most it is known to do.
     """
-    has_rssi: bool
-    has_nvs: bool
-    has_stow: bool
+    has_rssi: bool = False
+    has_nvs: bool = False
+    has_stow: bool = False
     position_reported: bool
     """Whether it tells where it is at rest; else that is reckoned from its moves, and never called confirmed."""
     power_switch: str

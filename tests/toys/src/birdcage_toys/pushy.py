@@ -32,13 +32,7 @@ FACTS = Facts(
     slew=None,
     search_switch=SearchSwitch.FOR_GOOD,
     homing_s=None,
-    homing_stoppable=False,
     boot_s=1.0,
-    has_motor_power=False,
-    has_speeds=False,
-    has_rssi=False,
-    has_nvs=False,
-    has_stow=False,
     position_reported=True,
     power_switch="plug",
 )

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import re
-
 from birdcage.protocol.carryout.dialect import DIALECT
-from birdcage.protocol.hazard import Hazard, HazardTable
+from birdcage.protocol.hazard import HazardTable, row_maker
 from birdcage.rotator.verdict import Grade
 
 MENUS = frozenset(DIALECT.prompts)
@@ -17,11 +15,7 @@ _ANYTHING = frozenset({"position", "turn", "homed", "limits", "search", "setting
 _UNDOCUMENTED = r"(?!(\?|q)$).+"
 """Any line but the two that each menu has."""
 _UNGUARDED = "birdcage checks no limits for this line."
-
-
-def _row(menus: str, pattern: str, grade: Grade = Grade.HARMLESS, consequence: str = "", **more: object) -> Hazard:
-    where = {"all": MENUS, "sub": SUBMENUS}.get(menus, frozenset({menus}))
-    return Hazard(where, re.compile(pattern), grade, consequence, **more)  # type: ignore[arg-type]
+_row = row_maker(MENUS, DIALECT.root)
 
 
 HAZARDS = HazardTable(

@@ -45,7 +45,6 @@ CARRYOUT_G2 = Facts(
     slew=None,
     search_switch=SearchSwitch.FOR_GOOD,
     homing_s=15.0,
-    homing_stoppable=False,
     boot_s=180.0,
     has_motor_power=True,
     has_speeds=True,

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import re
-
 from birdcage.protocol.hal.dialect import DIALECT
-from birdcage.protocol.hazard import Hazard, HazardTable
+from birdcage.protocol.hazard import HazardTable, row_maker
 from birdcage.rotator.verdict import Grade
 
 MENUS = frozenset(DIALECT.prompts)
@@ -16,11 +14,7 @@ _ALL = frozenset({"position", "turn", "homed", "limits", "search", "settings"})
 _NVS = frozenset({"limits", "search", "settings"})
 _UNGUARDED = "birdcage checks no limits for this line."
 _QUEUED = f"Moves an axis after the move under way. Nothing can cancel it. {_UNGUARDED}"
-
-
-def _row(menus: str, pattern: str, grade: Grade = Grade.HARMLESS, consequence: str = "", **more: object) -> Hazard:
-    where = {"all": MENUS, "sub": SUBMENUS}.get(menus, frozenset({menus}))
-    return Hazard(where, re.compile(pattern), grade, consequence, **more)  # type: ignore[arg-type]
+_row = row_maker(MENUS, DIALECT.root)
 
 
 HAZARDS = HazardTable(
