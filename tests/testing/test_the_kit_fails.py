@@ -8,6 +8,7 @@ from dataclasses import replace
 import pytest
 from birdcage.base.errors import BirdcageError
 from birdcage.protocol.carryout.protocol import CarryoutProtocol
+from birdcage.rotator.facts import Readback
 from birdcage.rotator.values import Position, Taken
 from birdcage.station.look import Look
 from birdcage.station.stopper import Stopper
@@ -150,7 +151,7 @@ def pretends_to_tell(patch):
         self.aim = Position(az_deg, el_deg)
         begin(self, az_deg, el_deg, skew_deg)
 
-    patch.setattr(CarryoutProtocol, "model", replace(CarryoutProtocol.model, position_reported=True))
+    patch.setattr(CarryoutProtocol, "model", replace(CarryoutProtocol.model, readback=Readback.ALWAYS))
     patch.setattr(CarryoutProtocol, "begin_slew", sent)
     patch.setattr(CarryoutProtocol, "_read_position", lambda self, busy_s: getattr(self, "aim", Position(100.0, 30.0)))
 

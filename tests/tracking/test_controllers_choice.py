@@ -9,6 +9,7 @@ import pytest
 from birdcage.base.errors import MotionRefused
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.hal.model import TRAVLER
+from birdcage.rotator.facts import Readback
 from birdcage.tracking.steering.choice import controller_for
 from birdcage.tracking.steering.fast import fast
 from birdcage.tracking.steering.leapfrogging import leapfrog
@@ -16,7 +17,7 @@ from birdcage.tracking.steps import Look
 
 from .rig import Rig, straight
 
-MUTE = replace(TRAVLER, position_reported=False)
+MUTE = replace(TRAVLER, readback=Readback.NEVER)
 
 
 @pytest.mark.parametrize(("model", "name"), [(CARRYOUT_G2, "fast"), (TRAVLER, "queued"), (MUTE, "modelled")])

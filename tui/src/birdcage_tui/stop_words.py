@@ -85,7 +85,7 @@ def _without_plan(view: View) -> tuple[str, ...]:
     """Return what STOP does to a dish that rests, or whose motion this program has not planned."""
     state = view.state
     activity = state.activity
-    if state.dish is not None and not state.dish.position_reported:
+    if state.dish is not None and not state.dish.tells_at_rest:
         if state.held is not None and activity is Activity.IDLE:
             return ("STOP is latched: no motion is sent",)
         return _and_else(view, "No STOP is known for this dish. {emergency}.", "No STOP but the {switch}")

@@ -152,7 +152,7 @@ class View:
     def on_an_untold_way(self) -> bool:
         """Whether the dish moves, and is one that is asked nothing meanwhile and tells nothing of where it is."""
         dish, motion = self.state.dish, self.state.motion
-        return dish is not None and not dish.position_reported and motion is not None
+        return dish is not None and not dish.tells_at_rest and motion is not None
 
     @property
     def late(self) -> bool:

@@ -107,7 +107,7 @@ def motion_text(view: View) -> str:
     if state.activity is Activity.UNKNOWN:
         if state.raw_motion:
             return "UNKNOWN since a raw line"
-        told = state.dish is None or state.dish.position_reported
+        told = state.dish is None or state.dish.tells_at_rest
         return "UNKNOWN: nothing read yet" if told else "UNKNOWN: it may still move"
     return f"{word} {state.activity_text}".rstrip()
 

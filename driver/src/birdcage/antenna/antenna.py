@@ -198,14 +198,14 @@ class BirdcageAntenna:
         Of one that does not tell: where it should be by its last move, PositionUnknown (`untold`) before there was one.
         """
         self._check_thread()
-        if not self.kind.position_reported:
+        if not self.kind.tells_at_rest:
             return self._reckoned()
         return self._read(lambda: self.rotator.look(busy_s=self.commands.busy_s()))
 
     def glance(self) -> Position:
         """Read where the dish points within a stream of targets: NoReply (`late`) where waiting would hold that up."""
         self._check_thread()
-        if not self.kind.position_reported:
+        if not self.kind.tells_at_rest:
             return self._reckoned()
         return self._read(lambda: self.rotator.look(hurry=True))
 
@@ -216,7 +216,7 @@ class BirdcageAntenna:
 
     def reckon_move(self) -> None:
         """A move has gone out: a dish that does not tell is on its way until that is over by its time."""
-        if self.motion is not None and not self.kind.position_reported:
+        if self.motion is not None and not self.kind.tells_at_rest:
             self.reckoning.begin(self.motion, self._clock.rate)
 
     def hear(self, told: Position) -> Position:

@@ -13,7 +13,7 @@ from birdcage.console.dialect import UNKNOWN_TOKEN, ConsoleDialect
 from birdcage.protocol.family import AXIS_NAMES, MOTOR_TROUBLES
 from birdcage.protocol.unhomed import is_unhomed, unreadable
 from birdcage.rotator.axis import Axis
-from birdcage.rotator.facts import Facts, SearchSwitch, SecondMove, Turn
+from birdcage.rotator.facts import Facts, Readback, SearchSwitch, SecondMove, Turn
 from birdcage.rotator.ladder import POWER_SWITCH, Rung
 from birdcage.rotator.origin import by_origin
 from birdcage.rotator.values import Position
@@ -43,7 +43,7 @@ GENERIC_FACTS = Facts(
     search_switch=SearchSwitch.UNTIL_POWER_UP,
     homing_s=None,
     boot_s=900.0,
-    position_reported=True,
+    readback=Readback.ALWAYS,
     power_switch="power switch",
     origin=by_origin(
         inferred="""

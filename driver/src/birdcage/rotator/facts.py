@@ -25,6 +25,18 @@ class Turn(Enum):
     UNKNOWN = "unknown"
 
 
+class Readback(Enum):
+    """When it tells where it is."""
+
+    ALWAYS = "always"
+    """Whenever it is asked, or of its own accord."""
+    MOVING = "moving"
+    """Only while its motors run, of its own accord. At rest it is reckoned from its moves, and never called confirmed.
+    """
+    NEVER = "never"
+    """Nothing tells. It is reckoned from its moves throughout."""
+
+
 class SecondMove(Enum):
     """What the command of a move does while a motor still runs."""
 
@@ -133,8 +145,7 @@ class Facts:
     has_rssi: bool = False
     has_nvs: bool = False
     has_stow: bool = False
-    position_reported: bool
-    """Whether it tells where it is at rest; else that is reckoned from its moves, and never called confirmed."""
+    readback: Readback
     power_switch: str
     """What a person switches off where no STOP helps: `12 V switch`, `power switch`."""
     reflector: Reflector | None = None
@@ -178,6 +189,11 @@ class Facts:
     def bits_s(self, bits: float) -> float:
         """Return how long so many bits take on its line; no time where it has none."""
         return bits / self.baud if self.baud else 0.0
+
+    @property
+    def tells_at_rest(self) -> bool:
+        """Whether where it stands can be known from itself."""
+        return self.readback is Readback.ALWAYS
 
     @property
     def axes_together(self) -> bool:

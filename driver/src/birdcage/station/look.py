@@ -77,7 +77,7 @@ class Look:
     def meet_untold(self) -> None:
         """Of a dish that does not tell where it is: see that it answers, once no move can be under way."""
         antenna = self._antenna
-        if not antenna.kind.position_reported and antenna.reckoning.moves_until <= self._board.clock.monotonic():
+        if not antenna.kind.tells_at_rest and antenna.reckoning.moves_until <= self._board.clock.monotonic():
             antenna.rotator.meet()
 
     def position(self, *, glance: bool = False, heard: Position | None = None) -> Pointing | None:
@@ -102,7 +102,7 @@ class Look:
         assert dish is not None, "it was read just now"
         self.on_read()
         at, utc = self._board.stamp()
-        told = self._antenna.kind.position_reported
+        told = self._antenna.kind.tells_at_rest
         pointing = Pointing(
             wrap_360(true.azimuth), true.elevation, dish.azimuth, dish.elevation, at, utc, cable_deg=gate.cable_deg,
             skew_deg=dish.skew, modelled=not told, read_at=None if told else self._antenna.reckoning.since,

@@ -48,7 +48,7 @@ class QueuedMover(Mover):
             antenna.gate.check_target(*dish)
             job.az_deg, job.el_deg = antenna.alignment.to_true(*dish)
             # Where one that does not tell would end is not known: its motion runs out.
-            if under_way.silent and antenna.kind.position_reported and not self._ends_near(under_way, *dish):
+            if under_way.silent and antenna.kind.tells_at_rest and not self._ends_near(under_way, *dish):
                 self._silence.end()
         self._begin_job(job, asked)
 

@@ -19,7 +19,7 @@ class StopPower:
 
 def stop_power(model: Facts, motion: DishMotion | None, rate: float) -> StopPower:
     """Return what STOP can do about this motion; without one, about the first that may begin."""
-    if not model.position_reported:
+    if not model.tells_at_rest:
         return StopPower(0.0, "none")
     if motion is None or not model.moves_in_turn:
         return StopPower(stop_power_s(model), model.stop_ladder[0].name)

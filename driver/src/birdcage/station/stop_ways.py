@@ -297,7 +297,7 @@ class Untold(Queued):
 def stop_way(board: Board, antenna: BirdcageAntenna) -> StopWay:
     """Return how this dish is stopped."""
     model = antenna.model
-    if not model.position_reported:
+    if not model.tells_at_rest:
         return Untold(board, antenna)
     if not model.moves_in_turn:
         return Retarget(board, antenna)

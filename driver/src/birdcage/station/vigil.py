@@ -78,7 +78,7 @@ class Vigil:
         return min((time for time in times if time is not None), default=None)
 
     def _position_due(self) -> float | None:
-        if self._board.state.activity is Activity.UNKNOWN and not self._antenna.kind.position_reported:
+        if self._board.state.activity is Activity.UNKNOWN and not self._antenna.kind.tells_at_rest:
             return self._antenna.reckoning.moves_until  # then it is over by its time, though nothing tells
         # Whoever waits to leave this menu needs an answer from it first.
         return self._watches.position_due(for_any=not self._look.may_leave)
@@ -330,7 +330,7 @@ class Vigil:
             End.STOPPED, f"interrupted: {reason}", Stopped(f"The motion was cancelled: {reason}.", reason=reason)
         )
         self._watches.end_excursion()
-        if not self._antenna.kind.position_reported:
+        if not self._antenna.kind.tells_at_rest:
             lose_track(self._antenna, self._board.clock)
         if moving:
             self._board.change(motion=None)  # a pursuit's, too: where it leads now is not known

@@ -95,7 +95,7 @@ class Stage:
     @property
     def tells(self) -> bool:
         """Whether this machine tells its position; else it is driven by time, and its position is modelled."""
-        return self.facts.position_reported
+        return self.facts.tells_at_rest
 
     @property
     def is_found(self) -> bool:

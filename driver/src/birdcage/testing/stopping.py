@@ -33,9 +33,7 @@ class Stopping:
         Whether a rung works cannot be seen of a machine that does not tell its position: STOP names none.
         """
         facts = machines.facts_of(bench.machine)
-        ladder = (
-            [rung.name for rung in facts.stop_ladder if rung.name != BY_HAND] if facts.position_reported else [NONE]
-        )
+        ladder = [rung.name for rung in facts.stop_ladder if rung.name != BY_HAND] if facts.tells_at_rest else [NONE]
         seen = [scene.rung for scene in bench.stops]
         require(set(ladder) <= set(seen), f"the ladder has {ladder}, and the bench shows {seen}")
 
@@ -92,7 +90,7 @@ class Stopping:
         else:
             require(left_deg >= SHORT_DEG, f"{scene.rung}: it was stopped {left_deg:.2f}° from its target, at {truth}")
         facts = stage.state.dish
-        wanted = scene.confirmed if facts is not None and facts.position_reported else None
+        wanted = scene.confirmed if facts is not None and facts.tells_at_rest else None
         require(
             stop.confirmed is wanted if wanted else stop.confirmed is not True,
             f"{scene.rung}: STOP says {stop.confirmed!r} where {wanted!r} is due: {stop.sentence}",
@@ -117,7 +115,7 @@ class Stopping:
         rotator.meet()
         rotator.make_ready()
         facts = rotator.facts
-        if facts.position_reported:
+        if facts.tells_at_rest:
             rotator.look()
         az_deg, el_deg = ((axis.min_deg + axis.max_deg) / 2.0 for axis in (facts.azimuth, facts.elevation))
         moves: list[Callable[[], object]] = [partial(rotator.begin_slew, az_deg, el_deg, None)]

@@ -11,7 +11,7 @@ from dataclasses import replace
 from birdcage.base.clock import Outcome
 from birdcage.base.errors import LinkError, NoReply
 from birdcage.rotator.axis import Axis, CableRange
-from birdcage.rotator.facts import Facts, SearchSwitch, SecondMove, Turn
+from birdcage.rotator.facts import Facts, Readback, SearchSwitch, SecondMove, Turn
 from birdcage.rotator.ladder import POWER_SWITCH, Rung
 from birdcage.rotator.plain import PlainLine, PlainRotator
 from birdcage.rotator.values import Position, Survey, Taken
@@ -32,7 +32,7 @@ FACTS = Facts(
     search_switch=SearchSwitch.FOR_GOOD,
     homing_s=None,
     boot_s=1.0,
-    position_reported=True,
+    readback=Readback.ALWAYS,
     power_switch="plug",
 )
 

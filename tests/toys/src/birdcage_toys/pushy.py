@@ -12,7 +12,7 @@ from birdcage.base.errors import LinkError, NoReply
 from birdcage.console.line_session import LineDialect, LineSession
 from birdcage.link.opening import open_link
 from birdcage.rotator.axis import Axis, CableRange, TurnBy
-from birdcage.rotator.facts import Facts, SearchSwitch, SecondMove, Turn
+from birdcage.rotator.facts import Facts, Readback, SearchSwitch, SecondMove, Turn
 from birdcage.rotator.ladder import POWER_SWITCH, Rung
 from birdcage.rotator.plain import PlainLine, PlainRotator
 from birdcage.rotator.values import Position, Taken
@@ -33,7 +33,7 @@ FACTS = Facts(
     search_switch=SearchSwitch.FOR_GOOD,
     homing_s=None,
     boot_s=1.0,
-    position_reported=True,
+    readback=Readback.ALWAYS,
     power_switch="plug",
 )
 PUSHED = re.compile(r"P (\S+) (\S+)")

@@ -116,7 +116,7 @@ class PointingPane(Pane):
         if position is None:
             note, note_ink = "unknown", "dim" if view.waiting else "warn"
         elif position.modelled and view.link_up:
-            told = "read" if view.state.dish is None or view.state.dish.position_reported else "sent"
+            told = "read" if view.state.dish is None or view.state.dish.tells_at_rest else "sent"
             note, note_ink = f"~ modelled, {told} {age_text(age_s or 0.0)} ago", "text"
             if len(note) >= start_el - left - 9:
                 note = "~ modelled"

@@ -150,7 +150,7 @@ def _begin(dish: Dish, request: Goto, timeout_s: float) -> None:
         future.result()
     dish.leave_moving = True
     facts = dish.state.dish
-    stops = "`birdcage stop` stops it." if facts is None or facts.position_reported else "No STOP is known for it."
+    stops = "`birdcage stop` stops it." if facts is None or facts.tells_at_rest else "No STOP is known for it."
     say(f"On its way to AZ {request.az_deg:.2f}° EL {request.el_deg:.2f}°. {stops}")
 
 

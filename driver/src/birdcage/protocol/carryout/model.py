@@ -7,7 +7,7 @@ from birdcage.protocol.carryout.dialect import BAUD
 from birdcage.protocol.carryout.going import AZ_SPAN_DEG, EL_MAX_ROW, EL_SPAN_DEG
 from birdcage.protocol.nvs import row_id, row_label
 from birdcage.rotator.axis import Axis
-from birdcage.rotator.facts import Facts, Handling, SearchSwitch, SecondMove, Setting, SilentSlew, Turn
+from birdcage.rotator.facts import Facts, Handling, Readback, SearchSwitch, SecondMove, Setting, SilentSlew, Turn
 from birdcage.rotator.ladder import END_OF_MOVE, POWER_SWITCH, Rung
 from birdcage.rotator.origin import by_origin
 
@@ -37,7 +37,7 @@ CARRYOUT_2003 = Facts(
     search_switch=SearchSwitch.NOT_KNOWN,
     homing_s=None,
     boot_s=900.0,
-    position_reported=False,
+    readback=Readback.MOVING,
     cable_known=False,
     moves_one_axis=False,
     power_switch="12 V switch",
@@ -51,7 +51,7 @@ CARRYOUT_2003 = Facts(
     origin=by_origin(
         documented="""
             name firmware baud azimuth.min_deg azimuth.max_deg azimuth.step_deg elevation.min_deg elevation.max_deg
-            elevation.step_deg position_reported power_switch settings_name
+            elevation.step_deg readback power_switch settings_name
         """,
         inferred="""
             azimuth.speed_deg_s azimuth.acceleration_deg_s2 azimuth.overshoot_deg

@@ -10,7 +10,7 @@ from birdcage.protocol import plugs
 from birdcage.protocol.family import AXIS_NAMES, MOTOR_TROUBLES
 from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, row_id, row_label
 from birdcage.rotator.axis import Axis, CableRange
-from birdcage.rotator.facts import Facts, Handling, SearchSetting, SearchSwitch, SecondMove, Setting, Turn
+from birdcage.rotator.facts import Facts, Handling, Readback, SearchSetting, SearchSwitch, SecondMove, Setting, Turn
 from birdcage.rotator.ladder import Rung
 from birdcage.rotator.origin import by_origin
 
@@ -51,7 +51,7 @@ CARRYOUT_G2 = Facts(
     has_rssi=True,
     has_nvs=True,
     has_stow=True,
-    position_reported=True,
+    readback=Readback.ALWAYS,
     power_switch="12 V switch",
     reflector=REFLECTOR,
     handling=Handling(coax="Its coax carries 13 or 18 V: connect no 5 V LNA or bias tee to it."),
@@ -71,7 +71,7 @@ CARRYOUT_G2 = Facts(
             azimuth.min_deg azimuth.max_deg azimuth.speed_deg_s azimuth.acceleration_deg_s2
             azimuth.step_deg elevation.min_deg elevation.max_deg elevation.speed_deg_s
             elevation.acceleration_deg_s2 elevation.step_deg cable.min_deg cable.max_deg
-            has_motor_power has_speeds has_rssi has_nvs has_stow position_reported tells_version
+            has_motor_power has_speeds has_rssi has_nvs has_stow readback tells_version
             type_field settings_name cable_known moves_one_axis reflector.width_m reflector.height_m
         """,
         measured="""

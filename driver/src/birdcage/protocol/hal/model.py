@@ -6,7 +6,7 @@ from birdcage.base.beam import Reflector
 from birdcage.protocol import plugs
 from birdcage.protocol.nvs import row_id, row_label
 from birdcage.rotator.axis import Axis, CableRange, MeasuredTimes
-from birdcage.rotator.facts import Facts, Handling, SearchSwitch, SecondMove, Setting, SilentSlew, Turn
+from birdcage.rotator.facts import Facts, Handling, Readback, SearchSwitch, SecondMove, Setting, SilentSlew, Turn
 from birdcage.rotator.ladder import END_OF_MOVE, Rung
 from birdcage.rotator.origin import by_origin
 
@@ -62,7 +62,7 @@ TRAVLER = Facts(
     boot_s=900.0,
     has_nvs=True,
     has_stow=True,
-    position_reported=True,
+    readback=Readback.ALWAYS,
     power_switch="power switch",
     reflector=REFLECTOR,
     skew=SKEW,
@@ -78,7 +78,7 @@ TRAVLER = Facts(
             azimuth.min_deg azimuth.max_deg azimuth.step_deg
             elevation.min_deg elevation.max_deg elevation.step_deg skew.step_deg
             cable.min_deg cable.max_deg second_same second_other stop_ladder
-            has_nvs has_stow position_reported settings_name cable_known moves_one_axis
+            has_nvs has_stow readback settings_name cable_known moves_one_axis
             reflector.width_m reflector.height_m
         """,
         measured="azimuth.times elevation.times",

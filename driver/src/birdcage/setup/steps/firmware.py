@@ -18,7 +18,7 @@ def other_firmwares(bench: Bench, *, likely: bool = False, heard: str = "") -> t
     """
     present = bench.state.dish
     others = [model for model in list_models() if present is None or model.firmware != present.firmware]
-    others.sort(key=lambda model: (model.firmware != heard, not model.position_reported))
+    others.sort(key=lambda model: (model.firmware != heard, not model.tells_at_rest))
     return tuple(
         Choice(f"{OTHER}{model.firmware}", key, f"It is a {model.name} ({model.firmware})")
         for key, model in zip(("enter", *KEYS) if likely else KEYS, others, strict=False)

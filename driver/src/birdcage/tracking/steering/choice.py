@@ -22,7 +22,7 @@ CONTROLLERS: Mapping[str, Controller] = MappingProxyType(
 
 def suited(model: Facts) -> str:
     """Return the name of the controller that suits a dish. Never `leapfrog`, never `velocity`."""
-    if not model.position_reported:
+    if not model.tells_at_rest:
         return "modelled"
     return "queued" if model.moves_in_turn else "fast"
 
@@ -49,7 +49,7 @@ def _against(model: Facts, name: str, *, velocity_allowed: bool) -> str:
     dish = f"The {model.name}"
     if name in ("fast", "velocity") and model.moves_in_turn:
         return f"{dish} moves one axis at a time and would fall behind with the controller `{name}`; use `queued`."
-    if name in ("fast", "velocity", "queued", "leapfrog") and not model.position_reported:
+    if name in ("fast", "velocity", "queued", "leapfrog") and not model.tells_at_rest:
         return f"{dish} does not tell its position; only the controller `modelled` steers it."
     if name == "velocity" and not model.has_speeds:
         return f"{dish} has no command for its speeds, which the controller `velocity` needs."
