@@ -53,7 +53,7 @@ class LineWire(LineSession):
 class LineRotator:
     """The language of `LineMachine`: what the raw console needs of a `Rotator`, and what a station asks at rest."""
 
-    facts = replace(CARRYOUT_G2, name="line machine", has_rssi=False, has_nvs=False, has_speeds=False)
+    facts = replace(CARRYOUT_G2, name="line machine", features={})
     printed_deg = 0.1
     is_simulated = True
 

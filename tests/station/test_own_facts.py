@@ -85,7 +85,7 @@ def test_a_fact_that_could_harm_the_dish_keeps_it_from_moving_until_it_is_mended
 def test_the_plan_goes_by_the_owner_s_speed_even_where_the_dish_tells_a_greater_one(tmp_path):
     bench = bench_of(tmp_path, "azimuth.speed_deg_s = 20")
     bench.step(10.0)
-    assert bench.state.readings["speed.0"].value > 64.0
+    assert bench.state.readings["speed.azimuth"].value > 64.0
     mount = mount_of(bench.state, load(None, {}))
     assert (mount.model.azimuth.speed_deg_s, mount.model.elevation.speed_deg_s) == (20.0, pytest.approx(45.0, abs=0.01))
     bench.station.submit(Goto(0, 45, "you"))

@@ -43,7 +43,7 @@ def speed(bench):
 
 
 def settled(bench):
-    return speed(bench) == pytest.approx(65.0, abs=0.02) and bench.state.readings["speed.0"].value > 64.9
+    return speed(bench) == pytest.approx(65.0, abs=0.02) and bench.state.readings["speed.azimuth"].value > 64.9
 
 
 def test_at_the_end_before_it_parks(bench):
@@ -135,7 +135,7 @@ def test_stop_while_the_console_is_in_another_menu_to_set_a_speed():
 
 
 def test_a_plan_made_meanwhile_counts_on_the_dish_s_own_speeds(bench):
-    assert bench.state.readings["speed.0"].value == pytest.approx(7.0, abs=0.02)
+    assert bench.state.readings["speed.azimuth"].value == pytest.approx(7.0, abs=0.02)
     assert mount_of(bench.state, Settings()).model.azimuth.speed_deg_s == pytest.approx(65.0, abs=0.02)
     bench.do(EndPursuit("you"))
     bench.step(3)

@@ -32,7 +32,7 @@ def test_dish_gets_what_suits_it(model, name):
         (TRAVLER, "fast", "moves one axis at a time"),
         (TRAVLER, "velocity", "moves one axis at a time"),
         (MUTE, "leapfrog", "does not tell its position"),
-        (replace(CARRYOUT_G2, has_speeds=False), "velocity", "no command for its speeds"),
+        (replace(CARRYOUT_G2, features={}), "velocity", "no command for its speeds"),
         (CARRYOUT_G2, "velocity", "velocity_allowed = true"),
     ],
 )

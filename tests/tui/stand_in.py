@@ -14,6 +14,7 @@ from birdcage.protocol.hal.model import TRAVLER
 from birdcage.protocol.menu_raw import MenuRaw
 from birdcage.protocol.registry import get_protocol
 from birdcage.rotator.facts import Turn
+from birdcage.rotator.feature import Reading
 from birdcage.signal.tuner import TUNER_FACTS
 from birdcage.station.menu_commands import MenuCommands
 from birdcage.station.state import (
@@ -24,7 +25,6 @@ from birdcage.station.state import (
     LinkState,
     Motion,
     Pointing,
-    Reading,
     Search,
     StationState,
     StopReport,

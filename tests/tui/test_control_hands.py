@@ -7,8 +7,8 @@ from types import MappingProxyType
 import pytest
 import stage
 import stand_in
+from birdcage.rotator.feature import Reading
 from birdcage.station.requests import Engage, Goto, Home, Jog, Release, ReleaseMotors, SetSpeed, Stow
-from birdcage.station.state import Reading
 from birdcage_tui.commands import BY_NAME
 from birdcage_tui.control.nudge import AT, STEPS, DigitsPane
 from stage import read
@@ -159,7 +159,7 @@ def without(**lacking):
     ("key", "lacking", "says"),
     [
         ("W", {"has_stow": False}, "has no stow"),
-        ("v", {"has_speeds": False}, "This dish has no speed setting."),
+        ("v", {"features": {}}, "This dish has no speed setting."),
         ("R", {"has_motor_power": False}, "has no motor current command."),
         ("H", {"homing_s": None}, "homes only at power-up. Switch it off and on."),
     ],
@@ -176,8 +176,8 @@ def test_what_a_dish_lacks_says_so(key, lacking, says):
 
 
 def test_no_speed_setting_is_said_on_the_page():
-    assert "dish has no speed setting" in run(read, state=without(has_speeds=False))
-    assert "this dish has no speed setting" in run(read, size=(120, 36), state=without(has_speeds=False))
+    assert "dish has no speed setting" in run(read, state=without(features={}))
+    assert "this dish has no speed setting" in run(read, size=(120, 36), state=without(features={}))
 
 
 @pytest.mark.parametrize(("name", "says"), [("held", "STOP is latched"), ("lost", "does not answer")])
@@ -225,7 +225,10 @@ def test_motors_may_be_released_while_held():
 
 def speeds():
     clock = stand_in.VirtualClock()
-    readings = {f"speed.{axis}": Reading(40.0 - axis, "deg/s", 0.0, clock.utc()) for axis in (0, 1)}
+    readings = {
+        f"speed.{axis}": Reading(speed, "deg/s", 0.0, clock.utc())
+        for axis, speed in (("azimuth", 40.0), ("elevation", 39.0))
+    }
     return {"readings": MappingProxyType(readings)}
 
 

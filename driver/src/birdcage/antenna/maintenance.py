@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from birdcage.antenna.gate import MotionGate
 from birdcage.rotator.facts import SearchSwitch
+from birdcage.rotator.feature import END_TV_SEARCH, TV_SEARCH
 from birdcage.rotator.rotator import Rotator
 
 
@@ -42,7 +43,10 @@ class Maintenance:
     def end_search(self) -> None:
         """End the firmware's TV search, or switch it off: see `Facts.search_switch`."""
         try:
-            self._rotator.end_search()
+            if self._rotator.facts.search_switch is SearchSwitch.UNTIL_POWER_UP:
+                self._rotator.write(END_TV_SEARCH, True)
+            else:
+                self._rotator.write(TV_SEARCH, False)
         finally:
             if self._rotator.facts.search_switch is SearchSwitch.UNTIL_POWER_UP:
                 self._gate.forget("unread")

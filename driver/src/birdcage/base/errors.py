@@ -6,6 +6,7 @@
       LinkError          the port: missing, busy, forbidden, lost, broken
       NoReply            the port is there, the dish did not answer in time
       CommandRefused     the firmware answered with an error
+        OutOfRange       (also a ValueError) a value that a feature of the dish can't be set to
       MotionRefused      a limit, or missing knowledge, forbids the motion
         BelowFloor       (also a ValueError) the elevation floor
         PositionUnknown  the axis was not read, or not homed
@@ -74,6 +75,12 @@ class CommandRefused(BirdcageError):
     def __init__(self, message: str, *, reason: str | None = None, trouble: MotorTrouble | None = None) -> None:
         super().__init__(message, reason=reason)
         self.trouble = trouble
+
+
+class OutOfRange(CommandRefused, ValueError):
+    """A value lies outside the range of what it was meant for: nothing was sent."""
+
+    reason = "out_of_range"
 
 
 class MotionRefused(BirdcageError):

@@ -14,7 +14,7 @@ from typing import TypeVar
 
 from birdcage.base.clock import Clock, Outcome, RealClock
 from birdcage.base.errors import BirdcageError, CommandRefused, LinkError, PositionUnknown
-from birdcage.protocol.generic import GENERIC_FACTS
+from birdcage.protocol.generic import GENERIC_FACTS, GENERIC_FEATURES
 from birdcage.protocol.menu_rotator import MenuRotator
 from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.protocol.unhomed import unreadable
@@ -92,6 +92,7 @@ class DocumentedRotator(MenuRotator):
         super().__init__(protocol)
         self.raw: RawLines | None = None
         self._facts = _genuine(protocol.model, GENERIC_FACTS)
+        self._table = _genuine(protocol.feature_table, GENERIC_FEATURES)
         self._hooks = Hooks()
         self._clock: Clock = RealClock()
         self._line = CallLine(self._clock)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from typing import Any
 
 from birdcage.base.errors import PositionUnknown
 from birdcage.console.dialect import UNKNOWN_TOKEN, ConsoleDialect
@@ -14,6 +15,8 @@ from birdcage.protocol.family import AXIS_NAMES, MOTOR_TROUBLES
 from birdcage.protocol.unhomed import is_unhomed, unreadable
 from birdcage.rotator.axis import Axis
 from birdcage.rotator.facts import Facts, Readback, SearchSwitch, SecondMove, Turn
+from birdcage.rotator.feature import END_TV_SEARCH, Cost, Feature, Kind, Value, Writer
+from birdcage.rotator.feature_table import FeatureTable, Row
 from birdcage.rotator.ladder import POWER_SWITCH, Rung
 from birdcage.rotator.origin import by_origin
 from birdcage.rotator.values import Position
@@ -23,6 +26,23 @@ _ASSUMED_ACCELERATION_DEG_S2 = 5.0
 """Slower than any dish whose speed was measured, so that no motion is thought to be over before it is."""
 _STEP_DEG = 0.01
 """As its console takes angles."""
+
+
+def _end_tv_search(dish: Any, _done: Value) -> dict[str, Value]:  # noqa: ANN401 - a FirmwareProtocol
+    dish.kill_search()
+    return {END_TV_SEARCH: True}
+
+
+def end_tv_search(*, lines: int, menu: str | None = None) -> Row:
+    """Return the row of a dish whose TV search is ended while it runs, by `kill_search`."""
+    return Row(
+        Feature(END_TV_SEARCH, "End the TV search", kind=Kind.MOMENTARY, writer=Writer.AT_ONCE, cost=Cost(lines, menu)),
+        write=_end_tv_search,
+    )
+
+
+GENERIC_FEATURES = FeatureTable(end_tv_search(lines=2))
+"""Every class says how its search is ended (`kill_search`), and nothing else is known of it."""
 
 GENERIC_FACTS = Facts(
     name="dish",
@@ -45,6 +65,7 @@ GENERIC_FACTS = Facts(
     boot_s=900.0,
     readback=Readback.ALWAYS,
     power_switch="power switch",
+    features=GENERIC_FEATURES.features,
     origin=by_origin(
         inferred="""
         baud azimuth.min_deg azimuth.max_deg azimuth.speed_deg_s azimuth.acceleration_deg_s2 azimuth.step_deg

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 
 from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused
@@ -13,11 +13,13 @@ from birdcage.link.link import Link
 from birdcage.protocol.menu_raw import MenuRaw
 from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.rotator.facts import Facts
+from birdcage.rotator.feature import Feature, Reading, Value
+from birdcage.rotator.feature_table import FeatureTable, Stamp, middle_of
 from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.ladder import StopBy, StopOrder
 from birdcage.rotator.raw import RawLines
 from birdcage.rotator.rotator import Line
-from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION, Position, RssiReading, Survey, Taken
+from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION, Position, Survey, Taken
 
 _ANSWER = re.compile(r"=\s*\S|^\s*\S(\s|$)|>\s*$")
 """A value, the echo of a command, or a prompt: an answer that comes late, and no log."""
@@ -87,6 +89,7 @@ class MenuRotator:
         self.protocol = protocol
         self.raw: RawLines | None = MenuRaw(protocol)
         self._facts: Facts = protocol.model
+        self._table: FeatureTable = protocol.feature_table
         self.is_simulated = False
 
     @property
@@ -220,22 +223,19 @@ class MenuRotator:
         """See `Rotator`."""
         self.protocol.engage_motors()
 
-    def set_speed(self, motor: int, speed_deg_s: float) -> Mapping[int, float]:
+    @property
+    def features(self) -> Mapping[str, Feature]:
         """See `Rotator`."""
-        return self.protocol.set_speed(motor, speed_deg_s)
+        return self._facts.features
 
-    def signal(self, reads: int) -> RssiReading:
+    def read(self, ids: Iterable[str]) -> Mapping[str, Reading]:
         """See `Rotator`."""
-        return self.protocol.get_rssi(reads)
+        return self._table.read(self.protocol, self._facts.name, ids, self._stamp)
 
-    def settings_table(self) -> tuple[str, ...]:
+    def write(self, feature: str, value: Value) -> Reading:
         """See `Rotator`."""
-        return self.protocol.settings_table()
+        return self._table.write(self.protocol, self._facts.name, feature, value, self._stamp)
 
-    def end_search(self) -> None:
-        """See `Rotator`."""
-        self.protocol.kill_search()
-
-    def restore_search(self) -> None:
-        """See `Rotator`."""
-        self.protocol.restore_search()
+    @property
+    def _stamp(self) -> Stamp:
+        return middle_of(self.clock, lambda: self.line.took_s)

@@ -13,12 +13,13 @@ from birdcage.base.errors import BelowFloor, BirdcageError, CommandRefused, Link
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.session import Console
 from birdcage.protocol.family import angle_text
-from birdcage.protocol.generic import GENERIC_DIALECT, GENERIC_FACTS, position_in
+from birdcage.protocol.generic import GENERIC_DIALECT, GENERIC_FACTS, GENERIC_FEATURES, position_in
 from birdcage.protocol.hazard import HazardTable
 from birdcage.protocol.raw_aim import aimed
 from birdcage.protocol.unhomed import unreadable
 from birdcage.rotator.adapting import as_rotator
 from birdcage.rotator.facts import Facts
+from birdcage.rotator.feature_table import FeatureTable
 from birdcage.rotator.raw import CommandDoc
 from birdcage.rotator.readings import settled
 from birdcage.rotator.rotator import Rotator
@@ -71,6 +72,8 @@ class FirmwareProtocol(ABC):
     """Words of its boot log that no other console is known to print: they tell which firmware it is."""
     motor_menu: ClassVar[str] = "mot"
     """Where motions, and the lines that stop them, are understood."""
+    feature_table: ClassVar[FeatureTable] = GENERIC_FEATURES
+    """What it tells and lets be set besides its position; `model` has the same (`features=TABLE.features`)."""
     hazards: ClassVar[HazardTable] = HazardTable()
     """What raw lines do. Without rows, each counts as changing a setting."""
     commands: ClassVar[tuple[CommandDoc, ...]] = ()

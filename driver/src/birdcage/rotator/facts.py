@@ -8,6 +8,7 @@ from enum import Enum
 
 from birdcage.base.beam import Reflector
 from birdcage.rotator.axis import Axis, CableRange
+from birdcage.rotator.feature import RSSI, Feature, speed_of
 from birdcage.rotator.ladder import Rung
 from birdcage.rotator.origin import Origin
 from birdcage.rotator.wiring import Adapter, Connector
@@ -63,6 +64,8 @@ class SearchSwitch(Enum):
     """By ending it while it runs; it begins again at each power-up."""
     NOT_KNOWN = "not known"
     """No command is known that ends it, nor a setting that can be recommended."""
+    NEVER_SEARCHES = "never searches"
+    """It has no search: it moves when it is told to, and never by itself."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,11 +142,6 @@ class Facts:
     """The longest that a boot takes; waiting for it never lasts longer unless asked."""
     has_motor_power: bool = False
     """Whether its motors can be released and engaged by command."""
-    has_speeds: bool = False
-    """Whether the greatest speed of an axis can be read and lowered; `Axis.speed_deg_s` is the most it is known to do.
-    """
-    has_rssi: bool = False
-    has_nvs: bool = False
     has_stow: bool = False
     readback: Readback
     power_switch: str
@@ -166,6 +164,8 @@ class Facts:
     ceiling_settings: tuple[Setting, ...] = ()
     """Where it keeps its highest elevation, if that is told."""
     search_setting: SearchSetting | None = None
+    features: Mapping[str, Feature] = field(default_factory=dict)
+    """What it tells and lets be set besides its position, by id; `Rotator.read` and `Rotator.write` do it."""
     settings_name: str = "settings"
     """What the machine calls the table of its settings: its backups are named by it."""
     connectors: tuple[Connector, ...] = ()
@@ -180,6 +180,16 @@ class Facts:
     def origin_of(self, name: str) -> Origin | None:
         """Return who stands for a fact; None if it has no source."""
         return self.origin.get(name)
+
+    @property
+    def has_rssi(self) -> bool:
+        """Whether it tells the signal strength of a tuner of its own."""
+        return RSSI in self.features
+
+    @property
+    def has_speeds(self) -> bool:
+        """Whether the greatest speed of an axis can be read and lowered; `Axis.speed_deg_s` is the most it can do."""
+        return any(speed_of(axis.name) in self.features for axis in self.axes)
 
     @property
     def axes(self) -> tuple[Axis, ...]:

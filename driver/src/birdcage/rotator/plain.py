@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
+from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused
 from birdcage.rotator.facts import Facts
+from birdcage.rotator.feature import Feature, Reading, Value
+from birdcage.rotator.feature_table import FeatureTable, Stamp, middle_of
 from birdcage.rotator.raw import RawLines
-from birdcage.rotator.values import RssiReading, Survey
+from birdcage.rotator.rotator import Line
+from birdcage.rotator.values import Survey
 
 
 @dataclass(slots=True)
@@ -42,6 +46,10 @@ class PlainRotator:
     """To inherit: what is left to write are opening, meeting, looking, sending, stopping, listening and closing."""
 
     facts: Facts
+    feature_table: FeatureTable = FeatureTable()
+    """What it tells and lets be set; its facts have the same (`features=TABLE.features`)."""
+    clock: Clock
+    line: Line
     raw: RawLines | None = None
     is_simulated = False
     printed_deg = 0.01
@@ -59,8 +67,8 @@ class PlainRotator:
         """Nothing is left over from an earlier program."""
 
     def survey(self) -> Survey:
-        """It tells nothing of itself, and searches for nothing."""
-        return Survey(search_disabled=True)
+        """It tells nothing of itself."""
+        return Survey()
 
     def is_answer(self, text: str) -> bool:  # noqa: ARG002
         """No answer comes unasked."""
@@ -90,22 +98,19 @@ class PlainRotator:
         """As above."""
         raise self._lacks("switch for its motors")
 
-    def set_speed(self, motor: int, speed_deg_s: float) -> Mapping[int, float]:  # noqa: ARG002
-        """It goes at its own."""
-        raise self._lacks("command for its speed")
+    @property
+    def features(self) -> Mapping[str, Feature]:
+        """What its facts have: `feature_table.features`."""
+        return self.facts.features
 
-    def signal(self, reads: int) -> RssiReading:  # noqa: ARG002
-        """It hears nothing."""
-        raise self._lacks("tuner")
+    def read(self, ids: Iterable[str]) -> Mapping[str, Reading]:
+        """Ask by `feature_table`."""
+        return self.feature_table.read(self, self.facts.name, ids, self._stamp)
 
-    def settings_table(self) -> tuple[str, ...]:
-        """It has none."""
-        raise self._lacks("settings")
+    def write(self, feature: str, value: Value) -> Reading:
+        """Write by `feature_table`."""
+        return self.feature_table.write(self, self.facts.name, feature, value, self._stamp)
 
-    def end_search(self) -> None:
-        """It does not search."""
-        raise self._lacks("TV search")
-
-    def restore_search(self) -> None:
-        """As above."""
-        raise self._lacks("TV search")
+    @property
+    def _stamp(self) -> Stamp:
+        return middle_of(self.clock, lambda: self.line.took_s)

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Protocol
 
 from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused
 from birdcage.rotator.facts import Facts
+from birdcage.rotator.feature import Feature, Reading, Value
 from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.ladder import StopOrder
 from birdcage.rotator.raw import RawLines
-from birdcage.rotator.values import Position, RssiReading, Survey, Taken
+from birdcage.rotator.values import Position, Survey, Taken
 
 
 class Line(Protocol):
@@ -161,17 +162,12 @@ class Rotator(Protocol):
     def engage_motors(self) -> None:
         """Put the current back on the motors."""
 
-    def set_speed(self, motor: int, speed_deg_s: float) -> Mapping[int, float]:
-        """Set the greatest speed of an axis until it restarts; return what is in force, read back, by motor number."""
+    @property
+    def features(self) -> Mapping[str, Feature]:
+        """What it tells and lets be set besides its position, by id: `Facts.features`."""
 
-    def signal(self, reads: int) -> RssiReading:
-        """Read the signal strength of its own tuner."""
+    def read(self, ids: Iterable[str]) -> Mapping[str, Reading]:
+        """Read some features; what was not told is left out. Nothing is sent where one of them can't be read."""
 
-    def settings_table(self) -> tuple[str, ...]:
-        """Read all its settings, as printed."""
-
-    def end_search(self) -> None:
-        """End its own TV search, or switch it off: see `Facts.search_switch`."""
-
-    def restore_search(self) -> None:
-        """Give it its TV search back."""
+    def write(self, feature: str, value: Value) -> Reading:
+        """Write a feature, and return what was read back. OutOfRange (nothing sent) for a value beyond its range."""

@@ -9,8 +9,9 @@ from datetime import datetime
 from types import MappingProxyType
 
 from birdcage.base.clock import Clock
+from birdcage.rotator.feature import Reading, Value
 from birdcage.station.events import Event, ReadingRead
-from birdcage.station.state import Reading, StationState
+from birdcage.station.state import StationState
 
 Listener = Callable[[Event], None]
 
@@ -69,9 +70,7 @@ class Board:
                 self._drop(listener)
                 raise
 
-    def read(
-        self, feature: str, value: float | str | bool, unit: str = "", stamp: tuple[float, datetime] | None = None
-    ) -> None:
+    def read(self, feature: str, value: Value, unit: str = "", stamp: tuple[float, datetime] | None = None) -> None:
         """Note a value that the dish has just told; `stamp` is when it was measured, if that was not now."""
         at, utc = stamp or self.stamp()
         readings = {**self.state.readings, feature: Reading(value, unit, at, utc)}

@@ -9,6 +9,7 @@ from birdcage.link.ports import PortInfo, list_ports
 from birdcage.link.system import Hindrance, SystemFacts, look_at_system
 from birdcage.rotator import machines
 from birdcage.rotator.facts import Facts, SearchSetting, SearchSwitch, Turn
+from birdcage.rotator.feature import speed_of
 from birdcage.rotator.own import laid_by_owner
 
 if TYPE_CHECKING:
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Facts", "Hindrance", "PortInfo", "SearchSetting", "SearchSwitch", "SystemFacts", "Turn", "has_speed",
-    "list_firmwares", "list_models", "list_ports", "look_at_system", "model_of", "wrong_facts",
+    "list_firmwares", "list_models", "list_ports", "look_at_system", "model_of", "speed_of", "wrong_facts",
 ]  # fmt: skip
 
 

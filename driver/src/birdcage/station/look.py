@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from datetime import timedelta
 from functools import partial
 from types import MappingProxyType
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.rest import STILL_DEG
 from birdcage.base.config.sections import NoGoSector
-from birdcage.base.errors import CommandRefused, PositionUnknown
+from birdcage.base.errors import CommandRefused, OutOfRange, PositionUnknown
 from birdcage.base.geometry import shortest_turn, wrap_360
 from birdcage.rotator.facts import Facts, SearchSwitch, Turn
+from birdcage.rotator.feature import RSSI, Reading, speed_of
 from birdcage.rotator.origin import Origin
 from birdcage.rotator.own import laid_by_owner
 from birdcage.rotator.values import Position, Survey
@@ -21,7 +21,6 @@ from birdcage.station.board import Board
 from birdcage.station.events import PositionRead
 from birdcage.station.settings import Rules, StationSettings
 from birdcage.station.state import Activity, LimitSource, Pointing, Search
-from birdcage.station.watches import RSSI_ITERATIONS
 
 
 class Look:
@@ -140,12 +139,13 @@ class Look:
         return self.apart_deg(one, other) <= STILL_DEG
 
     def signal(self) -> None:
-        """Read the tuner's signal strength; it is of the middle between question and answer."""
-        reading = self._antenna.rotator.signal(RSSI_ITERATIONS)
-        at, utc = self._board.stamp()
-        ago_s = self._antenna.rotator.line.took_s / 2.0
-        middle = at - ago_s, utc - timedelta(seconds=ago_s * self._board.clock.rate)
-        self._board.read("rssi", float(reading.average), "counts", middle)
+        """Read the tuner's signal strength."""
+        self.note(self._antenna.rotator.read([RSSI]))
+
+    def note(self, readings: Mapping[str, Reading]) -> None:
+        """Show what features the machine has just told."""
+        for name, reading in readings.items():
+            self._board.read(name, reading.value, reading.unit, (reading.at, reading.utc))
 
     def clear_up(self) -> None:
         """Account for what an earlier program may have sent, so that the survey need not wait for a quiet line."""
@@ -177,6 +177,8 @@ class Look:
         self._board.change(firmware_version=survey.version)
         if self._antenna.rotator.facts.search_switch is SearchSwitch.FOR_GOOD:
             self._board.change(search=Search.OFF if survey.search_disabled else Search.UNKNOWN)
+        elif self._antenna.rotator.facts.search_switch is SearchSwitch.NEVER_SEARCHES:
+            self._board.change(search=Search.OFF)
         self.limit(survey)
         try:
             self._antenna.rotator.make_ready()
@@ -194,12 +196,29 @@ class Look:
         self._board.change(dish=antenna.kind, turn=self._turn())
         self.limit()
 
+    def set_speed(self, motor: int, speed_deg_s: float) -> float:
+        """Set the greatest speed of an axis, plan with it, and return what is in force, read back.
+
+        CommandRefused where the machine shows another one: then it is not known.
+        """
+        rotator = self._antenna.rotator
+        known = {axis: speed for axis, speed in self._antenna.speeds_deg_s.items() if axis != motor}
+        try:
+            reading = rotator.write(speed_of(rotator.facts.axis(motor).name), speed_deg_s)
+        except OutOfRange:
+            raise  # nothing was sent
+        except CommandRefused:
+            self.note_speeds(known)
+            raise
+        self.note_speeds(known | {motor: float(reading.value)})
+        return float(reading.value)
+
     def note_speeds(self, speeds: Mapping[int, float]) -> None:
         """Plan with the speeds that are in force, and show them; what is not among them is not known."""
         self._antenna.use_speeds(speeds)
         self._board.forget_readings("speed.")
         for motor, speed in speeds.items():
-            self._board.read(f"speed.{motor}", speed, "deg/s")
+            self._board.read(speed_of(self._antenna.rotator.facts.axis(motor).name), speed, "deg/s")
 
     def limit(self, survey: Survey | None = None) -> None:
         """Set the limits: the dish's own settings, or its model's where it does not tell, narrowed by the user's.

@@ -106,11 +106,6 @@ class Motors:
             raise MotionRefused(f"This dish has no motor {motor}. Nothing was sent.", reason="unsupported")
         self._wire_free()
         refuse_while_moving(self._board, self._antenna, "No speed is set")
-        try:
-            speeds = rotator.set_speed(motor, speed_deg_s)
-        except CommandRefused:
-            self._look.note_speeds({})  # what is in force now is anybody's guess
-            raise
-        self._look.note_speeds(speeds)
+        speed_deg_s = self._look.set_speed(motor, speed_deg_s)
         rotator.make_ready()
-        return speeds[motor]
+        return speed_deg_s

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.errors import BirdcageError
 from birdcage.rotator.facts import Facts
+from birdcage.rotator.feature import speed_of
 from birdcage.rotator.own import with_speeds
 from birdcage.station.reach_limits import reach_limits_of
 from birdcage.station.state import StationState
@@ -39,7 +40,7 @@ def _in_force(model: Facts, state: StationState) -> Facts:
     read = {
         axis.index: float(told.value)
         for axis in (model.azimuth, model.elevation)
-        if (told := state.readings.get(f"speed.{axis.index}")) is not None and not isinstance(told.value, str)
+        if (told := state.readings.get(speed_of(axis.name))) is not None and not isinstance(told.value, str)
     }
     return with_speeds(model, read | dict(state.speeds_lent))
 

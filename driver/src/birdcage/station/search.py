@@ -5,9 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 from birdcage.antenna.antenna import BirdcageAntenna
-from birdcage.base.errors import CommandRefused, ConfigError, StoreError
+from birdcage.base.errors import CommandRefused, ConfigError, NoReply, StoreError
 from birdcage.base.paths import write_aside_and_rename
 from birdcage.rotator.facts import SearchSwitch as Switch
+from birdcage.rotator.feature import SETTINGS, TV_SEARCH
 from birdcage.station.applying import refuse_while_moving
 from birdcage.station.board import Board
 from birdcage.station.look import Look
@@ -27,13 +28,14 @@ class SearchSwitch:
         A search that is to be ended at once may well move the dish; a motion of ours must not be aborted by it.
         """
         facts = self._antenna.rotator.facts
-        if facts.search_switch is Switch.NOT_KNOWN:
-            raise CommandRefused(
-                f"The {facts.name} has no known command that ends its TV search. Nothing was sent.",
-                reason="unsupported",
-            )
+        why = {
+            Switch.NOT_KNOWN: f"The {facts.name} has no known command that ends its TV search.",
+            Switch.NEVER_SEARCHES: f"The {facts.name} has no TV search.",
+        }.get(facts.search_switch)
         if self._until_power_up and not disabled:
-            self._antenna.rotator.restore_search()  # says why not
+            why = f"The {facts.name} has no command that begins its TV search: it begins by itself at power-up."
+        if why is not None:
+            raise CommandRefused(f"{why} Nothing was sent.", reason="unsupported")
         if self._until_power_up and self._board.state.activity is not Activity.MOVING_UNASKED:
             refuse_while_moving(self._board, self._antenna, "The search is not ended")
 
@@ -50,18 +52,25 @@ class SearchSwitch:
             self._board.change(search=Search.OFF_UNTIL_POWER_UP)
             self._look.position()
             return None
-        backup = self._back_up(rotator.settings_table())
+        backup = self._back_up(self._settings_table())
         if disabled:
             self._antenna.maintenance.end_search()
         else:
-            rotator.restore_search()
+            rotator.write(TV_SEARCH, True)
         self._look.survey()
         if self._board.state.search is not Search.OFF:
             # Written, but the search process that the dish started at power-up goes on until the next one.
             self._board.change(search=Search.UNKNOWN)
         return backup
 
-    def _back_up(self, lines: tuple[str, ...]) -> Path:
+    def _settings_table(self) -> str:
+        """Read all settings. NoReply (`garbage`) where none were shown: then nothing is written."""
+        table = self._antenna.rotator.read([SETTINGS]).get(SETTINGS)
+        if table is None:
+            raise NoReply("The dish did not show its settings, so there is no backup. Nothing was written.")
+        return str(table.value)
+
+    def _back_up(self, table: str) -> Path:
         if self._folder is None:
             raise ConfigError("No folder for a backup of the dish's settings. Nothing was written.")
         stamp = self._board.clock.utc().strftime("%Y%m%dT%H%M%SZ")
@@ -69,7 +78,7 @@ class SearchSwitch:
         path = self._folder / f"{facts.settings_name}-{facts.firmware}-{stamp}.txt"
         demo = "# DEMO\n" if self._board.state.demo else ""
         try:
-            write_aside_and_rename(path, (demo + "\n".join(lines) + "\n").encode())
+            write_aside_and_rename(path, (demo + table + "\n").encode())
         except OSError as error:
             raise StoreError(f"The backup {path} can't be written ({error}): nothing was changed.") from error
         return path

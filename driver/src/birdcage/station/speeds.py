@@ -35,7 +35,7 @@ class Speeds:
         return bool(self._before)
 
     def set(self, speeds_deg_s: Mapping[int, float]) -> None:
-        """Set the greatest speed of axes, by motor number. Raises as `Rotator.set_speed`."""
+        """Set the greatest speed of axes, by motor number. Raises as `Rotator.write`."""
         known, model = self._antenna.speeds_deg_s, self._antenna.rotator.facts
         before = {motor: known.get(motor, model.axis(motor).speed_deg_s) for motor in speeds_deg_s}
         if not before.keys() <= self._before.keys():
@@ -73,6 +73,6 @@ class Speeds:
         rotator = self._antenna.rotator
         self._look.elsewhere = True  # STOP has to come back to the motor menu first
         for motor, speed_deg_s in speeds_deg_s.items():
-            self._look.note_speeds(rotator.set_speed(motor, speed_deg_s))
+            self._look.set_speed(motor, speed_deg_s)
         rotator.make_ready()
         self._look.elsewhere = False

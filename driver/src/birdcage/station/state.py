@@ -14,6 +14,7 @@ from birdcage.base.beam import Beam
 from birdcage.base.config.sections import NoGoSector
 from birdcage.base.held import HeldNote
 from birdcage.rotator.facts import Facts, Turn
+from birdcage.rotator.feature import Reading
 from birdcage.rotator.own import OwnFacts
 from birdcage.station.pursuit import Pursuit
 
@@ -219,16 +220,6 @@ class StopReport:
 
 
 @dataclass(frozen=True, slots=True)
-class Reading:
-    """One value read from the dish."""
-
-    value: float | str | bool
-    unit: str
-    at: float
-    utc: datetime
-
-
-@dataclass(frozen=True, slots=True)
 class StationState:
     """All of it. A field that is None is not known, and shows as a dash."""
 
@@ -293,7 +284,7 @@ class StationState:
     warnings: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
     """What a person should know of this program itself, by subject: `birdcage stop` can't reach it, …; sentences."""
     readings: Mapping[str, Reading] = field(default_factory=lambda: MappingProxyType({}))
-    """By feature: `rssi`, `rssi_peak`, `antenna_id`, `speed.0` (deg/s, in force until it restarts), …"""
+    """By feature (`StationState.dish.features`), and what else a survey told, by its own names."""
 
     @property
     def awaits_first_move(self) -> bool:

@@ -16,7 +16,6 @@ EXCURSION_PERIOD_S = 5.2
 """A little more than 5 s, as the lines of an excursion take their time on the wire."""
 RSSI_PERIOD_S = 0.4
 RSSI_READS = 4
-RSSI_ITERATIONS = 10
 
 
 @dataclass(slots=True)

@@ -29,7 +29,7 @@ FACTS = Facts(
     second_other=SecondMove.RETARGET,
     stop_ladder=(Rung("retarget", proven=True, sentence="it halts where it is"), POWER_SWITCH),
     slew=None,
-    search_switch=SearchSwitch.FOR_GOOD,
+    search_switch=SearchSwitch.NEVER_SEARCHES,
     homing_s=None,
     boot_s=1.0,
     readback=Readback.ALWAYS,
@@ -99,7 +99,7 @@ class Learner(PlainRotator):
 
     def survey(self):
         low, high = self._call(self._machine.limits)[1]
-        return Survey(search_disabled=True, el_min_deg=low, el_max_deg=high)
+        return Survey(el_min_deg=low, el_max_deg=high)
 
     def look(self, *, hurry=False, busy_s=0.0):
         return Position(*self._call(self._machine.angles))

@@ -30,7 +30,7 @@ FACTS = Facts(
     second_other=SecondMove.RETARGET,
     stop_ladder=(Rung("retarget", proven=True, sentence="a new target just ahead of it"), POWER_SWITCH),
     slew=None,
-    search_switch=SearchSwitch.FOR_GOOD,
+    search_switch=SearchSwitch.NEVER_SEARCHES,
     homing_s=None,
     boot_s=1.0,
     readback=Readback.ALWAYS,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from birdcage.station.known import speed_of
+
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import cut
 from birdcage_tui.commands import BY_NAME
@@ -18,7 +20,7 @@ def speeds_text(view: View) -> str:
         return "this dish has no speed setting"
     words = []
     for axis in () if dish is None else (dish.azimuth, dish.elevation):
-        reading = view.state.readings.get(f"speed.{axis.index}")
+        reading = view.state.readings.get(speed_of(axis.name))
         value = reading.value if reading is not None else None
         words.append(f"{value:.1f}" if isinstance(value, int | float) else "--.-")
     return f"speed {'/'.join(words) or '--.-/--.-'} °/s"

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 from birdcage.base.presets import Preset, checked
+from birdcage.station.known import speed_of
 
 from birdcage_tui.control.book import PresetBook
 from birdcage_tui.control.fields import Field, FieldsScreen, Values
@@ -76,7 +77,7 @@ def speeds(view: View) -> FieldsScreen:
     """Return the form for both speeds, filled with those in force."""
     fields = []
     for axis in _limits(view):
-        reading = view.state.readings.get(f"speed.{axis.motor}")
+        reading = view.state.readings.get(speed_of(axis.name))
         known = reading is not None and isinstance(reading.value, int | float)
         fields.append(
             Field(axis.name, f"{reading.value:g}" if reading is not None and known else "",
@@ -97,7 +98,7 @@ def speeds(view: View) -> FieldsScreen:
 def speeds_of(values: Values | None, view: View) -> Iterator[tuple[int, float]]:
     """Yield motor and speed of those that were typed and differ from what is in force."""
     for axis, text in zip(_limits(view), values or (), strict=False):
-        value, reading = _number(text), view.state.readings.get(f"speed.{axis.motor}")
+        value, reading = _number(text), view.state.readings.get(speed_of(axis.name))
         if value is not None and (reading is None or reading.value != value):
             yield axis.motor, value
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from birdcage.kinematics import plan_slew
+from birdcage.station.known import speed_of
 from birdcage.station.requests import Goto, Jog, Request, TurnSkew
 from birdcage.station.state import Activity, StationState
 from birdcage.station.turning import AzimuthWay, cable_limits, is_safe_at_any_turn
@@ -52,7 +53,7 @@ def _seconds(state: StationState, az_way: float, el_way: float) -> float | None:
         return None
     spans = []
     for axis, way in ((dish.azimuth, az_way), (dish.elevation, el_way)):
-        reading = state.readings.get(f"speed.{axis.index}")
+        reading = state.readings.get(speed_of(axis.name))
         speed = reading.value if reading is not None and isinstance(reading.value, float) else axis.speed_deg_s
         if axis.times is not None:
             spans.append(axis.times.seconds(way))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from birdcage.protocol import plugs
 from birdcage.protocol.carryout.dialect import BAUD
+from birdcage.protocol.carryout.features import FEATURES
 from birdcage.protocol.carryout.going import AZ_SPAN_DEG, EL_MAX_ROW, EL_SPAN_DEG
 from birdcage.protocol.nvs import row_id, row_label
 from birdcage.rotator.axis import Axis
@@ -42,6 +43,7 @@ CARRYOUT_2003 = Facts(
     moves_one_axis=False,
     power_switch="12 V switch",
     ceiling_settings=(Setting(row_id(EL_MAX_ROW), row_label(EL_MAX_ROW)),),
+    features=FEATURES.features,
     settings_name="nvs",
     connectors=(plugs.CARRYOUT_2003,),
     adapters=(plugs.DTECH,),
@@ -57,7 +59,7 @@ CARRYOUT_2003 = Facts(
             azimuth.speed_deg_s azimuth.acceleration_deg_s2 azimuth.overshoot_deg
             elevation.speed_deg_s elevation.acceleration_deg_s2 elevation.overshoot_deg
             turn second_same second_other stop_ladder slew.least_deg search_switch homing_stoppable boot_s
-            has_motor_power has_speeds has_rssi has_nvs has_stow cable_known moves_one_axis tells_version
+            has_motor_power has_stow cable_known moves_one_axis tells_version
         """,
     ),
 )

@@ -10,6 +10,7 @@ from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.raw import Typed
 from birdcage.protocol.carryout.commands import COMMANDS
 from birdcage.protocol.carryout.dialect import DIALECT, NVS, TARGET
+from birdcage.protocol.carryout.features import FEATURES
 from birdcage.protocol.carryout.going import EL_MAX_ROW, Answer, ceiling_of, go_line, judge_go
 from birdcage.protocol.carryout.hazards import HAZARDS
 from birdcage.protocol.carryout.model import CARRYOUT_2003
@@ -17,6 +18,7 @@ from birdcage.protocol.hazard import HazardTable
 from birdcage.protocol.nvs import row_id
 from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.rotator.facts import Facts
+from birdcage.rotator.feature_table import FeatureTable
 from birdcage.rotator.raw import CommandDoc
 from birdcage.rotator.values import Position, Survey, Taken
 
@@ -32,6 +34,7 @@ class CarryoutProtocol(FirmwareProtocol):
     model: Facts = CARRYOUT_2003
     dialect: ClassVar[ConsoleDialect] = DIALECT
     motor_menu: ClassVar[str] = TARGET
+    feature_table: ClassVar[FeatureTable] = FEATURES
     hazards: ClassVar[HazardTable] = HAZARDS
     commands: ClassVar[tuple[CommandDoc, ...]] = COMMANDS
 
@@ -105,16 +108,19 @@ class CarryoutProtocol(FirmwareProtocol):
         return True
 
     def survey(self) -> Survey:
-        """Read the greatest elevation that it takes (`nvs`, `e 102`): nothing else is told by a known command."""
+        """Read the greatest elevation that it takes: nothing else is told by a known command."""
         try:
-            lines = self.console.run(NVS, f"e {EL_MAX_ROW}").lines
+            ceiling_deg = self.read_ceiling()
         except CommandRefused as refused:
             if refused.reason == "wrong_menu":
                 raise
             return Survey()
-        ceiling_deg = ceiling_of(lines)
         told = {} if ceiling_deg is None else {row_id(EL_MAX_ROW): f"{ceiling_deg:g}"}
         return Survey(settings=told, el_max_deg=ceiling_deg)
+
+    def read_ceiling(self) -> float | None:
+        """Read the greatest elevation that it takes (`nvs`, `e 102`), in degrees; None when none is to be seen."""
+        return ceiling_of(self.console.run(NVS, f"e {EL_MAX_ROW}").lines)
 
     def kill_search(self) -> None:
         """Raise CommandRefused (`unsupported`): no command for that is known."""

@@ -8,6 +8,7 @@ from birdcage.base.beam import CountedBeam, Reflector
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.protocol import plugs
 from birdcage.protocol.family import AXIS_NAMES, MOTOR_TROUBLES
+from birdcage.protocol.g2.features import features_of
 from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, row_id, row_label
 from birdcage.rotator.axis import Axis, CableRange
 from birdcage.rotator.facts import Facts, Handling, Readback, SearchSetting, SearchSwitch, SecondMove, Setting, Turn
@@ -18,12 +19,16 @@ REFLECTOR = Reflector(0.3048, 0.3048, CountedBeam(6.4, 6.3, 12.45e9))
 """12 inches round (`12-IN G2` in its boot log). The width was scanned in counts, on satellites that stand alone
 (section 7.6)."""
 
+AZIMUTH = Axis(0, "azimuth", 0.0, 360.0, 65.0, 400.0, 360.0 / 40000, overshoot_deg=0.06)
+ELEVATION = Axis(1, "elevation", 18.0, 65.0, 45.0, 400.0, 360.0 / 24960, overshoot_deg=0.06)
+FEATURES = features_of(AZIMUTH, ELEVATION)
+
 CARRYOUT_G2 = Facts(
     name="Carryout G2",
     firmware="g2",
     baud=115200,
-    azimuth=Axis(0, "azimuth", 0.0, 360.0, 65.0, 400.0, 360.0 / 40000, overshoot_deg=0.06),
-    elevation=Axis(1, "elevation", 18.0, 65.0, 45.0, 400.0, 360.0 / 24960, overshoot_deg=0.06),
+    azimuth=AZIMUTH,
+    elevation=ELEVATION,
     cable=CableRange(-423.33, 23.33),
     turn=Turn.UNKNOWN,
     second_same=SecondMove.UNKNOWN,
@@ -47,9 +52,6 @@ CARRYOUT_G2 = Facts(
     homing_s=15.0,
     boot_s=180.0,
     has_motor_power=True,
-    has_speeds=True,
-    has_rssi=True,
-    has_nvs=True,
     has_stow=True,
     readback=Readback.ALWAYS,
     power_switch="12 V switch",
@@ -62,6 +64,7 @@ CARRYOUT_G2 = Facts(
     search_setting=SearchSetting(
         row_id(DISABLE_TRACKER), row_label(DISABLE_TRACKER), "Disable Tracker Proc", off="TRUE", on="FALSE"
     ),
+    features=FEATURES.features,
     settings_name="nvs",
     connectors=(plugs.CARRYOUT_G2,),
     adapters=(plugs.SH_U11, plugs.ESP32),
@@ -71,7 +74,7 @@ CARRYOUT_G2 = Facts(
             azimuth.min_deg azimuth.max_deg azimuth.speed_deg_s azimuth.acceleration_deg_s2
             azimuth.step_deg elevation.min_deg elevation.max_deg elevation.speed_deg_s
             elevation.acceleration_deg_s2 elevation.step_deg cable.min_deg cable.max_deg
-            has_motor_power has_speeds has_rssi has_nvs has_stow readback tells_version
+            has_motor_power has_stow readback tells_version
             type_field settings_name cable_known moves_one_axis reflector.width_m reflector.height_m
         """,
         measured="""

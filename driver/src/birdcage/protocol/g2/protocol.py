@@ -13,7 +13,7 @@ from birdcage.console.events import Reply
 from birdcage.protocol.g2.commands import COMMANDS
 from birdcage.protocol.g2.hazards import HAZARDS
 from birdcage.protocol.g2.homing import parse_homing
-from birdcage.protocol.g2.model import CARRYOUT_G2, DIALECT
+from birdcage.protocol.g2.model import CARRYOUT_G2, DIALECT, FEATURES
 from birdcage.protocol.g2.motor_values import HomingReport
 from birdcage.protocol.g2.rooms import Rooms
 from birdcage.protocol.g2.survey import survey
@@ -22,6 +22,7 @@ from birdcage.protocol.nvs import DISABLE_TRACKER, NvsRow
 from birdcage.protocol.protocol import BOOT_TIMEOUT_S, STALLED
 from birdcage.protocol.unhomed import is_unhomed, unreadable
 from birdcage.rotator.facts import Facts
+from birdcage.rotator.feature_table import FeatureTable
 from birdcage.rotator.raw import CommandDoc
 from birdcage.rotator.values import Position, RssiReading, Survey, Taken
 
@@ -52,6 +53,7 @@ class CarryoutG2Protocol(Rooms):
     model: Facts = CARRYOUT_G2
     dialect: ClassVar[ConsoleDialect] = DIALECT
     motor_menu: ClassVar[str] = "mot"
+    feature_table: ClassVar[FeatureTable] = FEATURES
     hazards: ClassVar[HazardTable] = HAZARDS
     commands: ClassVar[tuple[CommandDoc, ...]] = COMMANDS
     help_lines: ClassVar[Mapping[str, tuple[str, ...]]] = {"dvb": ("?", "man")}
@@ -240,10 +242,15 @@ class CarryoutG2Protocol(Rooms):
 
         Takes effect after a power cycle. From then on the dish does not home by itself.
         """
-        if self.read_nvs(DISABLE_TRACKER).saved != "TRUE":
-            self.write_nvs(DISABLE_TRACKER, "1")
+        self.save_search(disabled=True)
 
     def restore_search(self) -> None:
         """Walk `kill_search` back: NVS 20 FALSE, saved. Takes effect after a power cycle."""
-        if self.read_nvs(DISABLE_TRACKER).saved != "FALSE":
-            self.write_nvs(DISABLE_TRACKER, "0")
+        self.save_search(disabled=False)
+
+    def save_search(self, *, disabled: bool) -> NvsRow:
+        """Save NVS 20 where it is not so yet; return the row as it was read last."""
+        row = self.read_nvs(DISABLE_TRACKER)
+        if row.saved != ("TRUE" if disabled else "FALSE"):
+            row = self.write_nvs(DISABLE_TRACKER, "1" if disabled else "0")
+        return row

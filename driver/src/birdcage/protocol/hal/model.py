@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from birdcage.base.beam import Reflector
 from birdcage.protocol import plugs
+from birdcage.protocol.hal.features import FEATURES, SAFE_MINIMUM, SEARCH_MINIMUM
 from birdcage.protocol.nvs import row_id, row_label
 from birdcage.rotator.axis import Axis, CableRange, MeasuredTimes
 from birdcage.rotator.facts import Facts, Handling, Readback, SearchSwitch, SecondMove, Setting, SilentSlew, Turn
 from birdcage.rotator.ladder import END_OF_MOVE, Rung
 from birdcage.rotator.origin import by_origin
-
-SEARCH_MINIMUM, SAFE_MINIMUM = 125, 127
-"""The rows of its settings that hold its lowest elevations: that of the search, and the safe one (section 3)."""
 
 MOVE_TIMES = MeasuredTimes(((0.5, 0.3), (1.0, 0.5)), from_deg=2.0, scale_s=3.23, per_deg=0.84, less_s=0.48)
 """The measured law of section 3; the same for azimuth and elevation, and taken for the skew as well."""
@@ -60,7 +58,6 @@ TRAVLER = Facts(
     search_switch=SearchSwitch.UNTIL_POWER_UP,
     homing_s=None,
     boot_s=900.0,
-    has_nvs=True,
     has_stow=True,
     readback=Readback.ALWAYS,
     power_switch="power switch",
@@ -68,6 +65,7 @@ TRAVLER = Facts(
     skew=SKEW,
     handling=HANDLING,
     floor_settings=tuple(Setting(row_id(index), row_label(index)) for index in (SEARCH_MINIMUM, SAFE_MINIMUM)),
+    features=FEATURES.features,
     settings_name="nvs",
     connectors=(plugs.TRAVLER,),
     kin_connectors=(plugs.TRAVLER_PRO,),
@@ -78,7 +76,7 @@ TRAVLER = Facts(
             azimuth.min_deg azimuth.max_deg azimuth.step_deg
             elevation.min_deg elevation.max_deg elevation.step_deg skew.step_deg
             cable.min_deg cable.max_deg second_same second_other stop_ladder
-            has_nvs has_stow readback settings_name cable_known moves_one_axis
+            has_stow readback settings_name cable_known moves_one_axis
             reflector.width_m reflector.height_m
         """,
         measured="azimuth.times elevation.times",
@@ -86,7 +84,7 @@ TRAVLER = Facts(
             azimuth.speed_deg_s azimuth.acceleration_deg_s2 azimuth.overshoot_deg
             elevation.speed_deg_s elevation.acceleration_deg_s2 elevation.overshoot_deg
             skew.min_deg skew.max_deg skew.speed_deg_s skew.acceleration_deg_s2 skew.overshoot_deg skew.times
-            slew.least_deg turn boot_s power_switch has_motor_power has_speeds has_rssi homing_stoppable tells_version
+            slew.least_deg turn boot_s power_switch has_motor_power homing_stoppable tells_version
         """,
     ),
 )

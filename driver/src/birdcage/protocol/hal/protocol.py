@@ -14,12 +14,14 @@ from birdcage.protocol.hal.answers import parse_position, parse_setting
 from birdcage.protocol.hal.boot import BootWatch
 from birdcage.protocol.hal.commands import COMMANDS
 from birdcage.protocol.hal.dialect import DIALECT, MOTOR, NVS, SEARCH
+from birdcage.protocol.hal.features import FEATURES, SAFE_MINIMUM, SEARCH_MINIMUM
 from birdcage.protocol.hal.hazards import HAZARDS
-from birdcage.protocol.hal.model import MOVE_TIMES, SAFE_MINIMUM, SEARCH_MINIMUM, TRAVLER
+from birdcage.protocol.hal.model import MOVE_TIMES, TRAVLER
 from birdcage.protocol.hazard import HazardTable
 from birdcage.protocol.nvs import row_id
 from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.rotator.facts import Facts
+from birdcage.rotator.feature_table import FeatureTable
 from birdcage.rotator.raw import CommandDoc
 from birdcage.rotator.values import Position, Survey, Taken
 
@@ -42,6 +44,7 @@ class HAL205Protocol(FirmwareProtocol):
     model: Facts = TRAVLER
     dialect: ClassVar[ConsoleDialect] = DIALECT
     motor_menu: ClassVar[str] = MOTOR
+    feature_table: ClassVar[FeatureTable] = FEATURES
     hazards: ClassVar[HazardTable] = HAZARDS
     commands: ClassVar[tuple[CommandDoc, ...]] = COMMANDS
     boot_marks: ClassVar[tuple[str, ...]] = ("NoGPS", "No LNB Voltage")

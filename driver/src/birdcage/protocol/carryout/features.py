@@ -1,0 +1,30 @@
+"""What a Carryout of 2003 tells besides its moves (`docs/reference/carryout-2003.md`): its ceiling."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from birdcage.protocol.carryout.dialect import NVS
+from birdcage.protocol.carryout.going import EL_MAX_ROW, EL_SPAN_DEG, HIGHEST_EL_DEG
+from birdcage.protocol.nvs import row_label
+from birdcage.rotator.feature import Cost, Feature, Kind, Range, Value
+from birdcage.rotator.feature_table import FeatureTable, Row
+
+if TYPE_CHECKING:
+    from birdcage.protocol.carryout.protocol import CarryoutProtocol
+
+
+def _ceiling(dish: CarryoutProtocol) -> dict[str, Value]:
+    ceiling_deg = dish.read_ceiling()
+    return {} if ceiling_deg is None else {"ceiling": ceiling_deg}
+
+
+FEATURES = FeatureTable(
+    Row(
+        Feature(
+            "ceiling", f"Highest elevation ({row_label(EL_MAX_ROW)})", "deg", Kind.NUMBER,
+            Range(EL_SPAN_DEG[0], HIGHEST_EL_DEG), cost=Cost(1, NVS),
+        ),
+        _ceiling,
+    ),
+)  # fmt: skip

@@ -1,0 +1,114 @@
+"""What a G2 tells and lets be set besides its position (reference sections 7.1, 7.3, 7.5, 7.6)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from birdcage.base.errors import NoReply
+from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, row_label
+from birdcage.rotator.axis import Axis
+from birdcage.rotator.feature import (
+    RSSI,
+    SETTINGS,
+    TV_SEARCH,
+    VERSION,
+    Cost,
+    Feature,
+    Kind,
+    Range,
+    Value,
+    Writer,
+    speed_of,
+)
+from birdcage.rotator.feature_table import FeatureTable, Row
+
+if TYPE_CHECKING:
+    from birdcage.protocol.g2.protocol import CarryoutG2Protocol
+
+RSSI_READS = 10
+_IDENTITY = {VERSION: "Software", "antenna_id": "Antenna ID", "system_id": "System ID"}
+_SEARCH_HAZARD = (
+    "This saves NVS 20 in the dish's flash memory, in force from the next power-up on. Off: it no longer homes by "
+    "itself then, so home it at each power-up. On: it homes and searches then: it moves by itself."
+)
+
+
+def _identity(dish: CarryoutG2Protocol) -> dict[str, Value]:
+    fields = dish.system.fields()
+    return {name: fields[field] for name, field in _IDENTITY.items() if field in fields}
+
+
+def _angle(name: str, label: str, index: int) -> Row:
+    """Return the row of an elevation that a setting holds."""
+
+    def read(dish: CarryoutG2Protocol) -> dict[str, Value]:
+        row = dish.read_nvs(index)
+        if isinstance(row.value, str | bool):
+            raise NoReply(f"The dish showed {row.current!r} in NVS row {index}, which is no angle.", reason="garbage")
+        return {name: float(row.value)}
+
+    label = f"{label} ({row_label(index)})"
+    return Row(Feature(name, label, "deg", Kind.NUMBER, Range(-90.0, 90.0), cost=Cost(1, "nvs")), read)
+
+
+def _named(dish: CarryoutG2Protocol, speeds: Mapping[int, float]) -> dict[str, Value]:
+    return {speed_of(dish.model.axis(motor).name): speed for motor, speed in speeds.items()}
+
+
+def _speeds(dish: CarryoutG2Protocol) -> dict[str, Value]:
+    return _named(dish, dish.read_speeds())
+
+
+def _speed(axis: Axis) -> Row:
+    """Return the row of the greatest speed of an axis."""
+    feature = Feature(
+        speed_of(axis.name), f"Greatest {axis.name} speed", "deg/s", Kind.NUMBER,
+        Range(axis.step_deg, axis.speed_deg_s), Writer.UNTIL_RESTART, cost=Cost(2, "step"),
+    )  # fmt: skip
+    return Row(feature, _speeds, lambda dish, value: _named(dish, dish.set_speed(axis.index, float(value))))
+
+
+def _tv_search(dish: CarryoutG2Protocol) -> dict[str, Value]:
+    return {TV_SEARCH: dish.read_nvs(DISABLE_TRACKER).saved != "TRUE"}
+
+
+def _set_tv_search(dish: CarryoutG2Protocol, on: Value) -> dict[str, Value]:
+    return {TV_SEARCH: dish.save_search(disabled=not on).saved != "TRUE"}
+
+
+def features_of(azimuth: Axis, elevation: Axis) -> FeatureTable:
+    """Return the table of a G2 with these axes."""
+    return FeatureTable(
+        Row(
+            Feature(RSSI, "Signal strength", "counts", Kind.NUMBER, Range(0.0, math.inf), cost=Cost(1, "dvb", 0.4)),
+            lambda dish: {RSSI: float(dish.get_rssi(RSSI_READS).average)},
+        ),
+        Row(
+            Feature("snr", "Signal-to-noise ratio", "dB", cost=Cost(2, "dvb", 5.0)),
+            lambda dish: {"snr": dish.tuner.snr_db()},
+        ),
+        Row(
+            Feature("lnb_supply", "Supply of the LNB", "V", Kind.NUMBER, Range(0.0, 30.0), cost=Cost(2, "dvb", 5.0)),
+            lambda dish: {"lnb_supply": dish.tuner.lnb_volts()},
+        ),
+        _speed(azimuth),
+        _speed(elevation),
+        Row(Feature(VERSION, "Firmware version", "", Kind.TEXT, cost=Cost(1, "os")), _identity),
+        Row(Feature("antenna_id", "Antenna ID", "", Kind.TEXT, cost=Cost(1, "os")), _identity),
+        Row(Feature("system_id", "System ID", "", Kind.TEXT, cost=Cost(1, "os")), _identity),
+        _angle("floor", "Lowest elevation", MIN_ELEVATION),
+        _angle("ceiling", "Highest elevation", MAX_ELEVATION),
+        Row(
+            Feature(
+                TV_SEARCH, "TV search at power-up", "", Kind.SWITCH, None, Writer.FROM_POWER_UP, _SEARCH_HAZARD,
+                Cost(4, "nvs"),
+            ),
+            _tv_search, _set_tv_search,
+        ),
+        Row(
+            Feature(SETTINGS, "All settings (NVS)", "", Kind.LINES, cost=Cost(1, "nvs")),
+            lambda dish: {SETTINGS: "\n".join(dish.settings_table())},
+        ),
+    )  # fmt: skip

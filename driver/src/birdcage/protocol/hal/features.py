@@ -1,0 +1,42 @@
+"""What a Trav'ler tells and lets be set besides its position (reference sections 2.10, 3 and 4)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from birdcage.protocol.generic import end_tv_search
+from birdcage.protocol.hal.dialect import NVS, SEARCH
+from birdcage.protocol.nvs import row_label
+from birdcage.rotator.feature import SETTINGS, Cost, Feature, Kind, Range, Value
+from birdcage.rotator.feature_table import FeatureTable, Row
+
+if TYPE_CHECKING:
+    from birdcage.protocol.hal.protocol import HAL205Protocol
+
+SEARCH_MINIMUM, SAFE_MINIMUM = 125, 127
+"""The rows of its settings that hold its lowest elevations: that of the search, and the safe one (section 3)."""
+
+
+def _angle(name: str, index: int) -> Callable[[HAL205Protocol], dict[str, Value]]:
+    def read(dish: HAL205Protocol) -> dict[str, Value]:
+        text = dish.read_nvs(index)
+        return {} if text is None else {name: float(text)}
+
+    return read
+
+
+def _lowest(name: str, what: str, index: int) -> Row:
+    label = f"Lowest elevation{what} ({row_label(index)})"
+    return Row(Feature(name, label, "deg", Kind.NUMBER, Range(-90.0, 90.0), cost=Cost(1, NVS)), _angle(name, index))
+
+
+FEATURES = FeatureTable(
+    _lowest("floor", "", SAFE_MINIMUM),
+    _lowest("floor.search", " of its TV search", SEARCH_MINIMUM),
+    end_tv_search(lines=1, menu=SEARCH),
+    Row(
+        Feature(SETTINGS, "All settings (NVS)", "", Kind.LINES, cost=Cost(1, NVS)),
+        lambda dish: {SETTINGS: "\n".join(dish.settings_table())},
+    ),
+)

@@ -1,0 +1,162 @@
+"""What a machine tells, and lets be set, besides its position: one table, from which the faces are made."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from datetime import datetime
+from enum import Enum
+
+from birdcage.base.errors import OutOfRange
+
+Value = float | str | bool
+
+RSSI = "rssi"
+"""The signal strength of the machine's own tuner."""
+VERSION = "version"
+"""Of its firmware."""
+SETTINGS = "settings"
+"""All its settings, as printed."""
+TV_SEARCH = "tv_search"
+"""Whether it searches for TV satellites by itself from the next power-up on."""
+END_TV_SEARCH = "end_tv_search"
+"""Ends that search while it runs; it begins again at the next power-up."""
+WELL_FORMED = re.compile(r"[a-z][a-z0-9_]*(\.[a-z0-9][a-z0-9_]*)*")
+"""How an id is written: small letters, digits and underscores; points part a name from what it belongs to."""
+
+
+def speed_of(axis: str) -> str:
+    """Return the id of the greatest speed of an axis, by the axis' name."""
+    return f"speed.{axis}"
+
+
+class Kind(Enum):
+    """What a value is."""
+
+    NUMBER = "number"
+    TEXT = "text"
+    LINES = "lines"
+    """Text of several lines, as the machine prints it."""
+    SWITCH = "switch"
+    """True or false."""
+    MOMENTARY = "momentary"
+    """No value at all: writing it does something, and nothing can be read."""
+
+
+class Writer(Enum):
+    """How a value is written, and how long it then holds."""
+
+    NONE = "read only"
+    UNTIL_RESTART = "until restart"
+    FROM_POWER_UP = "from power-up"
+    """It is saved, and in force from the next power-up on."""
+    AT_ONCE = "at once"
+    """It is done, and over."""
+
+
+@dataclass(frozen=True, slots=True)
+class Range:
+    """The least and the greatest value, in the feature's unit; infinite where there is none."""
+
+    low: float = -math.inf
+    high: float = math.inf
+
+    def holds(self, value: float) -> bool:
+        """Return whether a value lies within."""
+        return self.low <= value <= self.high
+
+    def __str__(self) -> str:
+        """Return it for a person."""
+        if math.isinf(self.low):
+            return f"up to {self.high:g}"
+        return f"from {self.low:g}" if math.isinf(self.high) else f"{self.low:g} to {self.high:g}"
+
+
+@dataclass(frozen=True, slots=True)
+class Cost:
+    """What reading or writing it takes on the line."""
+
+    lines: int = 1
+    """How many lines are sent at most, changes of the menu not counted."""
+    menu: str | None = None
+    """Where that is done; None on a machine without menus, or where any will do."""
+    min_interval_s: float = 0.0
+    """How long the machine is left alone between two reads; until then the last reading stands."""
+    while_moving: bool = False
+    """Whether it may be read while the machine moves."""
+
+
+@dataclass(frozen=True, slots=True)
+class Feature:
+    """One row of the table."""
+
+    id: str
+    label: str
+    unit: str = ""
+    """Empty for what has none."""
+    kind: Kind = Kind.NUMBER
+    range: Range | None = None
+    """Of a number; None if it is not known."""
+    writer: Writer = Writer.NONE
+    hazard: str = ""
+    """The consequence of writing it, which a person has to agree to; empty if nobody is asked."""
+    cost: Cost = field(default_factory=Cost)
+
+    @property
+    def is_readable(self) -> bool:
+        """Whether the machine can be asked for it."""
+        return self.kind is not Kind.MOMENTARY
+
+    @property
+    def is_writable(self) -> bool:
+        """Whether it can be written."""
+        return self.writer is not Writer.NONE
+
+    def check(self, value: Value) -> None:
+        """Raise OutOfRange, which names number, limit and remedy, for a value that this can't be set to."""
+        if self.kind is Kind.MOMENTARY:
+            if value is not True:
+                raise OutOfRange(f"{self.label} takes no value, and {value!r} was given. Nothing was sent.")
+        elif self.kind is Kind.SWITCH:
+            if not isinstance(value, bool):
+                raise OutOfRange(f"{self.label}: {value!r} is neither on nor off. Nothing was sent.")
+        elif self.kind is Kind.NUMBER:
+            self._check_number(value)
+
+    def _check_number(self, value: Value) -> None:
+        if isinstance(value, bool | str) or not math.isfinite(value):
+            raise OutOfRange(f"{self.label} is {value!r}, which is no number. Nothing was sent.")
+        if self.range is None or self.range.holds(value):
+            return
+        limit = self.range.low if value < self.range.low else self.range.high
+        raise OutOfRange(
+            f"{self.label}: {value:g}{self._unit} is {abs(value - limit):.3g}{self._unit} beyond its limit of "
+            f"{limit:g}{self._unit}. Nothing was sent. Give {self.range}{self._unit}."
+        )
+
+    @property
+    def _unit(self) -> str:
+        return f" {self.unit}" if self.unit else ""
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """One value that a machine told."""
+
+    value: Value
+    unit: str
+    at: float
+    """When it was so: monotonic seconds."""
+    utc: datetime
+
+
+def by_id(features: Iterable[Feature]) -> Mapping[str, Feature]:
+    """Return features by their ids. ValueError where two have the same."""
+    found: dict[str, Feature] = {}
+    for each in features:
+        if each.id in found:
+            raise ValueError(f"two features are called {each.id!r}")
+        found[each.id] = each
+    return found

@@ -1,0 +1,86 @@
+"""The table of features beside the calls that read and write them: how a language declares what its machine tells."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from datetime import timedelta
+from typing import Any
+
+from birdcage.base.clock import Clock
+from birdcage.base.errors import CommandRefused
+from birdcage.rotator.feature import Feature, Reading, Value, by_id
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One feature, and how the machine is asked for it. What is called gets the machine itself."""
+
+    feature: Feature
+    read: Callable[[Any], Mapping[str, Value]] | None = None
+    """Returns what was told, by id, also of other features: one that several rows share is called once for all.
+
+    What was not told is left out.
+    """
+    write: Callable[[Any, Value], Mapping[str, Value]] | None = None
+    """Writes a value that was checked, and returns what was then read back, by id."""
+
+
+class FeatureTable:
+    """All rows of a machine. ValueError where two have the same id."""
+
+    def __init__(self, *rows: Row) -> None:
+        self.features = by_id(row.feature for row in rows)
+        self._rows = {row.feature.id: row for row in rows}
+
+    def read(self, machine: object, name: str, ids: Iterable[str], stamp: Stamp) -> dict[str, Reading]:
+        """Ask a machine (called `name`) for some features; what it did not tell is left out.
+
+        CommandRefused (`unsupported`) for what it does not tell at all, before anything is sent.
+        """
+        rows = {each: self._rows.get(each) for each in ids}
+        for each, row in rows.items():
+            if row is None or row.read is None:
+                raise lacks(name, each, "read")
+        readings: dict[str, Reading] = {}
+        for ask in dict.fromkeys(row.read for row in rows.values() if row is not None and row.read is not None):
+            told = ask(machine)
+            readings |= {each: self._reading(each, told[each], stamp) for each in rows if each in told}
+        return readings
+
+    def write(self, machine: object, name: str, feature: str, value: Value, stamp: Stamp) -> Reading:
+        """Write one, and return what was read back.
+
+        CommandRefused (`unsupported`) where it can't be written, OutOfRange for a value outside its range: nothing was
+        sent then.
+        """
+        row = self._rows.get(feature)
+        if row is None or row.write is None:
+            raise lacks(name, feature, "written")
+        row.feature.check(value)
+        return self._reading(feature, row.write(machine, value)[feature], stamp)
+
+    def _reading(self, feature: str, value: Value, stamp: Stamp) -> Reading:
+        return stamp(value, self._rows[feature].feature.unit)
+
+
+Stamp = Callable[[Value, str], Reading]
+"""Makes a reading of a value in a unit, with the time at which it was so."""
+
+
+def middle_of(clock: Clock, took_s: Callable[[], float]) -> Stamp:
+    """Return what stamps a reading with the middle between the last question and its answer, which took so long."""
+
+    def stamp(value: Value, unit: str) -> Reading:
+        ago_s = took_s() / 2.0
+        utc = clock.utc() - timedelta(seconds=ago_s * clock.rate)
+        return Reading(value, unit, clock.monotonic() - ago_s, utc)
+
+    return stamp
+
+
+def lacks(name: str, feature: str, done: str) -> CommandRefused:
+    """Return the error for what a machine (called `name`) has not, or not so."""
+    return CommandRefused(
+        f"The {name} has no feature {feature} that can be {done}. Nothing was sent.", reason="unsupported"
+    )
