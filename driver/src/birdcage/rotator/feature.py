@@ -101,7 +101,7 @@ class Feature:
     """Of a number; None if it is not known."""
     writer: Writer = Writer.NONE
     hazard: str = ""
-    """The consequence of writing it, which a person has to agree to; empty if nobody is asked."""
+    """The consequence of writing it, which a person has to agree to; empty if none is asked."""
     cost: Cost = field(default_factory=Cost)
 
     @property
