@@ -1,14 +1,37 @@
-"""Where a machine is that does not tell: as its last move should have left it, and never more than that."""
+"""Where a machine is that does not tell at rest: as its last move should have left it, and never more than that.
+
+What it tells while it moves is shown as read. It says nothing of where it stands afterwards, but that it got there:
+then the move is over sooner than by its time, or, where the last word came from far away, has failed.
+"""
 
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 from birdcage.antenna.gate import UNTOLD, MotionGate
 from birdcage.antenna.motion import DishMotion
 from birdcage.base.errors import MotionRefused, PositionUnknown
+from birdcage.base.geometry import shortest_turn
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.values import Position
+
+FRESH_S = 2.0
+"""So long after the last word a machine counts as moving on; by the clock of the wire."""
+THERE_DEG = 0.1
+"""Told so near to its target it is there, or comes to rest there."""
+UNTOLD_DEG_S = 30.0
+"""No machine is known to be faster: so far it may have gone between two words, unseen."""
+SHORT_DEG = 0.5
+
+
+@dataclass(frozen=True, slots=True)
+class Told:
+    """Where it was by its own word, while it moved."""
+
+    position: Position
+    at: float
+    """Monotonic seconds."""
 
 
 class Reckoning:
@@ -16,6 +39,10 @@ class Reckoning:
 
     def __init__(self) -> None:
         self._position: Position | None = None
+        self._told: Told | None = None
+        self._told_before: Told | None = None
+        self.word: Told | None = None
+        """The word of the machine itself that `at` gave last; None where that was reckoned."""
         self.since = -math.inf
         """Since when it should stand there; monotonic seconds."""
         self.moves_until = -math.inf
@@ -24,6 +51,30 @@ class Reckoning:
     def begin(self, motion: DishMotion, rate: float) -> None:
         """A move has gone out."""
         self._position, self.moves_until = None, motion.over_by(rate)
+        self._told = self._told_before = None
+
+    def hear(self, position: Position, now: float) -> Told:
+        """Take in where it was while it moved, told unasked."""
+        self._told_before, self._told = self._told, Told(position, now)
+        return self._told
+
+    def told_in(self, motion: DishMotion) -> Told | None:
+        """Return its last word since a motion began."""
+        told = self._told
+        return None if told is None or told.at < max(axis.started for axis in motion.axes) else told
+
+    def is_there(self, motion: DishMotion) -> bool:
+        """Return whether it was told that it is at the target of a motion."""
+        told = self.told_in(motion)
+        return told is not None and apart_deg(told.position, Position(*motion.rest)) <= THERE_DEG
+
+    def fell_short(self, motion: DishMotion) -> bool:
+        """Return whether its last two words were of somewhere else than a motion leads, too far to have got there."""
+        told, before = self.told_in(motion), self._told_before
+        if told is None or before is None:
+            return False
+        unseen_deg = 2.0 * apart_deg(before.position, told.position) + UNTOLD_DEG_S * (told.at - before.at)
+        return apart_deg(told.position, Position(*motion.rest)) > SHORT_DEG + unseen_deg
 
     def abandon(self, motion: DishMotion, now: float, rate: float) -> None:
         """Something may have ended the move on its way, or not."""
@@ -42,8 +93,19 @@ class Reckoning:
         return dish
 
     def at(self, motion: DishMotion | None, now: float, rate: float) -> Position:
-        """Return where it should be. PositionUnknown (`untold`) where no move that is over by its time says so."""
-        if motion is not None:
+        """Return where it should be. PositionUnknown (`untold`) where no move that is over by its time says so.
+
+        On its way, and where that has failed: where it was told to be.
+        """
+        self.word, told = None, None if motion is None else self.told_in(motion)
+        if motion is not None and told is not None:
+            if not self.is_there(motion) and (now < told.at + FRESH_S or self.fell_short(motion)):
+                self.word = told
+                return told.position
+            self._position, self.since = Position(*motion.rest), now
+            if self.is_there(motion):
+                self.moves_until = min(self.moves_until, now)
+        elif motion is not None:
             if now < motion.eta(rate) and not motion.start_known:
                 raise self._untold("its first move is not over yet")
             self._position, self.since = motion.at(now, rate), now
@@ -63,6 +125,11 @@ class Reckoning:
     @staticmethod
     def _untold(why: str) -> PositionUnknown:
         return PositionUnknown(f"This dish does not tell where it points, and {why}.", reason=UNTOLD)
+
+
+def apart_deg(one: Position, other: Position) -> float:
+    """Return the larger of the axes' differences, azimuth the short way round."""
+    return max(abs(shortest_turn(one.azimuth, other.azimuth)), abs(one.elevation - other.elevation))
 
 
 def farthest(facts: Facts, az_deg: float, el_deg: float) -> Position:

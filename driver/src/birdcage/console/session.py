@@ -305,6 +305,10 @@ class Console(Talker):
             raise refusal
         return reply
 
+    def overhear(self, hear: Callable[[bytes], None]) -> None:
+        """Have all bytes heard as they come, beside what is made of them here; on the owner's thread."""
+        self._wire.on_bytes = hear
+
     def listen(self, until: float) -> bool:
         """Take in what comes unasked (it goes to the session's `on_line`); False when nothing did before `until`."""
         return self._wire.pump(until)

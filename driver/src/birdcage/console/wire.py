@@ -68,6 +68,8 @@ class Wire:
         self.stray_bytes = 0
         self.seen = bytearray()
         """What arrived since the last line was sent, up to `KEPT` bytes."""
+        self.on_bytes: Callable[[bytes], None] = lambda _data: None
+        """Hears all that arrives, as it comes, on the owner's thread: for what begins and ends with no line."""
 
     @property
     def owed(self) -> int:
@@ -240,6 +242,7 @@ class Wire:
                 self.stray_bytes += self._codec.noise - noise
                 self.doubt(self.last_received + 2 * self.delay_s)
             self._note(events)
+        self.on_bytes(data)
         tell(events, ticket, on_line, self._on_line)
 
     def idle(self, ticket: int = 0, on_line: LineSink | None = None) -> None:

@@ -93,7 +93,6 @@ class DocumentedRotator(MenuRotator):
         self.raw: RawLines | None = None
         self._facts = _genuine(protocol.model, GENERIC_FACTS)
         self._table = _genuine(protocol.feature_table, GENERIC_FEATURES)
-        self._hooks = Hooks()
         self._clock: Clock = RealClock()
         self._line = CallLine(self._clock)
         self._is_attached = self._is_open = False

@@ -90,6 +90,7 @@ class MenuRotator:
         self.raw: RawLines | None = MenuRaw(protocol)
         self._facts: Facts = protocol.model
         self._table: FeatureTable = protocol.feature_table
+        self._hooks = Hooks()
         self.is_simulated = False
 
     @property
@@ -126,7 +127,7 @@ class MenuRotator:
         """See `Rotator`."""
         link = (hooks.dial or _dial(clock))(address, baud or self.facts.baud)
         self.is_simulated = link.demo
-        protocol = self.protocol
+        protocol, self._hooks = self.protocol, hooks
         protocol.permit, protocol.on_busy = hooks.permit, hooks.on_busy
 
         def hear(text: str) -> None:
@@ -151,6 +152,7 @@ class MenuRotator:
     def meet(self) -> None:
         """See `Rotator`."""
         self.protocol.console.synchronize()
+        self.protocol.heard_position()  # what came until now may have waited in the line for long
 
     def make_ready(self) -> None:
         """See `Rotator`."""
@@ -201,7 +203,15 @@ class MenuRotator:
 
     def listen(self, until: float) -> None:
         """See `Rotator`."""
-        self.protocol.console.listen(until)
+        if not self._tell():  # that came while something else was asked
+            self.protocol.console.listen(until)
+            self._tell()
+
+    def _tell(self) -> bool:
+        told = self.protocol.heard_position()
+        if told is not None:
+            self._hooks.on_look(told)
+        return told is not None
 
     def is_answer(self, text: str) -> bool:
         """See `Rotator`."""

@@ -228,6 +228,10 @@ class FirmwareProtocol(ABC):
         """Read where the dish is as `read_position`, within such a stream: NoReply (`late`) as `steer_motor`."""
         return self.read_position()
 
+    def heard_position(self) -> Position | None:
+        """Return where the dish has said, unasked, that it is; each only once, None where it has not. Sends nothing."""
+        return None
+
     def _send_move(self, motor_id: int, degrees: float, busy_s: float) -> Taken:
         """Send `a <motor> <degrees>` in the motor menu. What it answers is not known: only the position tells."""
         self.enter_motor_menu()

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from datetime import timedelta
 from functools import partial
 from types import MappingProxyType
 
 from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.reckoning import Told
 from birdcage.antenna.rest import STILL_DEG
 from birdcage.base.config.sections import NoGoSector
 from birdcage.base.errors import CommandRefused, OutOfRange, PositionUnknown
@@ -101,7 +103,9 @@ class Look:
         assert dish is not None, "it was read just now"
         self.on_read()
         at, utc = self._board.stamp()
-        told = self._antenna.kind.tells_at_rest
+        told, word = self._antenna.kind.tells_at_rest, self._antenna.reckoning.word
+        if not told and word is not None:
+            return self.told(word)
         pointing = Pointing(
             wrap_360(true.azimuth), true.elevation, dish.azimuth, dish.elevation, at, utc, cable_deg=gate.cable_deg,
             skew_deg=dish.skew, modelled=not told, read_at=None if told else self._antenna.reckoning.since,
@@ -112,8 +116,13 @@ class Look:
         return pointing
 
     def modelled(self) -> Pointing | None:
-        """Show where the model has the dish while nothing may be asked; None, and nothing is shown, at rest."""
+        """Show where the model has the dish while nothing may be asked; None, and nothing is shown, at rest.
+
+        One that tells where it is while it moves is shown where it was told to be.
+        """
         motion, clock, before = self._antenna.motion, self._board.clock, self._board.state.position
+        if motion is not None and (told := self._antenna.reckoning.told_in(motion)) is not None:
+            return self.told(told)
         if motion is None or not motion.start_known:
             return None
         at, utc = self._board.stamp()
@@ -125,6 +134,19 @@ class Look:
             modelled=True, read_at=motion.azimuth.started if before is None else before.told_at,
         )  # fmt: skip
         self._board.change(position=pointing)
+        return pointing
+
+    def told(self, told: Told) -> Pointing:
+        """Show where a dish that does not tell at rest was while it moved, by its own word; nothing counts with it."""
+        dish, shown = told.position, self._board.state.position
+        if shown is not None and not shown.modelled and shown.at == told.at:
+            return shown
+        at, utc = self._board.stamp()
+        utc -= timedelta(seconds=(at - told.at) * self._board.clock.rate)
+        az_deg, el_deg = self._antenna.alignment.to_true(dish.azimuth, dish.elevation)
+        pointing = Pointing(wrap_360(az_deg), el_deg, dish.azimuth, dish.elevation, told.at, utc)
+        self._board.change(position=pointing, position_lost=None, position_text="")
+        self._board.tell(PositionRead(told.at, utc, pointing))
         return pointing
 
     @staticmethod

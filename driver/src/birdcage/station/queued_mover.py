@@ -121,6 +121,9 @@ class QueuedMover(Mover):
         try:
             if not self._silence.lasts(motion):
                 return self._silence.has_prompt()
+            if self._antenna.reckoning.told_in(motion) and self._is_astray(motion, self._board.clock.monotonic()):
+                self._astray()
+                return False
         except CommandRefused as refused:
             self._refused(job, refused)
             return False
@@ -216,8 +219,14 @@ class QueuedMover(Mover):
             self._arrive(job, pointing)
         elif self._plans < 2 and slew is not None and off_deg <= slew.least_deg:
             self._legs = None  # short of it: the rest is gone axis by axis
-        else:
+        elif self._antenna.kind.tells_at_rest:
             self.stuck(_stuck_sentence(pointing, off_deg))
+        else:
+            self.stuck(
+                f"The dish last told that it was at {pointing.az_text}/{pointing.el_deg:.2f}°, {off_deg:.2f}° from its "
+                "target, and tells no more."
+            )
+            self._look.position()  # where it stands is not known
 
     def _replan(self, job: Job) -> None:
         legs = self._plan(job, self._asked)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import DishMotion
+from birdcage.antenna.reckoning import FRESH_S
 from birdcage.base.errors import NoReply
 from birdcage.rotator.ladder import StopBy, StopOrder
 from birdcage.station.board import Board
@@ -55,6 +56,11 @@ class Silence:
                 return True
             self._ask()
             return False
+        reckoning = self._antenna.reckoning
+        told = reckoning.told_in(motion)
+        if told is not None and (reckoning.is_there(motion) or now < told.at + FRESH_S):
+            self._over = reckoning.is_there(motion) and now >= told.at + MARGIN_S / rate
+            return not self._over
         tells = self._prompt_at - started >= TELLING_SHARE * modelled_s
         self._over = now >= started + (modelled_s if tells else max(modelled_s, longest_s)) + MARGIN_S / rate
         return not self._over

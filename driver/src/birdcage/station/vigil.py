@@ -6,6 +6,8 @@ import math
 from collections.abc import Callable
 
 from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.gate import UNTOLD
+from birdcage.antenna.reckoning import FRESH_S, apart_deg
 from birdcage.antenna.rest import APART_S, STILL_DEG
 from birdcage.base.errors import BirdcageError, CommandRefused, Stopped
 from birdcage.base.trouble import MotorTrouble
@@ -115,9 +117,30 @@ class Vigil:
 
     def heard_position(self, told: Position) -> None:
         """Hear unasked where the dish is: at rest that is a look like any other. In motion its mover looks."""
+        if not self._antenna.kind.tells_at_rest:
+            self._heard_on_its_way(told)
+            return
         state, resting = self._board.state, (Activity.IDLE, Activity.UNKNOWN, Activity.MOVING_UNASKED)
         if state.link.state is Link.UP and state.activity in resting and not self.paused:
             self._read_position(told)
+
+    def _heard_on_its_way(self, told: Position) -> None:
+        """Hear where a dish is that says so while it moves, perhaps unasked."""
+        if self._board.state.link.state is not Link.UP:
+            return
+        antenna, now, before = self._antenna, self._board.clock.monotonic(), self._board.state.position
+        heard, stands = antenna.reckoning.hear(told, now), antenna.gate.position
+        if antenna.motion is not None:
+            self._look.told(heard)
+            return
+        if stands is not None and apart_deg(told, stands) <= UNASKED_DEG:
+            return  # the last word of a move that is over
+        antenna.gate.forget(UNTOLD)
+        here = self._look.told(heard)
+        self._look_again_at = now + FRESH_S  # then nothing is known of it any more
+        twice = before is not None and not before.modelled and self._look.apart_deg(before, here) > UNASKED_DEG
+        if twice and self._board.state.activity is Activity.IDLE and not self.paused:
+            self._moves_unasked()
 
     def _read_position(self, told: Position | None = None) -> None:
         before, stops = self._board.state.position, self._stopper.count

@@ -7,8 +7,9 @@ from typing import Any
 
 from birdcage.base.clock import VirtualClock
 from birdcage.base.errors import BirdcageError
-from birdcage.base.geometry import shortest_turn
+from birdcage.base.geometry import separation, shortest_turn
 from birdcage.rotator import machines
+from birdcage.rotator.facts import Readback
 from birdcage.station.events import Event
 from birdcage.station.requests import Goto, ReleaseLease, Request, Watch
 from birdcage.station.session import Session
@@ -23,6 +24,8 @@ SEAM_DEG = 20.0
 """How far from north targets are chosen: a cable may make a machine go the long way round there."""
 FIRST_DEG = (30.0, 10.0)
 """How far a machine that does not tell its position is sent, before it can be known."""
+TOLD_DEG = 10.0
+"""How far one may have gone since it last told, on its way, where it is."""
 
 
 def require(held: object, sentence: str) -> None:
@@ -102,17 +105,28 @@ class Stage:
         """Whether a position is shown."""
         return self.state.position is not None and self.state.position_lost is None
 
+    def tells_truth_on_its_way(self) -> bool:
+        """Return whether what is shown of a moving machine was told by it, and is where it can be or just was."""
+        here, truth = self.state.position, self.truth
+        if here is None or here.modelled or self.facts.readback is not Readback.MOVING:
+            return False
+        way_deg = separation(here.dish_az_deg, here.dish_el_deg, truth.az_deg, truth.el_deg)
+        return way_deg <= TOLD_DEG
+
     def knows_nothing(self) -> bool:
         """Return whether the position is shown as one that a machine does not tell."""
         return self.state.position is None and self.state.awaits_first_move
 
     def step(self, seconds: float) -> None:
-        """Let time pass; of a machine that does not tell its position, nothing is ever called read or confirmed."""
+        """Let time pass; of a machine that does not tell where it rests, nothing is called read there, or confirmed."""
         self.session.step(seconds)
         if self.tells:
             return
         here, stop, homed = self.state.position, self.state.last_stop, self.state.homed
-        require(here is None or here.modelled, f"nothing told its position, and it is shown as read: {here}")
+        rests = self.state.activity is Activity.IDLE or self.facts.readback is Readback.NEVER
+        require(
+            here is None or here.modelled or not rests, f"nothing told its position, and it is shown as read: {here}"
+        )
         require(homed is None, f"nothing told whether it is homed, and it is shown as {homed}")
         require(
             stop is None or stop.confirmed is not True, f"nothing told that it stopped, and STOP is confirmed: {stop}"

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
+from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused, NoReply, PositionUnknown
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.raw import Typed
@@ -14,6 +15,7 @@ from birdcage.protocol.carryout.features import FEATURES
 from birdcage.protocol.carryout.going import EL_MAX_ROW, Answer, ceiling_of, go_line, judge_go
 from birdcage.protocol.carryout.hazards import HAZARDS
 from birdcage.protocol.carryout.model import CARRYOUT_2003
+from birdcage.protocol.carryout.records import RecordReader
 from birdcage.protocol.hazard import HazardTable
 from birdcage.protocol.nvs import row_id
 from birdcage.protocol.protocol import FirmwareProtocol
@@ -21,6 +23,10 @@ from birdcage.rotator.facts import Facts
 from birdcage.rotator.feature_table import FeatureTable
 from birdcage.rotator.raw import CommandDoc
 from birdcage.rotator.values import Position, Survey, Taken
+
+if TYPE_CHECKING:
+    from birdcage.base.wake import Wake
+    from birdcage.link.link import Link
 
 _GOING_S = 60.0
 """How long a go-to may print on before its prompt: only a deadline depends on it."""
@@ -41,6 +47,33 @@ class CarryoutProtocol(FirmwareProtocol):
     def __init__(self) -> None:
         super().__init__()
         self._slew: Typed | None = None
+        self._records = RecordReader()
+        self._heard: Position | None = None
+
+    def attach(
+        self,
+        link: Link,
+        clock: Clock,
+        *,
+        delay_s: float = 2.0,
+        wake: Wake | None = None,
+        on_wake: Callable[[], None] | None = None,
+        on_line: Callable[[str], None] | None = None,
+    ) -> None:
+        """Speak over an open link, and overhear its live records."""
+        super().attach(link, clock, delay_s=delay_s, wake=wake, on_wake=on_wake, on_line=on_line)
+        self._heard = None
+        self._records.forget()
+        self.console.overhear(self._hear)
+
+    def _hear(self, data: bytes) -> None:
+        for record in self._records.feed(data):
+            self._heard = Position(record.az_deg, record.el_deg)
+
+    def heard_position(self) -> Position | None:
+        """Return the last live record, once. How a record ends, and whether lines part them, is not known."""
+        heard, self._heard = self._heard, None
+        return heard
 
     def initialize(
         self, callback: Callable[[str], None] | None = None, *, timeout_s: float = CARRYOUT_2003.boot_s
@@ -87,6 +120,8 @@ class CarryoutProtocol(FirmwareProtocol):
         """Send `g <az> <el>`, and return at once."""
         line = go_line(az_deg, el_deg)
         self.console.enter(TARGET)
+        self._records.forget()
+        self._heard = None  # what comes from now on is of this move
         self._slew = self.console.type_line(line, takes_s=_GOING_S, permit=self.permit)
 
     def slew_is_over(self) -> bool:
