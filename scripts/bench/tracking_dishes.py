@@ -84,7 +84,7 @@ G2 = Dish("Carryout G2", "g2", CARRYOUT_G2, {}, (0.0, 45.0))
 TRAVLER_5 = Dish(
     "Trav'ler at 5°/s",
     "hal205",
-    replace(TRAVLER, azimuth=at_speed(TRAVLER.azimuth, 5.0, 20.0), elevation=at_speed(TRAVLER.elevation, 5.0, 20.0)),
+    TRAVLER.with_axes(at_speed(TRAVLER.azimuth, 5.0, 20.0), at_speed(TRAVLER.elevation, 5.0, 20.0)),
     {"speed": "5", "accel": "20"},
     (180.0, 45.0),
 )

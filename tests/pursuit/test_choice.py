@@ -51,7 +51,7 @@ def test_the_next_pass_in_reach_is_planned_once(choice):
 
 @pytest.mark.parametrize("change", [
     {"mount": replace(MOUNT, limits=replace(MOUNT.limits, el_floor_deg=30.0))},
-    {"mount": replace(MOUNT, model=replace(G2, azimuth=replace(G2.azimuth, speed_deg_s=20.0)))},
+    {"mount": replace(MOUNT, model=G2.with_axes(replace(G2.azimuth, speed_deg_s=20.0)))},
     {"mount": replace(MOUNT, standing=Standing(-380.0, 45.0))},
     {"mount": replace(MOUNT, beam=Beam(3.0, 3.0))},
     {"observer": Observer(50.1, 10.0, 300.0)},

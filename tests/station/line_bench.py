@@ -13,7 +13,7 @@ from birdcage.protocol.hazard import Hazard, HazardTable
 from birdcage.protocol.line_raw import LineRaw
 from birdcage.rotator import machines
 from birdcage.rotator.raw import CommandDoc
-from birdcage.rotator.values import Position, Survey
+from birdcage.rotator.values import Look, Survey
 from birdcage.rotator.verdict import Grade
 from birdcage.station.raw import CONSOLE
 from birdcage.station.requests import Raw
@@ -103,7 +103,8 @@ class LineRotator:
         return Survey()
 
     def look(self, *, hurry=False, busy_s=0.0):
-        return Position(*map(float, self.line.ask("AZ EL", POSITION).match.groups()))
+        az_deg, el_deg = map(float, self.line.ask("AZ EL", POSITION).match.groups())
+        return Look({"azimuth": az_deg, "elevation": el_deg})
 
     def stop_now(self, _order):
         self.line.interject(["SA SE"])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.rotator.values import Position
+from birdcage.rotator.values import Look
 from birdcage.testing import Bench, ConsoleScene, Contract, Golden, StopScene
 
 from .simulated import sim
@@ -11,10 +11,10 @@ from .simulated import sim
 
 def home_go_and_look(rotator):
     rotator.make_ready()
-    rotator.home(0)
-    rotator.home(1)
-    rotator.send(0, 180.0)
-    rotator.send(1, 45.0)
+    rotator.home("azimuth")
+    rotator.home("elevation")
+    rotator.send({"azimuth": 180.0})
+    rotator.send({"elevation": 45.0})
     return rotator.look()
 
 
@@ -30,7 +30,7 @@ MOVE = Golden(
         (b"a\r", b"a\r\nAngle[0] = 180.01\r\nAngle[1] = 45.02\r\nMOT>"),
     ),
     home_go_and_look,
-    Position(180.01, 45.02),
+    Look({"azimuth": 180.01, "elevation": 45.02}),
 )
 """The record that tests/protocol/test_golden_g2.py plays to the dialect."""
 STUBBORN = sim("g2?seed=1&second_move=queue&az_speed=10")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.rotator.values import Position
+from birdcage.rotator.values import Look
 from birdcage.testing import Bench, ConsoleScene, Contract, Golden, StopScene
 
 from .simulated import sim
@@ -27,7 +27,7 @@ LOOK = Golden(
         (b"a\r", b"a\r\nAZ =   8.34\r\nEL =  34.33\r\nSK =   0.00\r\nWrap position: 455\r\nMOT>"),
     ),
     look,
-    Position(8.34, 34.33, 0.0),
+    Look({"azimuth": 8.34, "elevation": 34.33, "skew": 0.0}),
 )
 """The answers as docs/reference/travler.md has them; its prompts are one of the ways in which they may look."""
 

@@ -9,8 +9,8 @@ import pytest
 from birdcage.base.errors import BirdcageError
 from birdcage.protocol.carryout.protocol import CarryoutProtocol
 from birdcage.rotator.facts import Readback
-from birdcage.rotator.values import Position, Taken
-from birdcage.station.look import Look
+from birdcage.rotator.values import Look, Position, Taken
+from birdcage.station import look as dish_look
 from birdcage.station.stopper import Stopper
 from birdcage.testing import Bench, ConsoleScene, Contract, StopScene
 
@@ -42,9 +42,10 @@ def answers_stop_and_does_nothing(patch, machine, twin):
 def sends_both_axes(patch, machine, twin):
     send = machine.send
 
-    def both(self, motor, deg, **more):
-        send(self, 1 - motor, (self._told.azimuth, self._told.elevation)[1 - motor])
-        return send(self, motor, deg, **more)
+    def both(self, to, **more):
+        for axis in self._told.angles.keys() - to.keys():
+            send(self, {axis: self._told.angles[axis]})
+        return send(self, to, **more)
 
     patch.setattr(machine, "send", both)
 
@@ -53,12 +54,11 @@ def tells_its_target_for_its_position(patch, machine, twin):
     look, send = machine.look, machine.send
 
     def told(self, **more):
-        here, aim = look(self, **more), getattr(self, "aim", {})
-        return Position(aim.get(0, here.azimuth), aim.get(1, here.elevation))
+        return Look({**look(self, **more).angles, **getattr(self, "aim", {})})
 
-    def sent(self, motor, deg, **more):
-        self.aim = {**getattr(self, "aim", {}), motor: deg}
-        return send(self, motor, deg, **more)
+    def sent(self, to, **more):
+        self.aim = {**getattr(self, "aim", {}), **to}
+        return send(self, to, **more)
 
     patch.setattr(machine, "look", told)
     patch.setattr(machine, "send", sent)
@@ -75,8 +75,9 @@ def moves_when_met(patch, machine, twin):
 
 
 def asks_for_no_permit(patch, machine, twin):
-    def send(self, motor, deg, **more):
-        self._session.ask(f"G {motor} {deg:.2f}", re.compile("K"))
+    def send(self, to, **more):
+        ((axis, deg),) = to.items()
+        self._session.ask(f"G {('pan', 'tilt').index(axis)} {deg:.2f}", re.compile("K"))
         return Taken(True, "K", 0.05)
 
     patch.setattr(machine, "send", send)
@@ -88,7 +89,11 @@ def goes_where_it_stood_when_closed(patch, machine, twin):
 
 def stops_short(patch, machine, twin):
     send = machine.send
-    patch.setattr(machine, "send", lambda self, motor, deg, **more: send(self, motor, deg - 0.5, **more))
+
+    def short(self, to, **more):
+        return send(self, {axis: deg - 0.5 for axis, deg in to.items()}, **more)
+
+    patch.setattr(machine, "send", short)
 
 
 def is_slow_to_follow(patch, machine, twin):
@@ -118,7 +123,7 @@ def has_a_limit_too_wide(patch, machine, twin):
     """It goes where its facts let it, and does not tell what it refuses."""
     take = twin._take
     wide = replace(machine.facts.elevation, max_deg=85.0)
-    patch.setattr(machine, "facts", replace(machine.facts, elevation=wide))
+    patch.setattr(machine, "facts", machine.facts.with_axes(wide))
 
     def clipped(self, words):
         take(self, [*words[:2], str(min(float(words[2]), 35.0))] if words[0] == "G" and words[1] == "1" else words)
@@ -127,15 +132,16 @@ def has_a_limit_too_wide(patch, machine, twin):
 
 
 def calls_itself_homed(patch):
-    unknown, position = Look.unknown, Look.position
+    reader = dish_look.Look
+    unknown, position = reader.unknown, reader.position
 
     def homed(look, *args, **more):
         pointing = position(look, *args, **more)
         look._board.change(homed=True)
         return pointing
 
-    patch.setattr(Look, "position", homed)
-    patch.setattr(Look, "unknown", lambda look, why: (unknown(look, why), look._board.change(homed=True)))
+    patch.setattr(reader, "position", homed)
+    patch.setattr(reader, "unknown", lambda look, why: (unknown(look, why), look._board.change(homed=True)))
 
 
 def confirms_its_stop(patch):

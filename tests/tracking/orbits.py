@@ -47,11 +47,11 @@ def travler(speed_deg_s):
     azimuth, elevation = (
         replace(axis, times=None, speed_deg_s=speed_deg_s) for axis in (TRAVLER.azimuth, TRAVLER.elevation)
     )
-    return replace(TRAVLER, azimuth=azimuth, elevation=elevation)
+    return TRAVLER.with_axes(azimuth, elevation)
 
 
 def g2(ceiling_deg=65.0):
-    return replace(CARRYOUT_G2, elevation=replace(CARRYOUT_G2.elevation, max_deg=ceiling_deg))
+    return CARRYOUT_G2.with_axes(replace(CARRYOUT_G2.elevation, max_deg=ceiling_deg))
 
 
 def mount(model=CARRYOUT_G2, *, at=(10.0, 30.0), known=True, beam_deg=2.75, alignment=None, **limits):

@@ -18,10 +18,9 @@ from birdcage.tracking.steps import Look, Send
 
 from .rig import Rig, straight
 
-SLOW = replace(
-    TRAVLER,
-    azimuth=replace(TRAVLER.azimuth, speed_deg_s=5.0, times=None),
-    elevation=replace(TRAVLER.elevation, speed_deg_s=5.0, times=None),
+SLOW = TRAVLER.with_axes(
+    replace(TRAVLER.azimuth, speed_deg_s=5.0, times=None),
+    replace(TRAVLER.elevation, speed_deg_s=5.0, times=None),
 )
 
 

@@ -24,9 +24,7 @@ def turn(rate, waited_s=0.1):
 
 def geared(**facts):
     """A G2 of whose axes both facts are known, unless one is left out."""
-    return replace(
-        CARRYOUT_G2, azimuth=replace(CARRYOUT_G2.azimuth, **facts), elevation=replace(CARRYOUT_G2.elevation, **facts)
-    )
+    return CARRYOUT_G2.with_axes(replace(CARRYOUT_G2.azimuth, **facts), replace(CARRYOUT_G2.elevation, **facts))
 
 
 def least_error(rig, column):

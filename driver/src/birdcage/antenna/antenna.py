@@ -8,9 +8,9 @@ from contextlib import contextmanager
 from typing import Any
 
 from birdcage.antenna.alignment import Alignment
+from birdcage.antenna.az_el import AzEl
 from birdcage.antenna.belief import Belief, Expected
 from birdcage.antenna.blocking import MoveCommands
-from birdcage.antenna.cable_turn import by_cable
 from birdcage.antenna.config import AntennaConfig, DialectBaud
 from birdcage.antenna.foresight import foresee
 from birdcage.antenna.gate import UNTOLD, MotionGate
@@ -32,8 +32,7 @@ from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.ladder import StopBy, StopOrder
 from birdcage.rotator.own import OwnFacts, with_speeds
 from birdcage.rotator.raw import RawLines
-from birdcage.rotator.rotator import Rotator
-from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION, Position
+from birdcage.rotator.values import Look, Position
 
 CLOSE_S = 2.0
 """How long leaving may try to bring the console back to its root menu."""
@@ -53,9 +52,8 @@ class BirdcageAntenna:
         alignment: Alignment | None = None,
     ) -> None:
         self._machine, self._config = machine, config or AntennaConfig()
-        self.rotator: Rotator = as_rotator(machine)
-        """The machine, as all above the seam know it."""
-        self.raw: RawLines | None = self.rotator.raw
+        rotator = as_rotator(machine)
+        self.raw: RawLines | None = rotator.raw
         self.permit: Callable[[], None] | None = None
         """Asked, with writing locked, just before anything that moves the dish; raises to keep it from going out."""
         self.alignment = alignment or Alignment()
@@ -74,8 +72,9 @@ class BirdcageAntenna:
         self.rest = RestWatch()
         self._sender = Sender(self)
         self._modelling = threading.RLock()
-        self.gate = MotionGate(self.rotator.facts)
-        self.rotator = by_cable(self.rotator, self.gate)
+        self.gate = MotionGate(rotator.facts)
+        self.rotator = AzEl(rotator, self.gate)
+        """The machine, as all above the seam know it."""
         self._readings = Readings(self.gate)
         self.skew = SkewGoal()
         self.reckoning = Reckoning()
@@ -219,9 +218,9 @@ class BirdcageAntenna:
         if self.motion is not None and not self.kind.tells_at_rest:
             self.reckoning.begin(self.motion, self._clock.rate)
 
-    def hear(self, told: Position) -> Position:
+    def hear(self, told: Look) -> Position:
         """Take in where the dish points, told unasked; reads on where that alone cannot be believed. True degrees."""
-        unasked = [told]
+        unasked = [self.rotator.position(told)]
         return self._read(lambda: unasked.pop() if unasked else self.rotator.look())
 
     def _read(self, once: Callable[[], Position]) -> Position:
@@ -363,7 +362,7 @@ class BirdcageAntenna:
         self.commands.forget_aims()
         gate = self.gate  # an axis may rest a little beyond its limit, where it cannot be sent
         el_deg = min(max(el_deg, gate.el_min_deg), gate.el_max_deg)
-        return StopOrder(StopBy.RETARGET, {MOTOR_AZIMUTH: az_deg, MOTOR_ELEVATION: el_deg})
+        return StopOrder(StopBy.RETARGET, self.rotator.retarget(az_deg, el_deg))
 
     def stop_order_seen(self, earlier: Position, earlier_at: float, later: Position, later_at: float) -> StopOrder:
         """Return what stops an unasked motion, from two readings of the dish's own angles."""

@@ -134,7 +134,8 @@ class Belief:
 
     def _can_do(self, one: _Seen, other: _Seen, rate: float) -> bool:
         ways, past_s = _ways(one.position, other.position), other.at - one.at
-        speeds = [axis.speed_deg_s * rate if axis.speed_known else math.inf for axis in self._model.axes]
+        axes = self._model.azimuth, self._model.elevation, self._model.skew
+        speeds = [axis.speed_deg_s * rate if axis.speed_known else math.inf for axis in axes if axis]
         return _same_axes(one, other) and all(
             abs(way) <= NEAR_DEG + speed * (past_s + JITTER_S) for way, speed in zip(ways, speeds, strict=False)
         )

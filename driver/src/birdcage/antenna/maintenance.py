@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from birdcage.antenna.az_el import AzEl
 from birdcage.antenna.gate import MotionGate
 from birdcage.rotator.facts import SearchSwitch
 from birdcage.rotator.feature import END_TV_SEARCH, TV_SEARCH
-from birdcage.rotator.rotator import Rotator
 
 
 class Maintenance:
     """The gate forgets before, so that no target is judged by what was."""
 
-    def __init__(self, rotator: Rotator, gate: MotionGate) -> None:
+    def __init__(self, rotator: AzEl, gate: MotionGate) -> None:
         self._rotator, self._gate = rotator, gate
 
     def home(self, motor: int) -> None:

@@ -82,4 +82,4 @@ class OvershootWatch:
         way_deg = axis.slew.end_deg - axis.slew.segments[0].position_deg if axis.slew.segments else 0.0
         past_deg = math.copysign(1.0, way_deg) * shortest_turn(axis.slew.end_deg, here_deg)
         if abs(way_deg) >= LEAST_WAY_DEG and abs(past_deg) <= MOST_DEG:
-            self.tallies.setdefault((axis.axis.name, way_deg > 0.0), Tally()).take(past_deg)
+            self.tallies.setdefault((axis.axis.role.value, way_deg > 0.0), Tally()).take(past_deg)

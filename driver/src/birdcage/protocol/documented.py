@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from typing import TypeVar
 
@@ -16,12 +16,13 @@ from birdcage.base.clock import Clock, Outcome, RealClock
 from birdcage.base.errors import BirdcageError, CommandRefused, LinkError, PositionUnknown
 from birdcage.protocol.generic import GENERIC_FACTS, GENERIC_FEATURES
 from birdcage.protocol.menu_rotator import MenuRotator
+from birdcage.protocol.motors import MOTORS, told
 from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.protocol.unhomed import unreadable
 from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.ladder import StopBy, StopOrder
 from birdcage.rotator.raw import RawLines
-from birdcage.rotator.values import Position, Taken
+from birdcage.rotator.values import Look, Position, Taken
 
 T = TypeVar("T")
 
@@ -159,7 +160,7 @@ class DocumentedRotator(MenuRotator):
     def catch_up(self) -> None:
         """Do nothing: a call that has returned has had its answer."""
 
-    def look(self, *, hurry: bool = False, busy_s: float = 0.0) -> Position:  # noqa: ARG002
+    def look(self, *, hurry: bool = False, busy_s: float = 0.0) -> Look:  # noqa: ARG002
         """See `Rotator`."""
         with self._line.call():
             said = self.protocol.get_position()
@@ -167,17 +168,18 @@ class DocumentedRotator(MenuRotator):
         position = Position(float(said.azimuth), float(said.elevation), said.skew)
         if not (math.isfinite(position.azimuth) and math.isfinite(position.elevation)):
             raise unreadable(f"The position told is {said}: no such angles.", [str(said)])
-        return position
+        return told(position)
 
-    def send(self, motor: int, deg: float, *, hurry: bool = False, busy_s: float = 0.0) -> Taken:  # noqa: ARG002
+    def send(self, to: Mapping[str, float], *, hurry: bool = False, busy_s: float = 0.0) -> Taken:  # noqa: ARG002
         """See `Rotator`."""
         if self._hooks.permit is not None:
             self._hooks.permit()
-        return self._move(motor, deg)
+        ((axis, deg),) = to.items()
+        return self._move(axis, deg)
 
-    def _move(self, motor: int, deg: float) -> Taken:
+    def _move(self, axis: str, deg: float) -> Taken:
         with self._line.call():
-            said: object = self.protocol.move_motor(motor, round(deg, DECIMALS))
+            said: object = self.protocol.move_motor(MOTORS[axis], round(deg, DECIMALS))
         return _genuine(said, Taken(sure=False, said="", took_s=self._line.took_s))
 
     def stop_now(self, order: StopOrder) -> None:
@@ -199,9 +201,9 @@ class DocumentedRotator(MenuRotator):
             self.protocol.get_position()
         return (None,)
 
-    def _refusal(self, motor: int, deg: float) -> CommandRefused | None:
+    def _refusal(self, axis: str, deg: float) -> CommandRefused | None:
         try:
-            self._move(motor, deg)
+            self._move(axis, deg)
         except CommandRefused as refused:
             return refused
         return None

@@ -13,7 +13,7 @@ from birdcage.base.errors import PositionUnknown
 from birdcage.console.dialect import UNKNOWN_TOKEN, ConsoleDialect
 from birdcage.protocol.family import AXIS_NAMES, MOTOR_TROUBLES
 from birdcage.protocol.unhomed import is_unhomed, unreadable
-from birdcage.rotator.axis import Axis
+from birdcage.rotator.axis import Axis, Role
 from birdcage.rotator.facts import Facts, Readback, SearchSwitch, SecondMove, Turn
 from birdcage.rotator.feature import END_TV_SEARCH, Cost, Feature, Kind, Value, Writer
 from birdcage.rotator.feature_table import FeatureTable, Row
@@ -48,8 +48,10 @@ GENERIC_FACTS = Facts(
     name="dish",
     firmware="generic",
     baud=57600,
-    azimuth=Axis(0, "azimuth", 0.0, 360.0, _ASSUMED_SPEED_DEG_S, _ASSUMED_ACCELERATION_DEG_S2, _STEP_DEG),
-    elevation=Axis(1, "elevation", 15.0, 90.0, _ASSUMED_SPEED_DEG_S, _ASSUMED_ACCELERATION_DEG_S2, _STEP_DEG),
+    axes=(
+        Axis("azimuth", Role.AZ, 0.0, 360.0, _ASSUMED_SPEED_DEG_S, _ASSUMED_ACCELERATION_DEG_S2, _STEP_DEG),
+        Axis("elevation", Role.EL, 15.0, 90.0, _ASSUMED_SPEED_DEG_S, _ASSUMED_ACCELERATION_DEG_S2, _STEP_DEG),
+    ),
     cable=None,
     turn=Turn.UNKNOWN,
     second_same=SecondMove.UNKNOWN,

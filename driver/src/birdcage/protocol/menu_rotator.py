@@ -11,6 +11,7 @@ from birdcage.console.places import is_of_help
 from birdcage.console.session import Console
 from birdcage.link.link import Link
 from birdcage.protocol.menu_raw import MenuRaw
+from birdcage.protocol.motors import AZIMUTH, ELEVATION, MOTORS, SKEW, told
 from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.feature import Feature, Reading, Value
@@ -19,7 +20,7 @@ from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.ladder import StopBy, StopOrder
 from birdcage.rotator.raw import RawLines
 from birdcage.rotator.rotator import Line
-from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION, Position, Survey, Taken
+from birdcage.rotator.values import Look, Survey, Taken
 
 _ANSWER = re.compile(r"=\s*\S|^\s*\S(\s|$)|>\s*$")
 """A value, the echo of a command, or a prompt: an answer that comes late, and no log."""
@@ -166,19 +167,20 @@ class MenuRotator:
         """See `Rotator`."""
         return self.protocol.survey()
 
-    def look(self, *, hurry: bool = False, busy_s: float = 0.0) -> Position:
+    def look(self, *, hurry: bool = False, busy_s: float = 0.0) -> Look:
         """See `Rotator`."""
-        return self.protocol.glance() if hurry else self.protocol.read_position(busy_s=busy_s)
+        return told(self.protocol.glance() if hurry else self.protocol.read_position(busy_s=busy_s))
 
-    def send(self, motor: int, deg: float, *, hurry: bool = False, busy_s: float = 0.0) -> Taken:
+    def send(self, to: Mapping[str, float], *, hurry: bool = False, busy_s: float = 0.0) -> Taken:
         """See `Rotator`."""
+        ((axis, deg),) = to.items()
         if hurry:
-            return self.protocol.steer_motor(motor, deg)
-        return self.protocol.move_motor(motor, deg, busy_s=busy_s)
+            return self.protocol.steer_motor(MOTORS[axis], deg)
+        return self.protocol.move_motor(MOTORS[axis], deg, busy_s=busy_s)
 
-    def begin_slew(self, az_deg: float, el_deg: float, skew_deg: float | None) -> None:
+    def begin_slew(self, to: Mapping[str, float]) -> None:
         """See `Rotator`."""
-        self.protocol.begin_slew(az_deg, el_deg, skew_deg)
+        self.protocol.begin_slew(to[AZIMUTH], to[ELEVATION], to.get(SKEW))
 
     def slew_is_over(self) -> bool:
         """See `Rotator`."""
@@ -189,7 +191,7 @@ class MenuRotator:
         protocol = self.protocol
         match order.by:
             case StopBy.RETARGET:
-                lines = protocol.stop_lines(order.aim_deg[MOTOR_AZIMUTH], order.aim_deg[MOTOR_ELEVATION])
+                lines = protocol.stop_lines(order.aim_deg[AZIMUTH], order.aim_deg[ELEVATION])
             case StopBy.ABORT:
                 lines = protocol.abort_lines()
             case StopBy.KNOCK:
@@ -208,18 +210,18 @@ class MenuRotator:
             self._tell()
 
     def _tell(self) -> bool:
-        told = self.protocol.heard_position()
-        if told is not None:
-            self._hooks.on_look(told)
-        return told is not None
+        heard = self.protocol.heard_position()
+        if heard is not None:
+            self._hooks.on_look(told(heard))
+        return heard is not None
 
     def is_answer(self, text: str) -> bool:
         """See `Rotator`."""
         return _ANSWER.search(text) is not None or is_of_help(text, self.protocol.dialect)
 
-    def home(self, motor: int) -> None:
+    def home(self, axis: str) -> None:
         """See `Rotator`."""
-        self.protocol.home_motor(motor)
+        self.protocol.home_motor(MOTORS[axis])
 
     def stow(self) -> None:
         """See `Rotator`."""

@@ -6,6 +6,8 @@ import math
 from dataclasses import dataclass
 from enum import Enum
 
+from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION, MOTOR_SKEW
+
 
 @dataclass(frozen=True, slots=True)
 class MeasuredTimes:
@@ -43,6 +45,17 @@ SHORT_WAYS = 2.0 / 3.0
 """What is left of an overshoot where ways are shorter: the play hides an axis that goes back for them."""
 
 
+class Role(Enum):
+    """What an axis does to the beam."""
+
+    AZ = "azimuth"
+    """Turns it about the vertical, clockwise as seen from above; 0 at north."""
+    EL = "elevation"
+    """Lifts it from the horizon."""
+    SKEW = "skew"
+    """Turns the feed about it."""
+
+
 class TurnBy(Enum):
     """Who chooses which way round an azimuth goes, where the cable lets it turn more than once."""
 
@@ -54,10 +67,11 @@ class TurnBy(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Axis:
-    """One axis in the dish's own frame."""
+    """One axis in the machine's own degrees."""
 
-    index: int
     name: str
+    """How the seam calls it."""
+    role: Role
     min_deg: float
     max_deg: float
     speed_deg_s: float
@@ -78,6 +92,11 @@ class Axis:
     mean_overshoot_down_deg: float | None = None
     """How far past its target this dish's axis comes to rest on the mean, of moves to greater angles and to lesser;
     None if that was not seen yet."""
+
+    @property
+    def index(self) -> int:
+        """Its number above the seam, as document 003 counts motors: by its role."""
+        return _NUMBERS[self.role]
 
     def mean_overshoot_deg(self, way_deg: float) -> float | None:
         """Return it in the direction of a way."""
@@ -116,6 +135,9 @@ class Axis:
         if self.play_deg is None or overshoot_deg is None or overshoot_deg <= 0.0:
             return 0.0
         return max(0.0, overshoot_deg + OVERSHOOT_SPREAD_DEG - self.play_deg)
+
+
+_NUMBERS = {Role.AZ: MOTOR_AZIMUTH, Role.EL: MOTOR_ELEVATION, Role.SKEW: MOTOR_SKEW}
 
 
 @dataclass(frozen=True, slots=True)

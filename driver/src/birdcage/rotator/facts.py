@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import Enum
 
 from birdcage.base.beam import Reflector
-from birdcage.rotator.axis import Axis, CableRange
+from birdcage.rotator.axis import Axis, CableRange, Role
 from birdcage.rotator.feature import RSSI, Feature, speed_of
 from birdcage.rotator.ladder import Rung
 from birdcage.rotator.origin import Origin
 from birdcage.rotator.wiring import Adapter, Connector
+
+MOST_AXES = 3
 
 
 class Turn(Enum):
@@ -123,8 +125,13 @@ class Facts:
     firmware: str
     baud: int
     """0 of a machine that is not at the end of a serial line."""
-    azimuth: Axis
-    elevation: Axis
+    axes: tuple[Axis, ...]
+    """One to three, each with a name of its own. Azimuth and elevation are among them."""
+    azimuth: Axis = field(init=False, repr=False, compare=False)
+    """The axis of that role, as of the two below."""
+    elevation: Axis = field(init=False, repr=False, compare=False)
+    skew: Axis | None = field(init=False, repr=False, compare=False)
+    """The axis that turns the feed about the beam; None if there is none."""
     cable: CableRange | None
     turn: Turn
     second_same: SecondMove
@@ -152,8 +159,6 @@ class Facts:
     """Whether that is known; without a `cable` then, nothing winds up."""
     moves_one_axis: bool = True
     """Whether an axis can be sent by itself; else both are, by a slew."""
-    skew: Axis | None = None
-    """The axis that turns the feed about the beam; None if there is none."""
     handling: Handling = Handling()
     tells_version: bool = False
     """Whether a command is known that tells the version of its firmware; if not, it is what its console speaks."""
@@ -177,6 +182,23 @@ class Facts:
     origin: Mapping[str, Origin] = field(default_factory=dict)
     """Who stands for each fact, by its flat name (`listed_facts`); a fact that is missing has no source."""
 
+    def __post_init__(self) -> None:
+        """Look the axes up by their roles. ValueError for axes that nothing could name, or go by."""
+        if not 1 <= len(self.axes) <= MOST_AXES or len({axis.name for axis in self.axes}) < len(self.axes):
+            raise ValueError(f"The {self.name} needs one to three axes, each with a name of its own.")
+        by_role = {axis.role: axis for axis in self.axes}
+        if len(by_role) < len(self.axes):
+            raise ValueError(f"Two axes of the {self.name} have the same role.")
+        if not {Role.AZ, Role.EL} <= by_role.keys():
+            raise ValueError(f"The {self.name} has no azimuth and elevation.")
+        for name, role in (("azimuth", Role.AZ), ("elevation", Role.EL), ("skew", Role.SKEW)):
+            object.__setattr__(self, name, by_role.get(role))
+
+    def with_axes(self, *others: Axis) -> Facts:
+        """Return the facts with other axes in the place of those of the same names."""
+        named = {axis.name: axis for axis in others}
+        return replace(self, axes=tuple(named.get(axis.name, axis) for axis in self.axes))
+
     def origin_of(self, name: str) -> Origin | None:
         """Return who stands for a fact; None if it has no source."""
         return self.origin.get(name)
@@ -190,11 +212,6 @@ class Facts:
     def has_speeds(self) -> bool:
         """Whether the greatest speed of an axis can be read and lowered; `Axis.speed_deg_s` is the most it can do."""
         return any(speed_of(axis.name) in self.features for axis in self.axes)
-
-    @property
-    def axes(self) -> tuple[Axis, ...]:
-        """Every axis that it has."""
-        return tuple(axis for axis in (self.azimuth, self.elevation, self.skew) if axis is not None)
 
     def bits_s(self, bits: float) -> float:
         """Return how long so many bits take on its line; no time where it has none."""
@@ -216,5 +233,9 @@ class Facts:
         return self.second_same.waits or self.second_other.waits
 
     def axis(self, index: int) -> Axis:
-        """Return the axis that the firmware counts as `index`; KeyError for any other."""
+        """Return the axis of this number above the seam; KeyError for any other."""
         return {axis.index: axis for axis in self.axes}[index]
+
+    def named(self, name: str) -> Axis:
+        """Return the axis that the seam calls so; KeyError for any other."""
+        return {axis.name: axis for axis in self.axes}[name]

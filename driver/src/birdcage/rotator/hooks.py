@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from birdcage.base.trouble import MotorTrouble
 from birdcage.rotator.facts import Facts
-from birdcage.rotator.values import Position
+from birdcage.rotator.values import Look
 
 if TYPE_CHECKING:
     from birdcage.base.wake import Wake
@@ -37,7 +37,7 @@ class Hooks:
     """Called then; it may raise to abandon the exchange."""
     on_line: Callable[[str], None] = _nothing
     """Hears a line that nothing asked for, and that is none of what follows."""
-    on_look: Callable[[Position], None] = _nothing
+    on_look: Callable[[Look], None] = _nothing
     """Hears where the machine is, told unasked; only from within `Rotator.listen`, never while something is asked."""
     on_facts: Callable[[Facts], None] = _nothing
     """Hears what the machine itself has told that it is, within `meet` or `survey`: ranges, speeds, cable.

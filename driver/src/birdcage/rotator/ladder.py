@@ -43,5 +43,5 @@ class StopOrder:
     """One of them, and where to come to rest."""
 
     by: StopBy
-    aim_deg: Mapping[int, float] = field(default_factory=dict)
-    """By motor number, for a retarget."""
+    aim_deg: Mapping[str, float] = field(default_factory=dict)
+    """By the name of the axis, for a retarget."""

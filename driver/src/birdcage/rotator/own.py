@@ -71,7 +71,9 @@ def laid(facts: Facts, name: str, value: float | str, origin: Origin) -> Facts:
     own: dict[str, object] = {key: value}
     if key in _TIMED_BY:
         own["times"] = None
-    return replace(facts, **{part: replace(getattr(facts, part), **own)}, origin=origins)
+    if part == "cable":
+        return replace(facts, cable=replace(facts.cable, **own), origin=origins)  # type: ignore[type-var]
+    return replace(facts.with_axes(replace(getattr(facts, part), **own)), origin=origins)
 
 
 def with_speeds(facts: Facts, speeds: Mapping[int, float]) -> Facts:
@@ -79,12 +81,13 @@ def with_speeds(facts: Facts, speeds: Mapping[int, float]) -> Facts:
 
     Where its owner has told how fast an axis goes, the lesser of both counts.
     """
+    axes = []
     for axis in (facts.azimuth, facts.elevation):
         speed = speeds.get(axis.index, axis.speed_deg_s)
-        if facts.origin_of(f"{axis.name}.speed_deg_s") is Origin.USER:
+        if facts.origin_of(f"{axis.role.value}.speed_deg_s") is Origin.USER:
             speed = min(speed, axis.speed_deg_s)
-        facts = replace(facts, **{axis.name: replace(axis, speed_deg_s=speed)})  # type: ignore[arg-type]
-    return facts
+        axes.append(replace(axis, speed_deg_s=speed))
+    return facts.with_axes(*axes)
 
 
 def _stopped_as_it_moves(facts: Facts) -> Facts:
@@ -109,7 +112,7 @@ def laid_by_owner(facts: Facts, values: Mapping[str, float | str]) -> tuple[Fact
     for part in ("azimuth", "elevation", "skew", "cable"):
         span = getattr(said, part)
         if span is not None and span.min_deg >= span.max_deg:
-            said = replace(said, **{part: getattr(facts, part)})
+            said = replace(said, cable=facts.cable) if part == "cable" else said.with_axes(getattr(facts, part))
             wrong.append(
                 f"dish.facts.{part} leaves no range: {span.min_deg:g} to {span.max_deg:g} deg. It does not count."
             )

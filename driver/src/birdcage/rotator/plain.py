@@ -74,7 +74,7 @@ class PlainRotator:
         """No answer comes unasked."""
         return False
 
-    def begin_slew(self, az_deg: float, el_deg: float, skew_deg: float | None) -> None:  # noqa: ARG002
+    def begin_slew(self, to: Mapping[str, float]) -> None:  # noqa: ARG002
         """Each axis is sent by itself."""
         raise self._lacks("combined move")
 
@@ -82,7 +82,7 @@ class PlainRotator:
         """There is none."""
         return True
 
-    def home(self, motor: int) -> None:  # noqa: ARG002
+    def home(self, axis: str) -> None:  # noqa: ARG002
         """It knows where it is."""
         raise self._lacks("homing")
 

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from typing import TypeVar
 
 from birdcage.base.errors import NoReply, PositionUnknown
-from birdcage.rotator.values import Position
+
+T = TypeVar("T")
 
 
 class UnreadablePosition(NoReply):
@@ -25,7 +27,7 @@ class UnreadablePosition(NoReply):
         return legible and self.printed == other.printed
 
 
-def settled(read: Callable[[], Position]) -> Position:
+def settled(read: Callable[[], T]) -> T:
     """Return what `read` reads, asking once more after what is no position.
 
     PositionUnknown (`unhomed`, `unreadable`) where the machine says the same twice: it answers, so it can be homed all

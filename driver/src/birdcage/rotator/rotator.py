@@ -12,7 +12,7 @@ from birdcage.rotator.feature import Feature, Reading, Value
 from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.ladder import StopOrder
 from birdcage.rotator.raw import RawLines
-from birdcage.rotator.values import Position, Survey, Taken
+from birdcage.rotator.values import Look, Survey, Taken
 
 
 class Line(Protocol):
@@ -57,9 +57,9 @@ class Line(Protocol):
 class Rotator(Protocol):
     """One machine. Its owner's thread, except for `stop_now`.
 
-    Angles are the machine's own degrees, axes go by their numbers. Whatever talks raises LinkError when the line is
-    gone, NoReply when the machine does not answer in time, and CommandRefused when it answers with an error, or
-    (`unsupported`) where it cannot do that.
+    Angles are the machine's own degrees, by the names of its axes (`Facts.axes`). Whatever talks raises LinkError when
+    the line is gone, NoReply when the machine does not answer in time, and CommandRefused when it answers with an
+    error, or (`unsupported`) where it cannot do that.
     """
 
     facts: Facts
@@ -111,25 +111,27 @@ class Rotator(Protocol):
     def survey(self) -> Survey:
         """Read what it tells of itself; where it tells nothing, nothing is sent."""
 
-    def look(self, *, hurry: bool = False, busy_s: float = 0.0) -> Position:
+    def look(self, *, hurry: bool = False, busy_s: float = 0.0) -> Look:
         """Ask once where it is. PositionUnknown where it does not know; UnreadablePosition for what is no position.
 
         In a `hurry`, within a stream of targets: NoReply (`late`) where waiting would hold that up. `busy_s`: how long
         a move may keep it from answering.
         """
 
-    def send(self, motor: int, deg: float, *, hurry: bool = False, busy_s: float = 0.0) -> Taken:
-        """Send one axis to an angle; returns when that was answered. The gate has let it through.
+    def send(self, to: Mapping[str, float], *, hurry: bool = False, busy_s: float = 0.0) -> Taken:
+        """Send the axes that are to change, and only those; returns when that was answered.
+
+        The gate has let it through.
 
         In a `hurry`, as one of a stream of which each makes the one before it void: NoReply (`late`) when the answer
         was not there as soon as others were, and it may have been taken or not. `busy_s`: how long a motor may still
         run, and a machine that waits for it not answer.
         """
 
-    def begin_slew(self, az_deg: float, el_deg: float, skew_deg: float | None) -> None:
+    def begin_slew(self, to: Mapping[str, float]) -> None:
         """Send all axes at once, in the way that any byte ends; returns as soon as it is sent.
 
-        Until `slew_is_over` nothing else may be sent, but what ends it.
+        An axis whose angle nobody knows is missing. Until `slew_is_over` nothing else may be sent, but what ends it.
         """
 
     def slew_is_over(self) -> bool:
@@ -150,7 +152,7 @@ class Rotator(Protocol):
     def is_answer(self, text: str) -> bool:
         """Return whether an unasked line is an answer that comes late, or a piece of one. Sends nothing."""
 
-    def home(self, motor: int) -> None:
+    def home(self, axis: str) -> None:
         """Find the reference of an axis; returns when it has."""
 
     def stow(self) -> None:

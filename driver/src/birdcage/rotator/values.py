@@ -20,6 +20,14 @@ class Position:
 
 
 @dataclass(frozen=True, slots=True)
+class Look:
+    """Where a machine tells that its axes are."""
+
+    angles: Mapping[str, float]
+    """Its own degrees, by the name of the axis; an axis that it does not tell of is missing."""
+
+
+@dataclass(frozen=True, slots=True)
 class Taken:
     """What a dish answered to the command of a move."""
 
@@ -52,7 +60,7 @@ class Survey:
     """Settings in force, by name (`nvs.20`), as printed."""
     el_min_deg: float | None = None
     el_max_deg: float | None = None
-    speeds: Mapping[int, float] = field(default_factory=dict)
-    """The greatest speed in force of each axis, by motor number, in deg/s."""
+    speeds: Mapping[str, float] = field(default_factory=dict)
+    """The greatest speed in force of each axis, by its name, in deg/s."""
     search_disabled: bool | None = None
     """Whether the firmware's own TV search is switched off for good."""

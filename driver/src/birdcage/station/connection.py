@@ -6,9 +6,9 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.az_el import AzEl
 from birdcage.base.errors import BirdcageError, LinkError, NoReply
 from birdcage.rotator.hooks import Hooks
-from birdcage.rotator.rotator import Rotator
 from birdcage.station.board import Board
 from birdcage.station.events import LinkChanged
 from birdcage.station.look import Look
@@ -42,7 +42,7 @@ class Connection:
         """Told which port is about to be opened: its dish may be held."""
 
     @property
-    def _rotator(self) -> Rotator:
+    def _rotator(self) -> AzEl:
         return self._antenna.rotator
 
     @property

@@ -14,11 +14,12 @@ from birdcage.antenna.rest import STILL_DEG
 from birdcage.base.config.sections import NoGoSector
 from birdcage.base.errors import CommandRefused, OutOfRange, PositionUnknown
 from birdcage.base.geometry import shortest_turn, wrap_360
+from birdcage.rotator import values
 from birdcage.rotator.facts import Facts, SearchSwitch, Turn
 from birdcage.rotator.feature import RSSI, Reading, speed_of
 from birdcage.rotator.origin import Origin
 from birdcage.rotator.own import laid_by_owner
-from birdcage.rotator.values import Position, Survey
+from birdcage.rotator.values import Survey
 from birdcage.station.board import Board
 from birdcage.station.events import PositionRead
 from birdcage.station.settings import Rules, StationSettings
@@ -81,7 +82,7 @@ class Look:
         if not antenna.kind.tells_at_rest and antenna.reckoning.moves_until <= self._board.clock.monotonic():
             antenna.rotator.meet()
 
-    def position(self, *, glance: bool = False, heard: Position | None = None) -> Pointing | None:
+    def position(self, *, glance: bool = False, heard: values.Look | None = None) -> Pointing | None:
         """Read where the dish is; None when it does not know: not homed, or released since.
 
         A `glance` is for a stream of targets: NoReply (`late`) where waiting would hold that up.
@@ -195,7 +196,7 @@ class Look:
         self._board.forget_readings()
         for name, text in (*survey.settings.items(), *survey.identity.items()):
             self._board.read(name, text)
-        self.note_speeds(survey.speeds)
+        self.note_speeds(self._antenna.rotator.by_number(survey.speeds))
         self._board.change(firmware_version=survey.version)
         if self._antenna.rotator.facts.search_switch is SearchSwitch.FOR_GOOD:
             self._board.change(search=Search.OFF if survey.search_disabled else Search.UNKNOWN)

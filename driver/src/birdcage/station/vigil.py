@@ -11,8 +11,8 @@ from birdcage.antenna.reckoning import FRESH_S, apart_deg
 from birdcage.antenna.rest import APART_S, STILL_DEG
 from birdcage.base.errors import BirdcageError, CommandRefused, Stopped
 from birdcage.base.trouble import MotorTrouble
+from birdcage.rotator import values
 from birdcage.rotator.facts import SearchSwitch
-from birdcage.rotator.values import Position
 from birdcage.station.board import Board
 from birdcage.station.control import Control
 from birdcage.station.events import End, FaultRaised, TranscriptLine
@@ -115,7 +115,7 @@ class Vigil:
         self._look.signal()
         self._watches.rssi_was_read(now)
 
-    def heard_position(self, told: Position) -> None:
+    def heard_position(self, told: values.Look) -> None:
         """Hear unasked where the dish is: at rest that is a look like any other. In motion its mover looks."""
         if not self._antenna.kind.tells_at_rest:
             self._heard_on_its_way(told)
@@ -124,11 +124,12 @@ class Vigil:
         if state.link.state is Link.UP and state.activity in resting and not self.paused:
             self._read_position(told)
 
-    def _heard_on_its_way(self, told: Position) -> None:
+    def _heard_on_its_way(self, look: values.Look) -> None:
         """Hear where a dish is that says so while it moves, perhaps unasked."""
         if self._board.state.link.state is not Link.UP:
             return
         antenna, now, before = self._antenna, self._board.clock.monotonic(), self._board.state.position
+        told = antenna.rotator.position(look)
         heard, stands = antenna.reckoning.hear(told, now), antenna.gate.position
         if antenna.motion is not None:
             self._look.told(heard)
@@ -142,7 +143,7 @@ class Vigil:
         if twice and self._board.state.activity is Activity.IDLE and not self.paused:
             self._moves_unasked()
 
-    def _read_position(self, told: Position | None = None) -> None:
+    def _read_position(self, told: values.Look | None = None) -> None:
         before, stops = self._board.state.position, self._stopper.count
         self._look.meet_untold()
         after = self._look.position(heard=told)

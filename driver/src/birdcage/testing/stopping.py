@@ -9,8 +9,8 @@ from birdcage.base.clock import VirtualClock
 from birdcage.base.errors import Held, Stopped
 from birdcage.base.geometry import separation
 from birdcage.rotator import machines
+from birdcage.rotator.axis import Role
 from birdcage.rotator.hooks import Hooks
-from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION
 from birdcage.station.requests import Goto, Jog, Release
 from birdcage.station.state import Activity
 from birdcage.testing.stage import LONGEST_MOVE_S, STEP_S, Stage, require
@@ -117,10 +117,10 @@ class Stopping:
         facts = rotator.facts
         if facts.tells_at_rest:
             rotator.look()
-        az_deg, el_deg = ((axis.min_deg + axis.max_deg) / 2.0 for axis in (facts.azimuth, facts.elevation))
-        moves: list[Callable[[], object]] = [partial(rotator.begin_slew, az_deg, el_deg, None)]
+        middle = {axis.name: (axis.min_deg + axis.max_deg) / 2.0 for axis in facts.axes if axis.role is not Role.SKEW}
+        moves: list[Callable[[], object]] = [partial(rotator.begin_slew, middle)]
         if facts.moves_one_axis:
-            moves = [partial(rotator.send, MOTOR_AZIMUTH, az_deg), partial(rotator.send, MOTOR_ELEVATION, el_deg)]
+            moves = [partial(rotator.send, {name: deg}) for name, deg in middle.items()]
         for move in moves:
             try:
                 move()

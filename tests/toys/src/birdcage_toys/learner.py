@@ -10,19 +10,22 @@ from dataclasses import replace
 
 from birdcage.base.clock import Outcome
 from birdcage.base.errors import LinkError, NoReply
-from birdcage.rotator.axis import Axis, CableRange
+from birdcage.rotator.axis import Axis, CableRange, Role
 from birdcage.rotator.facts import Facts, Readback, SearchSwitch, SecondMove, Turn
 from birdcage.rotator.ladder import POWER_SWITCH, Rung
 from birdcage.rotator.plain import PlainLine, PlainRotator
-from birdcage.rotator.values import Position, Survey, Taken
+from birdcage.rotator.values import Look, Survey, Taken
 
 MACHINES = {}
+AXES = "azimuth", "elevation"
 FACTS = Facts(
     name="Learner",
     firmware="learner",
     baud=0,
-    azimuth=Axis(0, "azimuth", 0.0, 360.0, 2.0, 10.0, 0.1, speed_known=False),
-    elevation=Axis(1, "elevation", 0.0, 90.0, 2.0, 10.0, 0.1, speed_known=False),
+    axes=(
+        Axis("azimuth", Role.AZ, 0.0, 360.0, 2.0, 10.0, 0.1, speed_known=False),
+        Axis("elevation", Role.EL, 0.0, 90.0, 2.0, 10.0, 0.1, speed_known=False),
+    ),
     cable=CableRange(0.0, 360.0),
     turn=Turn.REPORTED,
     second_same=SecondMove.RETARGET,
@@ -89,11 +92,9 @@ class Learner(PlainRotator):
     def meet(self):
         (az_low, az_high), (el_low, el_high) = self._call(self._machine.limits)
         self._hooks.on_facts(
-            replace(
-                FACTS,
-                azimuth=replace(FACTS.azimuth, min_deg=az_low, max_deg=az_high),
-                elevation=replace(FACTS.elevation, min_deg=el_low, max_deg=el_high),
-                cable=CableRange(az_low, az_high),
+            replace(FACTS, cable=CableRange(az_low, az_high)).with_axes(
+                replace(FACTS.azimuth, min_deg=az_low, max_deg=az_high),
+                replace(FACTS.elevation, min_deg=el_low, max_deg=el_high),
             )
         )
 
@@ -102,10 +103,11 @@ class Learner(PlainRotator):
         return Survey(el_min_deg=low, el_max_deg=high)
 
     def look(self, *, hurry=False, busy_s=0.0):
-        return Position(*self._call(self._machine.angles))
+        return Look(dict(zip(AXES, self._call(self._machine.angles), strict=True)))
 
-    def send(self, motor, deg, *, hurry=False, busy_s=0.0):
-        self._call(self._machine.go, motor, deg, permit=self._hooks.permit)
+    def send(self, to, *, hurry=False, busy_s=0.0):
+        ((axis, deg),) = to.items()
+        self._call(self._machine.go, AXES.index(axis), deg, permit=self._hooks.permit)
         return Taken(True, "", self.line.took_s)
 
     def stop_now(self, order):

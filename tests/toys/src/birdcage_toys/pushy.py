@@ -11,19 +11,22 @@ import re
 from birdcage.base.errors import LinkError, NoReply
 from birdcage.console.line_session import LineDialect, LineSession
 from birdcage.link.opening import open_link
-from birdcage.rotator.axis import Axis, CableRange, TurnBy
+from birdcage.rotator.axis import Axis, CableRange, Role, TurnBy
 from birdcage.rotator.facts import Facts, Readback, SearchSwitch, SecondMove, Turn
 from birdcage.rotator.ladder import POWER_SWITCH, Rung
 from birdcage.rotator.plain import PlainLine, PlainRotator
-from birdcage.rotator.values import Position, Taken
+from birdcage.rotator.values import Look, Taken
 
 SPEED_DEG_S = 12.0
+AXES = "pan", "tilt"
 FACTS = Facts(
     name="Pushy",
     firmware="pushy",
     baud=9600,
-    azimuth=Axis(0, "azimuth", 0.0, 360.0, SPEED_DEG_S, 400.0, 0.1, turn_by=TurnBy.HOST),
-    elevation=Axis(1, "elevation", 0.0, 85.0, SPEED_DEG_S, 400.0, 0.1),
+    axes=(
+        Axis("pan", Role.AZ, 0.0, 360.0, SPEED_DEG_S, 400.0, 0.1, turn_by=TurnBy.HOST),
+        Axis("tilt", Role.EL, 0.0, 85.0, SPEED_DEG_S, 400.0, 0.1),
+    ),
     cable=CableRange(-270.0, 270.0),
     turn=Turn.REPORTED,
     second_same=SecondMove.RETARGET,
@@ -77,7 +80,7 @@ class Pushy(PlainRotator):
 
     def _hear(self, line):
         if (pushed := PUSHED.fullmatch(line.text)) is not None:
-            self._told, self._told_at = Position(float(pushed[1]), float(pushed[2])), line.at
+            self._told, self._told_at = Look({"pan": float(pushed[1]), "tilt": float(pushed[2])}), line.at
         elif line.text == "S":
             self._stops = max(0, self._stops - 1)
         else:
@@ -96,17 +99,18 @@ class Pushy(PlainRotator):
         self.line.note(asked, session.clock.monotonic())
         return self._told
 
-    def send(self, motor, deg, *, hurry=False, busy_s=0.0):
+    def send(self, to, *, hurry=False, busy_s=0.0):
+        ((axis, deg),) = to.items()
         session = self._open_session()
         sent = session.clock.monotonic()
-        session.ask(f"G {motor} {deg:.2f}", re.compile("K"), permit=self._hooks.permit)
+        session.ask(f"G {AXES.index(axis)} {deg:.2f}", re.compile("K"), permit=self._hooks.permit)
         self.line.note(sent, session.clock.monotonic())
         return Taken(True, "K", self.line.took_s)
 
     def stop_now(self, order):
         session = self._open_session()
         self._stops += 1
-        session.interject([f"T {order.aim_deg[0]:.2f} {order.aim_deg[1]:.2f}"] if order.aim_deg else ["T"])
+        session.interject(["T {pan:.2f} {tilt:.2f}".format(**order.aim_deg)] if order.aim_deg else ["T"])
 
     def settle(self, within_s):
         session, due = self._open_session(), self._stops

@@ -7,7 +7,7 @@ from birdcage.protocol.carryout.dialect import BAUD
 from birdcage.protocol.carryout.features import FEATURES
 from birdcage.protocol.carryout.going import AZ_SPAN_DEG, EL_MAX_ROW, EL_SPAN_DEG
 from birdcage.protocol.nvs import row_id, row_label
-from birdcage.rotator.axis import Axis
+from birdcage.rotator.axis import Axis, Role
 from birdcage.rotator.facts import Facts, Handling, Readback, SearchSwitch, SecondMove, Setting, SilentSlew, Turn
 from birdcage.rotator.ladder import END_OF_MOVE, POWER_SWITCH, Rung
 from birdcage.rotator.origin import by_origin
@@ -23,8 +23,10 @@ CARRYOUT_2003 = Facts(
     name="Carryout of 2003",
     firmware="carryout",
     baud=BAUD,
-    azimuth=Axis(0, "azimuth", *AZ_SPAN_DEG, _SPEED_DEG_S, _ACCELERATION_DEG_S2, _STEP_DEG),
-    elevation=Axis(1, "elevation", *EL_SPAN_DEG, _SPEED_DEG_S, _ACCELERATION_DEG_S2, _STEP_DEG),
+    axes=(
+        Axis("azimuth", Role.AZ, *AZ_SPAN_DEG, _SPEED_DEG_S, _ACCELERATION_DEG_S2, _STEP_DEG),
+        Axis("elevation", Role.EL, *EL_SPAN_DEG, _SPEED_DEG_S, _ACCELERATION_DEG_S2, _STEP_DEG),
+    ),
     cable=None,
     turn=Turn.UNKNOWN,
     second_same=SecondMove.QUEUE,

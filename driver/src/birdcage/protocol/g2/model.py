@@ -10,7 +10,7 @@ from birdcage.protocol import plugs
 from birdcage.protocol.family import AXIS_NAMES, MOTOR_TROUBLES
 from birdcage.protocol.g2.features import features_of
 from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, row_id, row_label
-from birdcage.rotator.axis import Axis, CableRange
+from birdcage.rotator.axis import Axis, CableRange, Role
 from birdcage.rotator.facts import Facts, Handling, Readback, SearchSetting, SearchSwitch, SecondMove, Setting, Turn
 from birdcage.rotator.ladder import Rung
 from birdcage.rotator.origin import by_origin
@@ -19,16 +19,15 @@ REFLECTOR = Reflector(0.3048, 0.3048, CountedBeam(6.4, 6.3, 12.45e9))
 """12 inches round (`12-IN G2` in its boot log). The width was scanned in counts, on satellites that stand alone
 (section 7.6)."""
 
-AZIMUTH = Axis(0, "azimuth", 0.0, 360.0, 65.0, 400.0, 360.0 / 40000, overshoot_deg=0.06)
-ELEVATION = Axis(1, "elevation", 18.0, 65.0, 45.0, 400.0, 360.0 / 24960, overshoot_deg=0.06)
+AZIMUTH = Axis("azimuth", Role.AZ, 0.0, 360.0, 65.0, 400.0, 360.0 / 40000, overshoot_deg=0.06)
+ELEVATION = Axis("elevation", Role.EL, 18.0, 65.0, 45.0, 400.0, 360.0 / 24960, overshoot_deg=0.06)
 FEATURES = features_of(AZIMUTH, ELEVATION)
 
 CARRYOUT_G2 = Facts(
     name="Carryout G2",
     firmware="g2",
     baud=115200,
-    azimuth=AZIMUTH,
-    elevation=ELEVATION,
+    axes=(AZIMUTH, ELEVATION),
     cable=CableRange(-423.33, 23.33),
     turn=Turn.UNKNOWN,
     second_same=SecondMove.UNKNOWN,

@@ -8,6 +8,7 @@ from birdcage.base.errors import CommandRefused, NoReply
 from birdcage.protocol.g2.settings import SettingsMemory
 from birdcage.protocol.g2.stepper import Stepper
 from birdcage.protocol.g2.system import System
+from birdcage.protocol.motors import by_name
 from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, NvsRow, row_id
 from birdcage.rotator.values import Survey
 
@@ -33,7 +34,7 @@ def survey(system: System, nvs: SettingsMemory, stepper: Stepper) -> Survey:
         settings={row_id(index): row.current for index, row in rows.items()},
         el_min_deg=limits[0],
         el_max_deg=limits[1],
-        speeds=speeds,
+        speeds=by_name(speeds),
         search_disabled=rows[DISABLE_TRACKER].current == "TRUE" if DISABLE_TRACKER in rows else None,
     )
 

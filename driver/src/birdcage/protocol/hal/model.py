@@ -6,7 +6,7 @@ from birdcage.base.beam import Reflector
 from birdcage.protocol import plugs
 from birdcage.protocol.hal.features import FEATURES, SAFE_MINIMUM, SEARCH_MINIMUM
 from birdcage.protocol.nvs import row_id, row_label
-from birdcage.rotator.axis import Axis, CableRange, MeasuredTimes
+from birdcage.rotator.axis import Axis, CableRange, MeasuredTimes, Role
 from birdcage.rotator.facts import Facts, Handling, Readback, SearchSwitch, SecondMove, Setting, SilentSlew, Turn
 from birdcage.rotator.ladder import END_OF_MOVE, Rung
 from birdcage.rotator.origin import by_origin
@@ -19,7 +19,7 @@ _SPEED_DEG_S = 20.0
 _ACCELERATION_DEG_S2 = 20.0
 _STEP_DEG = 0.01
 
-SKEW = Axis(2, "skew", 0.0, 180.0, _SPEED_DEG_S, _ACCELERATION_DEG_S2, _STEP_DEG, times=MOVE_TIMES)
+SKEW = Axis("skew", Role.SKEW, 0.0, 180.0, _SPEED_DEG_S, _ACCELERATION_DEG_S2, _STEP_DEG, times=MOVE_TIMES)
 """The axis that turns the feed. Its range is documented nowhere: 0 to 180 degrees is an assumption."""
 
 REFLECTOR = Reflector(0.8382, 0.5842)
@@ -44,8 +44,11 @@ TRAVLER = Facts(
     name="Trav'ler",
     firmware="hal205",
     baud=57600,
-    azimuth=Axis(0, "azimuth", 0.0, 360.0, _SPEED_DEG_S, _ACCELERATION_DEG_S2, _STEP_DEG, times=MOVE_TIMES),
-    elevation=Axis(1, "elevation", 15.0, 90.0, _SPEED_DEG_S, _ACCELERATION_DEG_S2, _STEP_DEG, times=MOVE_TIMES),
+    axes=(
+        Axis("azimuth", Role.AZ, 0.0, 360.0, _SPEED_DEG_S, _ACCELERATION_DEG_S2, _STEP_DEG, times=MOVE_TIMES),
+        Axis("elevation", Role.EL, 15.0, 90.0, _SPEED_DEG_S, _ACCELERATION_DEG_S2, _STEP_DEG, times=MOVE_TIMES),
+        SKEW,
+    ),
     cable=CableRange(0.0, 455.0),
     turn=Turn.UNKNOWN,
     second_same=SecondMove.QUEUE,
@@ -62,7 +65,6 @@ TRAVLER = Facts(
     readback=Readback.ALWAYS,
     power_switch="power switch",
     reflector=REFLECTOR,
-    skew=SKEW,
     handling=HANDLING,
     floor_settings=tuple(Setting(row_id(index), row_label(index)) for index in (SEARCH_MINIMUM, SAFE_MINIMUM)),
     features=FEATURES.features,
