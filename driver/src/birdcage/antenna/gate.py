@@ -195,8 +195,8 @@ class MotionGate:
             raise self._unknown()
         if self.bounds.sectors:
             raise MotionRefused(
-                "This dish does not tell where it points, so its first way may pass through a no-go sector. Nothing "
-                "was sent. Take the sectors out for the first move, or turn the dish by hand and mind them yourself.",
+                "This dish does not tell where it points, so its way may pass through a no-go sector. Nothing was "
+                "sent. Take the sectors out for this one move, watch the dish, and put them back.",
                 reason="sector",
             )
         return Position(az_deg, el_deg)
