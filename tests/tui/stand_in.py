@@ -60,6 +60,9 @@ class Station:
     def says_target(self, text):
         return PROTOCOL.says_target(text)
 
+    def is_prompt(self, text):
+        return MenuRaw(PROTOCOL).is_prompt(text)
+
     def is_steering(self):
         return self.steering and self.state.held is None
 

@@ -107,5 +107,5 @@ def test_tab_completes_from_what_is_documented_and_asks_nothing():
 def test_polls_are_polling_whatever_ends_a_line(end):
     now = datetime(2026, 3, 20, 12, tzinfo=UTC)
     talk = ((">", b"AZ EL" + end), ("<", b"AZ1.0 EL2.0" + end), (">", b"AZ100" + end))
-    sorter = Sorter(RAW.only_asks, RAW.says_target)
+    sorter = Sorter(RAW)
     assert [sorter.sort(Line(now, *each)).part for each in talk] == [Part.POLL, Part.POLL, Part.PLAIN]

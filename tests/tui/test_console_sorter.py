@@ -2,17 +2,23 @@
 
 from datetime import UTC, datetime, timedelta
 
+import pytest
+from birdcage.protocol.menu_raw import MenuRaw
+from birdcage.station.raw import Entry
 from birdcage_tui.console.lines import Line, Part
 from birdcage_tui.console.scrollback import Scrollback
 from birdcage_tui.console.sorter import Sorter
+from birdcage_tui.console.tap import WireTap
+from birdcage_tui.console.wire_log import WireLog
 from console_desk import desk
 from stand_in import PROTOCOL
 
+RAW = MenuRaw(PROTOCOL)
 START = datetime(2026, 3, 20, 12, tzinfo=UTC)
 
 
 def sorted_parts(*lines, prompt="MOT>"):
-    sorter = Sorter(PROTOCOL.only_asks, PROTOCOL.says_target)
+    sorter = Sorter(RAW)
     sorter.sort(Line(START, "<", prompt.encode()))
     return [sorter.sort(Line(START + timedelta(seconds=second), way, data)).part for second, way, data in lines]
 
@@ -63,7 +69,7 @@ STEP = (b"a 0 123.13\r", b"a 0 123.13\r\n", b"Angle = 123.13\r\n", b"MOT>")
 
 def steps_of(*lines):
     """Parts of lines of which those that go out are a pursuit's."""
-    sorter = Sorter(PROTOCOL.only_asks, PROTOCOL.says_target)
+    sorter = Sorter(RAW)
     sorter.sort(Line(START, "<", b"MOT>"))
     return [sorter.sort(Line(START, way, data), step=way == ">").part for way, data in lines]
 
@@ -128,8 +134,45 @@ def test_polling_is_one_row_until_p_shows_every_byte_and_counts_as_nothing_new()
 
 
 def test_how_a_machine_says_where_it_goes_is_its_own_to_tell():
-    sorter = Sorter(PROTOCOL.only_asks, lambda text: text == "going")
+    class Going(MenuRaw):
+        def says_target(self, text):
+            return text == "going"
+
+    sorter = Sorter(Going(PROTOCOL))
     lines = ((">", b"a 0 1.00\r"), ("<", b"a 0 1.00\r\n"), ("<", b"going\r\n"), ("<", b"Angle = 1.00\r\n"))
     sorter.sort(Line(START, "<", b"MOT>"))
     parts = [sorter.sort(Line(START, way, data), step=way == ">").part for way, data in lines]
     assert parts == [Part.STEP] * 3 + [Part.PLAIN]
+
+
+class Ready(MenuRaw):
+    """A machine with a prompt of another shape."""
+
+    def is_prompt(self, text):
+        return text.strip() == "READY:"
+
+
+def heard(raw, *chunks):
+    """Return the prompt that F5 shows, and what the answer to a poll is taken for, as it comes in pieces."""
+    tap = WireTap(lambda: False)
+    log = WireLog(tap, raw)
+    lines = []
+    for way, data in chunks:
+        tap.take_in(Entry(START, way, data))
+        lines += log.take(START)
+    return log.prompt, [(line.text, line.part) for line in lines if line.direction == "<"]
+
+
+def test_an_angle_bracket_at_the_end_of_a_piece_is_no_prompt():
+    prompt, lines = heard(
+        RAW, ("<", b"MOT>"), (">", b"?\r"), ("<", b"?\r\ng <az> <el>"), ("<", b"\r\nq\r\n"), ("<", b"MOT>")
+    )
+    assert prompt == "MOT>"
+    assert [text for text, _part in lines] == ["MOT>", "?", "g <az> <el>", "q", "MOT>"]
+    assert {part for _text, part in lines[1:]} == {Part.POLL}
+
+
+@pytest.mark.parametrize(("raw", "shown"), [(Ready(PROTOCOL), "READY:"), (RAW, ">"), (RAW, "MOT> ")])
+def test_what_a_prompt_is_the_machine_tells(raw, shown):
+    prompt, _lines = heard(raw, (">", b"\r"), ("<", b"\r\n" + shown.encode()))
+    assert prompt == shown

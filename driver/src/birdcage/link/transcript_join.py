@@ -37,6 +37,12 @@ class LineJoiner:
         self._open_line = Entry(utc, entry.direction, rest) if rest else None
         return lines
 
+    @property
+    def unfinished(self) -> bytes:
+        """What has come in since the last line end; empty where something goes out."""
+        line = self._open_line
+        return line.data if line is not None and line.direction == "<" else b""
+
     def finish(self) -> list[Entry]:
         """Return the line that has no end yet, as it is; empty when there is none."""
         line, self._open_line = self._open_line, None

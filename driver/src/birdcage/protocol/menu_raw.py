@@ -15,7 +15,7 @@ from birdcage.rotator.verdict import Grade, Verdict
 HELP = ("?",)
 """What brings the help of a menu, unless its dialect knows better (reference section 2.1)."""
 
-PROMPT = re.compile(r"\S{1,16}>")
+PROMPT = re.compile(r"\S{0,16}>")
 
 
 class MenuRaw:

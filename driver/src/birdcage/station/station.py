@@ -162,6 +162,11 @@ class Station:
         raw = self._antenna.raw
         return raw is not None and raw.says_target(text)
 
+    def is_prompt(self, text: str) -> bool:
+        """Return whether a line from the machine is a prompt and nothing else. Any thread."""
+        raw = self._antenna.raw
+        return raw is not None and raw.is_prompt(text)
+
     @property
     def has_prompt(self) -> bool:
         """Whether the machine shows a prompt; without one its console is a plain line terminal. Any thread."""

@@ -56,6 +56,13 @@ class Line:
     direction: Direction
     data: bytes
     part: Part = Part.PLAIN
+    is_prompt: bool = False
+    """Whether the dish asks for the next line with it."""
+
+    @property
+    def is_ended(self) -> bool:
+        """Whether it has a line end."""
+        return self.data.endswith((b"\n", b"\r"))
 
     @property
     def text(self) -> str:
@@ -64,11 +71,6 @@ class Line:
             return clean(self.data.decode("utf-8", "replace"))
         bare = self.data.rstrip(b"\r\n")
         return printable(bare or self.data)
-
-    @property
-    def is_prompt(self) -> bool:
-        """Whether the dish wrote it without a line end, and its last character is a prompt's."""
-        return self.direction == "<" and self.data.endswith(b">")
 
     @property
     def ink(self) -> str:

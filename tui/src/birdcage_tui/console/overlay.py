@@ -49,7 +49,7 @@ class ConsoleOverlay(Container):
         self._shell, self._tap, self._wire = (
             shell,
             shell.tap,
-            WireLog(shell.tap, station.only_asks, station.says_target),
+            WireLog(shell.tap, station),
         )
         self._pane, self._entry, self._finder = LogView(), ConsoleInput(self.do), FindInput(self.do)
         self._head, self._hinted, self._prompt, self._keys = HeadLine(), HintLine(), PromptCell(), KeysLine()

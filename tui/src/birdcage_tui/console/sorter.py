@@ -3,28 +3,37 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 from dataclasses import replace
+from typing import Protocol
 
 from birdcage.station.raw import Grade, parse_mark
 
 from birdcage_tui.console.lines import Line, Part
 
-OnlyAsks = Callable[[str, str], bool]
-"""Whether a line at a prompt changes nothing but the menu."""
-SaysTarget = Callable[[str], bool]
-"""Whether a line from the dish says where it goes. Whatever else it says to a step is seen."""
 ANSWER_S = 2.0
 """What comes later than this is no answer to a poll: a dish that restarts prints for seconds."""
 
 LINE_END = re.compile(r"\r\n|\r|\n")
 
 
+class Speech(Protocol):
+    """What the machine's own language tells of a line."""
+
+    def only_asks(self, line: str, prompt: str) -> bool:
+        """Return whether a line at a prompt changes nothing but the menu."""
+
+    def says_target(self, text: str) -> bool:
+        """Return whether a line from the dish says where it goes. Whatever else it says to a step is seen."""
+
+    def is_prompt(self, text: str) -> bool:
+        """Return whether a line from the dish is a prompt and nothing else."""
+
+
 class Sorter:
     """Reads the talk line by line. What it cannot place stays plain, and so in sight."""
 
-    def __init__(self, only_asks: OnlyAsks, says_target: SaysTarget) -> None:
-        self._only_asks, self._says_target = only_asks, says_target
+    def __init__(self, speech: Speech) -> None:
+        self._speech = speech
         self._typed: str | None = None
         self._prompt = ""
         """What the dish wrote last; one of before a gap holds until the next, as the station asks for it first."""
@@ -37,7 +46,9 @@ class Sorter:
         """The commands of the step under way; None: it is a poll."""
 
     def sort(self, line: Line, *, step: bool = False) -> Line:
-        """Return the line with the part it plays; `step`: a pursuit sent it."""
+        """Return the line with the part it plays, and whether it is a prompt; `step`: a pursuit sent it."""
+        prompt = line.direction == "<" and not line.is_ended and self._speech.is_prompt(line.text)
+        line = replace(line, is_prompt=prompt)
         if line.direction == "#":
             part = self._remark(line)
         elif line.direction == ">":
@@ -63,7 +74,7 @@ class Sorter:
         if self._typed is not None and self._typed in said:
             self._typed = None
             return Part.YOURS
-        if all(not part or self._only_asks(part, self._prompt) for part in said):
+        if all(not part or self._speech.only_asks(part, self._prompt) for part in said):
             self._polled, self._owed = line, ends
             return Part.POLL
         if step:
@@ -79,7 +90,7 @@ class Sorter:
             self._owed -= line.is_prompt
             if self._stepped is None:
                 return Part.POLL
-            taken = line.is_prompt or line.text.strip() in self._stepped or self._says_target(line.text)
+            taken = line.is_prompt or line.text.strip() in self._stepped or self._speech.says_target(line.text)
             return Part.STEP if taken else Part.PLAIN
         self._polled = None
         return Part.ECHO if sent is not None and _bare(sent) == _bare(line) != b"" else Part.PLAIN

@@ -4,21 +4,18 @@ from __future__ import annotations
 
 from datetime import datetime
 
-from birdcage.station.raw import Entry, LineJoiner
+from birdcage.station.raw import Entry, LineJoiner, printable
 
 from birdcage_tui.console.lines import Line, Part
-from birdcage_tui.console.sorter import OnlyAsks, SaysTarget, Sorter
+from birdcage_tui.console.sorter import Sorter, Speech
 from birdcage_tui.console.tap import WireTap
-
-PROMPT_LIMIT = 16
-"""No prompt is longer: what ends in `>` after more characters is text."""
 
 
 class WireLog:
     """Takes from the tap what came since the last look."""
 
-    def __init__(self, tap: WireTap, only_asks: OnlyAsks, says_target: SaysTarget) -> None:
-        self._tap, self._sorter = tap, Sorter(only_asks, says_target)
+    def __init__(self, tap: WireTap, speech: Speech) -> None:
+        self._tap, self._sorter, self._speech = tap, Sorter(speech), speech
         self._joiner = LineJoiner()
         self._sending = self._steps = False
         """Whether the last event went out, and whether a pursuit sent all that has gone out since the dish spoke."""
@@ -39,16 +36,16 @@ class WireLog:
                 self._steps = step and (self._steps or not self._sending)
             joined += [(line, self._steps) for line in self._joiner.join(event)]
             self._sending = event.direction == ">"
-        if not found or found[-1][0].data.endswith(b">"):
+        if not found or self._speech.is_prompt(printable(self._joiner.unfinished)):
             joined += [(line, self._steps) for line in self._joiner.finish()]  # quiet, or a prompt without a line end
         lines = []
         if missed:
             words = f"{missed} events are not shown here. The transcript file has them."
             lines.append(Line(found[0][0].utc if found else now, "#", words.encode(), Part.WARNING))
         for event, step in joined:
-            line = Line(event.utc, event.direction, event.data)
-            lines.append(self._sorter.sort(line, step=step))
-            self._note_prompt(line)
+            line = self._sorter.sort(Line(event.utc, event.direction, event.data), step=step)
+            lines.append(line)
+            self.prompt = line.text if line.is_prompt else self.prompt
         lines += self._own
         self._own = []
         return lines
@@ -56,7 +53,3 @@ class WireLog:
     def forget_prompt(self) -> None:
         """The link went: what answers next may be in another menu."""
         self.prompt = ""
-
-    def _note_prompt(self, line: Line) -> None:
-        if line.is_prompt and len(line.data) <= PROMPT_LIMIT:
-            self.prompt = line.text
