@@ -138,7 +138,7 @@ def test_nothing_is_known_of_it_but_what_the_document_says():
     assert facts.cable is None
     assert (facts.azimuth.min_deg, facts.azimuth.max_deg) == (0.0, 360.0)
     assert (facts.elevation.min_deg, facts.elevation.max_deg) == (15.0, 90.0)
-    assert {rung.name for rung in facts.stop_ladder if rung.proven} == {"end of move", "power"}
+    assert {rung.means for rung in facts.stop_ladder if rung.proven} == {"end of move", "power"}
 
 
 def test_its_port_that_fails_is_a_link_error_and_closing_that_one_is_none():

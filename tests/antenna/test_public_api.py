@@ -226,15 +226,15 @@ def test_stop_sends_no_axis_beyond_its_limit():
     rig.antenna.get_position()
     rig.antenna.gate.see(Position(180.0, 65.05))
     rig.antenna.steer(MOTOR_AZIMUTH, 250.0)
-    assert rig.antenna.stop_order().aim_deg["elevation"] == 65.0
+    assert rig.antenna.stop_aim.order().aim_deg["elevation"] == 65.0
     now = rig.clock.monotonic()
     for seen, limit in ((64.9, 65.0), (18.1, 18.0)):
         before = Position(180.0, seen - 3.0 if limit == 65.0 else seen + 3.0)
-        order = rig.antenna.stop_order_seen(before, now - 0.1, Position(180.0, seen), now)
+        order = rig.antenna.stop_aim.order_seen(before, now - 0.1, Position(180.0, seen), now)
         assert order == StopOrder(StopBy.RETARGET, {"azimuth": 180.0, "elevation": limit})
     before, later = Position(100.0, 45.0), Position(104.0, 45.0)
     # 40 deg/s: 4 deg until STOP is taken, and 2 to brake from there.
-    assert rig.antenna.stop_order_seen(before, now - 0.1, later, now).aim_deg["azimuth"] == pytest.approx(110.0)
+    assert rig.antenna.stop_aim.order_seen(before, now - 0.1, later, now).aim_deg["azimuth"] == pytest.approx(110.0)
 
 
 def test_where_only_the_overshoot_leads_into_a_sector_the_target_itself_is_sent():

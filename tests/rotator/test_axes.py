@@ -70,4 +70,4 @@ def test_the_machine_is_spoken_to_by_the_names_of_its_axes():
     antenna.point(120.0, 30.0)
     antenna.point(120.0, 40.0)
     assert machine.sent == [{"pan": 120.0}, {"tilt": 30.0}, {"tilt": 40.0}]
-    assert antenna.stop_order().aim_deg.keys() == {"pan", "tilt"}
+    assert antenna.stop_aim.order().aim_deg.keys() == {"pan", "tilt"}

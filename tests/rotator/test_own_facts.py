@@ -85,8 +85,8 @@ def test_a_range_that_is_an_assumption_may_be_widened():
 def test_a_dish_that_is_said_to_wait_is_stopped_at_the_end_of_its_move():
     said, wrong = laid_by_owner(G2, {"second_same": "block", "second_other": "block"})
     assert wrong == ()
-    assert [rung.name for rung in said.stop_ladder] == ["end of move", "release", "power"]
-    assert [rung.name for rung in G2.stop_ladder] == ["retarget", "release"]
+    assert [rung.means for rung in said.stop_ladder] == ["end of move", "release", "power"]
+    assert [rung.means for rung in G2.stop_ladder] == ["retarget", "release", "power"]
 
 
 def test_the_owner_goes_before_what_was_learnt_and_that_before_the_kind():
@@ -96,7 +96,7 @@ def test_the_owner_goes_before_what_was_learnt_and_that_before_the_kind():
     said, _wrong = laid_by_owner(G2, {"second_same": "retarget", "second_other": "retarget", "azimuth.play_deg": 0.02})
     play = OwnFact(0.05, Origin.USER, UTC_NOW)
     own = waits.with_fact("azimuth.play_deg", play).with_fact("elevation.play_deg", play).on(said)
-    assert (own.second_same, own.stop_ladder[0].name) == (SecondMove.RETARGET, "retarget")
+    assert (own.second_same, own.stop_ladder[0].means) == (SecondMove.RETARGET, "retarget")
     assert (own.azimuth.play_deg, own.elevation.play_deg) == (0.02, 0.05)
 
 

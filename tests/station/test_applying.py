@@ -166,8 +166,8 @@ def test_the_start_and_run_time_derive_the_same(bench):
         "cable_min_deg",
     ):
         assert getattr(bench.state, field) == getattr(started.state, field), field
-    assert bench.station._stopper.may_release
-    assert started.station._stopper.may_release
+    assert bench.station._antenna.stop_consent
+    assert started.station._antenna.stop_consent
 
 
 @pytest.mark.parametrize(

@@ -27,7 +27,7 @@ def twins(tmp_path_factory):
 
 @pytest.fixture
 def bench(twins):
-    return Bench("learner", twins.LearnerTwin, stops=(StopScene("retarget", (80.0, 20.0), 1.0),), follows_deg=1.0)
+    return Bench("learner", twins.LearnerTwin, stops=(StopScene("command", (80.0, 20.0), 1.0),), follows_deg=1.0)
 
 
 class TestLearner(Contract):

@@ -9,6 +9,7 @@ import pytest
 from birdcage.base.errors import BirdcageError
 from birdcage.protocol.carryout.protocol import CarryoutProtocol
 from birdcage.rotator.facts import Readback
+from birdcage.rotator.ladder import StopMeans
 from birdcage.rotator.values import Look, Position, Taken
 from birdcage.station import look as dish_look
 from birdcage.station.stopper import Stopper
@@ -111,7 +112,7 @@ def is_slow_to_follow(patch, machine, twin):
 def has_another_rung(patch, machine, twin):
     ladder = machine.facts.stop_ladder
     patch.setattr(
-        machine, "facts", replace(machine.facts, stop_ladder=(*ladder, replace(ladder[0], name="release")))
+        machine, "facts", replace(machine.facts, stop_ladder=(*ladder, replace(ladder[0], means=StopMeans.RELEASE)))
     )  # fmt: skip
 
 

@@ -16,20 +16,21 @@ from birdcage.antenna.foresight import foresee
 from birdcage.antenna.gate import UNTOLD, MotionGate
 from birdcage.antenna.latch import Latch
 from birdcage.antenna.maintenance import Maintenance
-from birdcage.antenna.motion import DishMotion, rest_seen
+from birdcage.antenna.motion import DishMotion
 from birdcage.antenna.odometer import Odometer
 from birdcage.antenna.reading import Readings
 from birdcage.antenna.reckoning import Reckoning
 from birdcage.antenna.rest import RestWatch
 from birdcage.antenna.sender import Sender
 from birdcage.antenna.skew import SkewGoal
+from birdcage.antenna.stop_aim import StopAim
+from birdcage.antenna.strategy.choice import strategy_for, suited
 from birdcage.base.clock import Clock, RealClock
 from birdcage.base.errors import CommandRefused, Held, MotionRefused, PositionUnknown, Stopped, WrongThread
 from birdcage.leapfrog import apply_leapfrog
 from birdcage.link.link import Link
 from birdcage.rotator.adapting import as_rotator
 from birdcage.rotator.hooks import Hooks
-from birdcage.rotator.ladder import StopBy, StopOrder
 from birdcage.rotator.own import OwnFacts, with_speeds
 from birdcage.rotator.raw import RawLines
 from birdcage.rotator.values import Look, Position
@@ -70,8 +71,12 @@ class BirdcageAntenna:
         self.odometer = Odometer()
         """How far each axis was sent; for whoever counts wear."""
         self.rest = RestWatch()
+        self.stop_consent = False
+        """Whether the user lets STOP climb the rungs that need consent."""
         self._sender = Sender(self)
-        self._modelling = threading.RLock()
+        self.modelling = threading.RLock()
+        """Held while `motion` is replaced: STOP, from another thread, aims by it."""
+        self.stop_aim = StopAim(self)
         self.gate = MotionGate(rotator.facts)
         self.rotator = AzEl(rotator, self.gate)
         """The machine, as all above the seam know it."""
@@ -85,6 +90,8 @@ class BirdcageAntenna:
         """The dish as it was seen to take commands; `protocol.model` is what is known of all that are like it."""
         self.model = self.kind
         """The same with the speeds that are in force now."""
+        self.strategy = strategy_for(self)
+        """How it is moved and stopped."""
         self.commands = MoveCommands(self)
         self.speeds_deg_s: Mapping[int, float] = {}
         """The greatest speeds in force by motor number, as far as they are known."""
@@ -129,6 +136,8 @@ class BirdcageAntenna:
         """Plan and steer from now on by what is known of this dish itself."""
         self.own, self.kind = own, own.on(self.rotator.facts)
         self.use_speeds(self.speeds_deg_s)
+        if type(self.strategy) is not suited(self.model):
+            self.strategy = strategy_for(self)
 
     def remember_blocking(self) -> None:
         """Count the dish among those that take no command of a move while a motor runs."""
@@ -197,14 +206,14 @@ class BirdcageAntenna:
         Of one that does not tell: where it should be by its last move, PositionUnknown (`untold`) before there was one.
         """
         self._check_thread()
-        if not self.kind.tells_at_rest:
+        if not self.strategy.reads_position:
             return self._reckoned()
         return self._read(lambda: self.rotator.look(busy_s=self.commands.busy_s()))
 
     def glance(self) -> Position:
         """Read where the dish points within a stream of targets: NoReply (`late`) where waiting would hold that up."""
         self._check_thread()
-        if not self.kind.tells_at_rest:
+        if not self.strategy.reads_position:
             return self._reckoned()
         return self._read(lambda: self.rotator.look(hurry=True))
 
@@ -215,7 +224,7 @@ class BirdcageAntenna:
 
     def reckon_move(self) -> None:
         """A move has gone out: a dish that does not tell is on its way until that is over by its time."""
-        if self.motion is not None and not self.kind.tells_at_rest:
+        if self.motion is not None and not self.strategy.reads_position:
             self.reckoning.begin(self.motion, self._clock.rate)
 
     def hear(self, told: Look) -> Position:
@@ -229,7 +238,7 @@ class BirdcageAntenna:
             self.commands.forget_aims()
         dish = self._readings.take(once, self._clock)
         self.skew.see(dish)
-        with self._modelling:
+        with self.modelling:
             now = self._clock.monotonic()
             if self.motion is not None:
                 self.motion = self.motion.with_reading(dish, now, self._clock.rate)
@@ -301,14 +310,14 @@ class BirdcageAntenna:
     def begun(self, planned: DishMotion) -> Iterator[None]:
         """Model a motion while its lines go out; what was modelled before comes back if the dish takes none of them."""
         taken = self.taken
-        with self._modelling:
+        with self.modelling:
             # Before the first byte: a STOP that comes after that byte must know what to stop.
             before, self.motion, self.is_kept = self.motion, planned, True
         try:
             yield
             self.odometer.take(before, planned)
         except (Stopped, CommandRefused, MotionRefused, Held) as error:
-            with self._modelling:
+            with self.modelling:
                 if self.taken == taken and self.motion is planned and error.reason != "closing":
                     self.motion = before  # nothing of it moves: the dish does what it did
             raise
@@ -327,7 +336,7 @@ class BirdcageAntenna:
 
     def begins_now(self, motor: int) -> None:
         """One axis begins its way only now: the dish has waited before it took the command."""
-        with self._modelling:
+        with self.modelling:
             if self.motion is not None:
                 self.motion = self.motion.begun(motor, self._clock.monotonic())
 
@@ -342,33 +351,6 @@ class BirdcageAntenna:
         self._check_thread()
         self._sender.steer(motor, dish_deg)
 
-    def stop_order(self) -> StopOrder | None:
-        """Return what stops the motion under way, computed for this moment; None at rest. Any thread.
-
-        Where moves queue, that of one axis can't be called back: None too. What ends a silent slew leaves its model
-        alone; any other motion is modelled as stopped from then on, so that a second STOP aims where the first did.
-        """
-        with self._modelling:
-            if self.motion is None:
-                return None
-            if self.motion.silent:
-                return StopOrder(StopBy.ABORT)
-            if self.model.moves_in_turn:
-                return None  # a move of one axis can't be called back
-            self.motion = self.motion.stopped(self._clock.monotonic(), self._clock.rate)
-            return self._retarget(*self.motion.rest)
-
-    def _retarget(self, az_deg: float, el_deg: float) -> StopOrder:
-        self.commands.forget_aims()
-        gate = self.gate  # an axis may rest a little beyond its limit, where it cannot be sent
-        el_deg = min(max(el_deg, gate.el_min_deg), gate.el_max_deg)
-        return StopOrder(StopBy.RETARGET, self.rotator.retarget(az_deg, el_deg))
-
-    def stop_order_seen(self, earlier: Position, earlier_at: float, later: Position, later_at: float) -> StopOrder:
-        """Return what stops an unasked motion, from two readings of the dish's own angles."""
-        now, rate = self._clock.monotonic(), self._clock.rate
-        return self._retarget(*rest_seen(self.rotator.facts, earlier, earlier_at, later, later_at, now, rate))
-
     def stop(self) -> None:
         """Reset the move counter and bring the dish to rest: a new target just ahead of where it is.
 
@@ -381,8 +363,8 @@ class BirdcageAntenna:
             return
         if not self.motion.silent:
             self.get_position()  # tells which way the azimuth turns, if the turn of the cable was not known
-        order, left_s = self.stop_order(), self.motion.eta(self._clock.rate) - self._clock.monotonic()
-        if order is None and self.model.moves_in_turn:
+        order, left_s = self.stop_aim.order(), self.motion.eta(self._clock.rate) - self._clock.monotonic()
+        if order is None and self.strategy.one_at_a_time:
             if left_s > 0:
                 raise CommandRefused(
                     f"The {self.model.name} can't call back a move of one axis: it ends in {left_s:.0f} s, at its "

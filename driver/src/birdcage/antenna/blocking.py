@@ -100,7 +100,7 @@ class MoveCommands:
         if not has_waited(answer.took_s, usual_s, runs_s):
             return
         antenna.begins_now(motor)
-        if not antenna.model.moves_in_turn:
+        if not antenna.strategy.one_at_a_time:
             antenna.remember_blocking()
             self.on_blocking()
 

@@ -80,7 +80,7 @@ class Sender:
         now, before = clock.monotonic(), antenna.motion
         with antenna.begun(steered(antenna.model, before, here, motor, dish_deg, turn, now, clock.rate)):
             try:
-                if antenna.model.moves_in_turn:
+                if antenna.strategy.one_at_a_time:
                     antenna.commands.send(
                         motor, dish_deg, () if before is None else before.axes, known=True,
                         without=Without(dish_deg, moving=True),

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import Any
 
 from birdcage.base.errors import PositionUnknown
@@ -17,7 +18,7 @@ from birdcage.rotator.axis import Axis, Role
 from birdcage.rotator.facts import Facts, Readback, SearchSwitch, SecondMove, Turn
 from birdcage.rotator.feature import END_TV_SEARCH, Cost, Feature, Kind, Value, Writer
 from birdcage.rotator.feature_table import FeatureTable, Row
-from birdcage.rotator.ladder import POWER_SWITCH, Rung
+from birdcage.rotator.ladder import END_OF_MOVE, POWER_SWITCH, MoveKind, Rung, StopMeans
 from birdcage.rotator.origin import by_origin
 from birdcage.rotator.values import Position
 
@@ -57,8 +58,13 @@ GENERIC_FACTS = Facts(
     second_same=SecondMove.UNKNOWN,
     second_other=SecondMove.UNKNOWN,
     stop_ladder=(
-        Rung("retarget", proven=False, sentence="a new target just ahead of the dish; no stop is known for it"),
-        Rung("end of move", proven=True, sentence="it stops at its target"),
+        Rung(
+            means=StopMeans.RETARGET,
+            ends=frozenset({MoveKind.SINGLE}),
+            proven=False,
+            sentence="a new target just ahead of the dish; no stop is known for it",
+        ),
+        replace(END_OF_MOVE, sentence="it stops at its target"),
         POWER_SWITCH,
     ),
     slew=None,

@@ -196,6 +196,8 @@ class MenuRotator:
                 lines = protocol.abort_lines()
             case StopBy.KNOCK:
                 lines = ("",)
+            case StopBy.COMMAND:
+                raise ValueError("no console with menus here has a command that stops it")
         protocol.interject(lines)
 
     def settle(self, within_s: float) -> tuple[CommandRefused | None, ...]:

@@ -9,7 +9,7 @@ from enum import Enum
 from birdcage.base.beam import Reflector
 from birdcage.rotator.axis import Axis, CableRange, Role
 from birdcage.rotator.feature import RSSI, Feature, speed_of
-from birdcage.rotator.ladder import Rung
+from birdcage.rotator.ladder import MoveKind, Rung, StopMeans
 from birdcage.rotator.origin import Origin
 from birdcage.rotator.wiring import Adapter, Connector
 
@@ -144,7 +144,6 @@ class Facts:
     search_switch: SearchSwitch
     homing_s: float | None
     """The longest that homing one axis takes; None when it homes only by itself."""
-    homing_stoppable: bool = False
     boot_s: float
     """The longest that a boot takes; waiting for it never lasts longer unless asked."""
     has_motor_power: bool = False
@@ -212,6 +211,11 @@ class Facts:
     def has_speeds(self) -> bool:
         """Whether the greatest speed of an axis can be read and lowered; `Axis.speed_deg_s` is the most it can do."""
         return any(speed_of(axis.name) in self.features for axis in self.axes)
+
+    @property
+    def homing_stoppable(self) -> bool:
+        """Whether something else than a person at its switch ends its homing."""
+        return any(MoveKind.HOME in rung.ends and rung.means is not StopMeans.POWER for rung in self.stop_ladder)
 
     def bits_s(self, bits: float) -> float:
         """Return how long so many bits take on its line; no time where it has none."""

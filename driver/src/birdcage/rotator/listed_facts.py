@@ -52,6 +52,6 @@ def _flat(before: str, part: object) -> Iterator[tuple[str, str | float | bool |
         elif isinstance(value, Enum):
             yield name, str(value.value)
         elif name == "stop_ladder":
-            yield name, ", ".join(rung.name for rung in value)
+            yield name, ", ".join(rung.means for rung in value)
         elif value is None or isinstance(value, str | float | int):
             yield name, None if value == "" else value

@@ -11,7 +11,7 @@ from datetime import datetime
 from types import MappingProxyType
 
 from birdcage.rotator.facts import Facts, SecondMove
-from birdcage.rotator.ladder import END_OF_MOVE, POWER_SWITCH
+from birdcage.rotator.ladder import END_OF_MOVE, POWER_SWITCH, StopMeans
 from birdcage.rotator.origin import Origin
 
 SECOND_MOVES = ("second_same", "second_other")
@@ -91,9 +91,10 @@ def with_speeds(facts: Facts, speeds: Mapping[int, float]) -> Facts:
 
 
 def _stopped_as_it_moves(facts: Facts) -> Facts:
-    kept = tuple(rung for rung in facts.stop_ladder if rung.name != "retarget")
-    if not facts.moves_in_turn or kept == facts.stop_ladder:
+    if not facts.moves_in_turn or all(rung.means is not StopMeans.RETARGET for rung in facts.stop_ladder):
         return facts
+    replaced = (StopMeans.RETARGET, StopMeans.WAIT, StopMeans.POWER)
+    kept = tuple(rung for rung in facts.stop_ladder if rung.means not in replaced)
     return replace(facts, stop_ladder=(END_OF_MOVE, *kept, POWER_SWITCH))
 
 
@@ -138,7 +139,7 @@ def _objection(facts: Facts, name: str, value: float | str) -> str:
     if name in SECOND_MOVES:
         known, asked_move = getattr(facts, name), SecondMove(value)
         sure = facts.origin_of(name) is not Origin.INFERRED
-        has_rung = any(rung.name == "retarget" for rung in facts.stop_ladder)
+        has_rung = any(rung.means is StopMeans.RETARGET for rung in facts.stop_ladder)
         if _CARE.index(asked_move) < _CARE.index(known) and (sure or not has_rung):
             return f"is {value!r}, but the {facts.name} is known to {known.value}, and STOP rests on that."
     return ""

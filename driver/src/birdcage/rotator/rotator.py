@@ -131,7 +131,7 @@ class Rotator(Protocol):
     def begin_slew(self, to: Mapping[str, float]) -> None:
         """Send all axes at once, in the way that any byte ends; returns as soon as it is sent.
 
-        An axis whose angle nobody knows is missing. Until `slew_is_over` nothing else may be sent, but what ends it.
+        An axis whose angle is not known is missing. Until `slew_is_over` nothing else may be sent, but what ends it.
         """
 
     def slew_is_over(self) -> bool:

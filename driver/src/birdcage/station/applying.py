@@ -53,7 +53,7 @@ class Applying:
         alignment, position = rules.alignment, self._board.state.position
         self._antenna.align(alignment)
         self._look.rules = rules
-        self._stopper.may_release = rules.stop_releases_motors
+        self._antenna.stop_consent = rules.stop_releases_motors
         self._mover.forget_target()  # it was true under the alignment of before
         if position is not None:
             az_deg, el_deg = alignment.to_true(position.dish_az_deg, position.dish_el_deg)

@@ -15,7 +15,6 @@ from birdcage.rotator.own import OwnFact, OwnFacts
 from birdcage.station.board import Board
 from birdcage.station.events import Event, PositionRead
 from birdcage.station.facts_file import FILE, FactsFile
-from birdcage.station.stop_ways import stop_way
 from birdcage.station.stopper import Stopper
 
 TELLING_DEG = 0.005
@@ -49,14 +48,13 @@ class FactsMemory:
             self._file = FactsFile(path, self._antenna.rotator.facts.firmware)
         self._antenna.commands.overshoots = OvershootWatch()
         self._antenna.know(OwnFacts() if self._file is None else self._file.read())
-        self._stopper.way = stop_way(self._board, self._antenna)
+        self._antenna.strategy.forget_learnt()
         self._show()
 
     def _see_it_wait(self) -> None:
-        self._stopper.way = stop_way(self._board, self._antenna)
         self._show()
         self.on_waits()
-        if not self._antenna.kind.moves_in_turn:
+        if not self._antenna.strategy.one_at_a_time:
             self._board.warn(
                 "facts",
                 "This dish was seen to wait for its motors, but birdcage.toml (dish.facts) says that it does not. "

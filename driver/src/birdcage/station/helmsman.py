@@ -17,7 +17,6 @@ from birdcage.station.mover import ARRIVED_DEG, POLL_S, Job, Mover
 from birdcage.station.queued_mover import ASTRAY_S, STILL_S
 from birdcage.station.speeds import Speeds
 from birdcage.station.state import Activity, Motion, Pointing
-from birdcage.station.stop_power import stop_power
 from birdcage.station.watches import Watches
 from birdcage.tracking.steps import Answer, Hear, Limit, Send, Slew, Step, Wait
 from birdcage.tracking.steps import Look as Read
@@ -170,7 +169,7 @@ class Helmsman:
 
     def _send(self, step: Send) -> Answer | None:
         model = self._antenna.model
-        queues = model.moves_in_turn
+        queues = self._antenna.strategy.one_at_a_time
         if self._unsure_until is not None:
             return self._see_it_rest(self._unsure_until)
         if queues and not self._is_free():
@@ -307,7 +306,7 @@ class Helmsman:
         now = self._shown_at = clock.monotonic()
         az_deg, el_deg = antenna.alignment.to_true(*motion.rest)
         self._mover.target = az_deg, el_deg  # a jog steps from here
-        power = stop_power(antenna.model, motion, clock.rate)
+        power = antenna.strategy.power(motion, clock.rate)
         self._board.change(
             motion=Motion(
                 here.az_deg if here else az_deg, here.el_deg if here else el_deg, az_deg, el_deg, now,

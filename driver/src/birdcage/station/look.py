@@ -79,7 +79,7 @@ class Look:
     def meet_untold(self) -> None:
         """Of a dish that does not tell where it is: see that it answers, once no move can be under way."""
         antenna = self._antenna
-        if not antenna.kind.tells_at_rest and antenna.reckoning.moves_until <= self._board.clock.monotonic():
+        if not antenna.strategy.reads_position and antenna.reckoning.moves_until <= self._board.clock.monotonic():
             antenna.rotator.meet()
 
     def position(self, *, glance: bool = False, heard: values.Look | None = None) -> Pointing | None:
@@ -104,7 +104,7 @@ class Look:
         assert dish is not None, "it was read just now"
         self.on_read()
         at, utc = self._board.stamp()
-        told, word = self._antenna.kind.tells_at_rest, self._antenna.reckoning.word
+        told, word = self._antenna.strategy.reads_position, self._antenna.reckoning.word
         if not told and word is not None:
             return self.told(word)
         pointing = Pointing(

@@ -12,6 +12,7 @@ from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import AGAINST_DEG_S
 from birdcage.base.errors import BirdcageError, MotionRefused, NoReply, NotTaken, Stopped
 from birdcage.base.geometry import separation, shortest_turn
+from birdcage.rotator.ladder import StopMeans
 from birdcage.rotator.values import Position
 from birdcage.station.board import Board
 from birdcage.station.events import ActivityChanged, End, MoveEnded, MoveProgress, MoveStarted
@@ -81,7 +82,7 @@ class Mover(ABC):
         shown = self._board.state.motion
         if self._job is not None and shown is not None and self._board.state.activity is Activity.SLEWING:
             # STOP is not read either before that motor stands.
-            self._board.change(motion=replace(shown, stop_means="none", stop_power_s=None, rests_at=None))
+            self._board.change(motion=replace(shown, stop_means=StopMeans.NONE, stop_power_s=None, rests_at=None))
             self.activity(Activity.SLEWING, BUSY)
 
     @property
@@ -185,7 +186,7 @@ class Mover(ABC):
 
     def _begin(
         self, job: Job, commanded: tuple[float, float], start: Pointing | None, now: float, eta: float,
-        stop_power_s: float, stop_means: str, rests_at: float | None = None,
+        stop_power_s: float, stop_means: StopMeans, rests_at: float | None = None,
     ) -> None:  # fmt: skip
         """Follow a motion from now on, and show it."""
         job.az_deg, job.el_deg = commanded

@@ -22,7 +22,6 @@ from birdcage.station.pursuit import Phase, Pursuit
 from birdcage.station.state import Activity, Link
 from birdcage.station.stopper import Stopper
 from birdcage.station.telling import Telling
-from birdcage.station.untold import end_motion, is_soon_over
 from birdcage.station.voyages import controller_that_suits, refuse, voyage_for
 from birdcage.station.watches import Watches
 from birdcage.tracking.steps import Answer, Step
@@ -391,10 +390,10 @@ class Pursuing:
         """Stop what the pursuit has set in motion, and hold nothing."""
         if self._control.latched or self._board.state.link.state is not Link.UP:
             return
-        if is_soon_over(self._antenna, self._board.clock):
+        if self._antenna.strategy.ends_soon(self._board.clock):
             self._settle()
             return
         sentence = "The pursuit was ended."
         self._mover.fail(End.STOPPED, sentence, Stopped(sentence))
-        end_motion(self._antenna, self._board.clock)
+        self._antenna.strategy.end_motion(self._board.clock)
         self._settle()

@@ -11,13 +11,13 @@ from birdcage.antenna.legs import Leg
 from birdcage.antenna.motion import DishMotion
 from birdcage.base.errors import CommandRefused, MotionRefused, PositionUnknown, Stopped, Superseded
 from birdcage.base.geometry import shortest_turn
+from birdcage.rotator.ladder import StopMeans
 from birdcage.station.board import Board
 from birdcage.station.events import End
 from birdcage.station.look import Look
 from birdcage.station.mover import ARRIVED_DEG, POLL_S, Job, Mover
 from birdcage.station.silence import MARGIN_S, Silence
 from birdcage.station.state import Activity, Pointing
-from birdcage.station.stop_power import stop_power
 
 STILL_S = 0.3
 """How long the readings must agree where it is not known beforehand where the dish comes to rest."""
@@ -48,7 +48,7 @@ class QueuedMover(Mover):
             antenna.gate.check_target(*dish)
             job.az_deg, job.el_deg = antenna.alignment.to_true(*dish)
             # Where one that does not tell would end is not known: its motion runs out.
-            if under_way.silent and antenna.kind.tells_at_rest and not self._ends_near(under_way, *dish):
+            if under_way.silent and antenna.strategy.reads_position and not self._ends_near(under_way, *dish):
                 self._silence.end()
         self._begin_job(job, asked)
 
@@ -81,7 +81,7 @@ class QueuedMover(Mover):
         if permit is not None:
             permit()  # STOP may have come with the last answer: it has ended this motion
         self._legs, self._plans, self._asked = legs, int(rests), asked
-        power = stop_power(self._antenna.model, self._antenna.motion, self._board.clock.rate)
+        power = self._antenna.strategy.power(self._antenna.motion, self._board.clock.rate)
         start = start or self._board.state.position
         self._begin(job, (job.az_deg, job.el_deg), start, now, self._eta(job), power.seconds, power.means,
                     power.rests_at)  # fmt: skip
@@ -219,7 +219,7 @@ class QueuedMover(Mover):
             self._arrive(job, pointing)
         elif self._plans < 2 and slew is not None and off_deg <= slew.least_deg:
             self._legs = None  # short of it: the rest is gone axis by axis
-        elif self._antenna.kind.tells_at_rest:
+        elif self._antenna.strategy.reads_position:
             self.stuck(_stuck_sentence(pointing, off_deg))
         else:
             self.stuck(
@@ -262,9 +262,9 @@ class QueuedMover(Mover):
         shown, clock = self._board.state.motion, self._board.clock
         if shown is None:
             return
-        power, eta = stop_power(self._antenna.model, self._antenna.motion, clock.rate), self._eta(job)
+        power, eta = self._antenna.strategy.power(self._antenna.motion, clock.rate), self._eta(job)
         way_deg = self._seen_way(shown)
-        same = power.means == shown.stop_means == "abort" and way_deg == shown.az_way_deg
+        same = power.means == shown.stop_means is StopMeans.ABORT and way_deg == shown.az_way_deg
         if abs(eta - shown.eta) <= POLL_S and same:
             return
         self._board.change(

@@ -93,7 +93,7 @@ class Rewire:
         self._connection.use(port, baud)
         self._vigil.expect_another_dish()
         gate.released = released
-        self._stopper.way.retarget_works = None
+        self._antenna.strategy.forget_learnt()
         self._look.limit(Survey())
         self._board.forget_readings()
         self._board.change(position=None, search=Search.UNKNOWN, firmware_version=None)

@@ -15,7 +15,9 @@ from birdcage.base.config.sections import NoGoSector
 from birdcage.base.held import HeldNote
 from birdcage.rotator.facts import Facts, Turn
 from birdcage.rotator.feature import Reading
+from birdcage.rotator.ladder import StopMeans
 from birdcage.rotator.own import OwnFacts
+from birdcage.rotator.values import Position
 from birdcage.station.pursuit import Pursuit
 
 
@@ -125,6 +127,11 @@ class Pointing:
     """Monotonic seconds of the last reading, where `modelled`; None if `at` is that."""
 
     @property
+    def dish(self) -> Position:
+        """Return the dish's own angles."""
+        return Position(self.dish_az_deg, self.dish_el_deg)
+
+    @property
     def told_at(self) -> float:
         """Monotonic seconds of when the dish last said where it was: what an age is counted from."""
         return self.at if self.read_at is None else self.read_at
@@ -152,8 +159,7 @@ class Motion:
 
     With `end of move`, how long the move of the axis under way takes as a whole; `rests_at` tells when it ends.
     """
-    stop_means: str
-    """`retarget`, `abort` (any byte ends a silent slew), `end of move`, `release`, `none`."""
+    stop_means: StopMeans
     to_skew_deg: float | None = None
     """Where the skew is sent; None in a motion of azimuth and elevation, whose own angles then do not change."""
     rests_at: float | None = None
@@ -210,10 +216,7 @@ class StopReport:
 
     by: str
     at: float
-    means: str
-    """What stops, or was done: `retarget`, `abort` (a byte that ends a silent slew), `end of move` (nothing calls the
-    move of one axis back), `search` (the TV search was ended), `release`, `look` (the console is in another menu),
-    `nothing moved`, `none`, `no link`."""
+    means: StopMeans
     confirmed: bool | None
     """None while it is not known yet."""
     sentence: str

@@ -23,17 +23,16 @@ from birdcage.station.board import Board, Listener
 from birdcage.station.connection import Connection
 from birdcage.station.control import Control
 from birdcage.station.desk import Desk
+from birdcage.station.dish_mover import DishMover
 from birdcage.station.facts_memory import FactsMemory
 from birdcage.station.lent import LentSpeeds
 from birdcage.station.look import Look
 from birdcage.station.pursuing import Pursuing
 from birdcage.station.pursuit import Phase
-from birdcage.station.queued_mover import QueuedMover
 from birdcage.station.raw import MenuCommand, Verdict
 from birdcage.station.raw_effects import RawEffects
 from birdcage.station.request_log import log_request
 from birdcage.station.requests import Request
-from birdcage.station.retarget_mover import RetargetMover
 from birdcage.station.rewire import Rewire
 from birdcage.station.settings import StationSettings
 from birdcage.station.state import MOVING, StationState
@@ -75,8 +74,7 @@ class Station:
         """Whether what is said to the dish now is what has to be said before the end."""
         self._control = Control(board, settings.held_keeper)
         self._look = look = Look(board, antenna, settings)
-        queues = rotator.facts.moves_in_turn
-        self._mover = QueuedMover(board, antenna, look) if queues else RetargetMover(board, antenna, look)
+        self._mover = DishMover(board, antenna, look)
         self._stopper = Stopper(board, antenna, self._control, self._mover, look)
         self._facts = FactsMemory(board, antenna, self._stopper, settings.state_folder, settings.identify)
         applying = Applying(board, antenna, self._mover, self._stopper, look, wrong_facts)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import Enum
 
+from birdcage.antenna.strategy.strategy import StopAction
 from birdcage.rotator.ladder import StopOrder
 from birdcage.station.state import Pointing, StopReport
-from birdcage.station.stop_ways import Grip
 
 
 class Reach(Enum):
@@ -42,11 +42,11 @@ class Pending:
     deadline: float
     slowest: bool = False
     """Whether it may move more slowly than the speeds that are known: it was not, or not only, sent by this program."""
-    grip_is_complete: bool = False
+    action_is_complete: bool = False
     """Whether what follows the answer was done."""
     note: str = ""
     """What else came of it."""
     order: StopOrder | None = None
     """What was sent, and is repeated as it was: a dish whose answers alone were lost must not be sent on."""
-    unsent: Grip | None = None
+    unsent: StopAction | None = None
     """What the port has not taken, until it does."""

@@ -8,15 +8,16 @@ from collections import deque
 from dataclasses import replace
 
 from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.strategy.strategy import MotionStrategy, StopAction, Unplanned
 from birdcage.base.errors import BirdcageError, CommandRefused, Held, LinkError, NoReply, PositionUnknown, Stopped
+from birdcage.rotator.ladder import StopMeans, StopOrder
 from birdcage.station.board import Board
 from birdcage.station.control import Control
 from birdcage.station.events import End, StopConfirmed, StopSent
 from birdcage.station.look import Look
 from birdcage.station.mover import Mover
-from birdcage.station.state import Activity, Pointing, StopReport
+from birdcage.station.state import Activity, Pointing, Search, StopReport
 from birdcage.station.stop_pending import Pending, Reach
-from birdcage.station.stop_ways import Blocked, Grip, closes_in, stop_way
 
 MOST_REPEATS = 5
 COALESCE_S = 0.2
@@ -28,12 +29,11 @@ READINGS = 4
 RELEASED = "The motors are released: nothing drives the dish, and its position is unknown. Home it."
 
 
-GRIPS = ("retarget", "abort", "search")
-"""Means that were sent."""
+UNPLANNED = {Activity.UNKNOWN: Unplanned.UNKNOWN, Activity.MOVING_UNASKED: Unplanned.SEEN}
+LEARNT = (StopMeans.RETARGET, StopMeans.COMMAND, StopMeans.ABORT)
+"""What a dish in motion shows to work, or not."""
 OTHERS = (Activity.UNKNOWN, Activity.MOVING_UNASKED, Activity.STOWING)
 """Where motion is not at the speed that this program knows, if it moves at all."""
-LOOKING = ("nothing moved", "look")
-"""Means of a STOP that has sent nothing yet, and does so as soon as the dish is seen moving."""
 
 
 class Stopper:
@@ -42,9 +42,7 @@ class Stopper:
     def __init__(self, board: Board, antenna: BirdcageAntenna, control: Control, mover: Mover, look: Look) -> None:
         self._board, self._antenna, self._control = board, antenna, control
         self._mover, self._look = mover, look
-        self.may_release = False
-        """Whether the user lets STOP release the motors as its last rung."""
-        self._calls: deque[tuple[StopReport, Grip, str]] = deque()
+        self._calls: deque[tuple[StopReport, StopAction, str]] = deque()
         self.count = 0
         """How often STOP was called: what was asked for before the last call no longer holds."""
         # Reentrant: a signal handler may call STOP on top of the STOP that it interrupted.
@@ -53,9 +51,12 @@ class Stopper:
         self._last_call = -math.inf
         self.homing = False
         """Set while homing (or a stow) keeps the shell busy, and nothing that is sent gets through."""
-        self.way = stop_way(board, antenna)
         self.due: float | None = None
         self.reach = Reach.NOT
+
+    @property
+    def _strategy(self) -> MotionStrategy:
+        return self._antenna.strategy
 
     @property
     def is_pending(self) -> bool:
@@ -74,38 +75,42 @@ class Stopper:
             if now - self._last_call < COALESCE_S:
                 return
             self._last_call = now
-            grip = done = self._grip()
+            action = done = self._action()
             try:
-                if grip.order is not None:
-                    self._antenna.rotator.stop_now(grip.order)
+                if action.order is not None:
+                    self._antenna.rotator.stop_now(action.order)
             except LinkError as error:
-                done = Grip("no link", f"Nothing could be sent: cut the power of the dish. {error}")
+                done = StopAction(StopMeans.NO_LINK, f"Nothing could be sent: cut the power of the dish. {error}")
             self.reach = self._reach(done)
-            self._calls.append((StopReport(by, now, done.means, None, done.sentence), grip, reason))
+            self._calls.append((StopReport(by, now, done.means, None, done.sentence), action, reason))
             if not leaving:
                 self._control.keep(by, self._board.clock.utc(), reason)
 
-    def _grip(self) -> Grip:
+    def _action(self) -> StopAction:
         """Return what to do at once, by what is known of the dish."""
         state = self._board.state
         if not self._antenna.rotator.is_open:
-            return Grip("no link", "No link to the dish: nothing could be sent. Cut its power.")
+            return StopAction(StopMeans.NO_LINK, "No link to the dish: nothing could be sent. Cut its power.")
         if self.homing:
             what = "Stowing" if state.activity is Activity.STOWING else "Homing"
-            return Grip("none", f"{what} cannot be stopped from here: cut the power of the dish.")
+            return StopAction(StopMeans.NONE, f"{what} cannot be stopped from here: cut the power of the dish.")
         if state.activity is Activity.STOWING:
             # Where it goes is the firmware's own business: only two readings tell where to aim.
-            return Grip("look", "No STOP is documented for stowing: looking where it goes, to aim.")
-        if self._look.elsewhere and not self.way.anywhere:
-            return Grip("look", "The console is not in the motor menu: going there to look, and to aim.")
-        return self.way.at_once()
+            return StopAction(StopMeans.LOOK, "No STOP is documented for stowing: looking where it goes, to aim.")
+        if self._look.elsewhere and not self._strategy.anywhere:
+            return StopAction(StopMeans.LOOK, "The console is not in the motor menu: going there to look, and to aim.")
+        return self._at_once()
 
-    def _reach(self, grip: Grip) -> Reach:
-        if grip.means in GRIPS or (grip.order is not None and self.way.anywhere):
+    def _at_once(self) -> StopAction:
+        unplanned = UNPLANNED.get(self._board.state.activity, Unplanned.NONE)
+        return self._strategy.at_once(unplanned, self._board.clock)
+
+    def _reach(self, action: StopAction) -> Reach:
+        if action.means.is_sent or (action.order is not None and self._strategy.anywhere):
             return Reach.SENT
-        if grip.means in LOOKING:
-            return Reach.LOOKING if grip.means == "look" else Reach.CHECKING
-        return Reach.ENDS if grip.means == "end of move" else Reach.NOT
+        if action.means.is_undecided:
+            return Reach.LOOKING if action.means is StopMeans.LOOK else Reach.CHECKING
+        return Reach.ENDS if action.means is StopMeans.WAIT else Reach.NOT
 
     def release(self, stops_seen: int) -> None:
         """Let go of the latch, unless STOP was called after the release was asked for: then Held."""
@@ -124,27 +129,28 @@ class Stopper:
     def take_calls(self) -> None:
         """Publish the STOPs that were called since, on the station's thread."""
         while self._calls:
-            report, grip, reason = self._calls.popleft()
-            order = grip.order
+            report, action, reason = self._calls.popleft()
+            order = action.order
             self._control.hold(report.by, reason, keep=False)  # the call has done that
             self._mover.fail(End.STOPPED, f"STOP by {report.by}", Stopped(f"STOP by {report.by} ended the motion."))
             self._publish(report, sent=True)
-            self.way.called()
-            if report.means == "no link":
+            self._strategy.lose_track(self._board.clock)
+            if report.means is StopMeans.NO_LINK:
                 self._publish(replace(report, confirmed=False), sent=False)
                 if order is None:
                     continue  # there was no port; where it took nothing it is tried again
             slowest = self._may_crawl(report.means)
             self._mover.activity(Activity.STOPPING, "")
-            if report.means == "look" and order is None:
+            if report.means is StopMeans.LOOK and order is None:
                 self._antenna.motion = None  # by the time that it can be aimed for, it is long outdated
             now = self._board.clock.monotonic()
             repeats = self._pending.sent if self._pending is not None else 0
             self._pending = Pending(
                 report, repeats + (order is not None), order is None, None,
                 now + self._lasts_s(report.means, slowest=slowest),
-                slowest, order=order, grip_is_complete=grip.means not in GRIPS,
-                unsent=grip if report.means == "no link" else None,
+                slowest, order=order,
+                action_is_complete=not (action.means.is_sent or action.means is StopMeans.RELEASE),
+                unsent=action if report.means is StopMeans.NO_LINK else None,
             )  # fmt: skip
             self.due = now
 
@@ -182,8 +188,8 @@ class Stopper:
             self._see_whether_it_waits(pending)
             lasts_s = self._lasts_s(pending.report.means, slowest=pending.slowest)
             pending.deadline = max(pending.deadline, self._board.clock.monotonic() + lasts_s)
-        if not pending.grip_is_complete:
-            pending.grip_is_complete = True
+        if not pending.action_is_complete:
+            pending.action_is_complete = True
             self._complete(pending)
         asked = self._board.clock.monotonic()
         pointing = self._look.position()
@@ -193,17 +199,17 @@ class Stopper:
         self.due = now + POLL_S
         if pointing is None or pointing.modelled:  # two that were not read agree, and prove nothing
             released = bool(self._antenna.gate.released)
-            self._finish(pending, None, RELEASED if released else self.way.unseen)
+            self._finish(pending, None, RELEASED if released else self._strategy.unseen)
         elif pending.still_from is None:
             pending.still_from = pointing
         elif not self._look.is_still(pointing, pending.still_from):
             earlier, pending.still_from = pending.still_from, pointing
             self._still_moving(pending, earlier, pointing, now)
-        elif self._rests(pending, pending.still_from, asked, now):
-            if pending.report.means == "retarget":
-                self.way.retarget_works = self.way.retarget_works is not False and now <= pending.deadline
+        elif self._rests(pending, pending.still_from, asked):
+            if pending.report.means in LEARNT:
+                self._learn(pending.report.means, works=now <= pending.deadline)
             self._finish(
-                pending, now <= pending.deadline or pending.report.means in LOOKING,
+                pending, now <= pending.deadline or pending.report.means.is_undecided,
                 f"{pending.note}Stands still at {pointing.az_text}/{pointing.el_deg:.2f}°, "
                 f"{now - pending.report.at:.1f} s after STOP.",
             )  # fmt: skip
@@ -214,37 +220,51 @@ class Stopper:
             round_trip_s = self._antenna.rotator.line.round_trip_s or 0.0
             self.due = proof_at if now + POLL_S < proof_at < now + round_trip_s else self.due
 
-    def _rests(self, pending: Pending, still_from: Pointing, asked: float, now: float) -> bool:
+    def _rests(self, pending: Pending, still_from: Pointing, asked: float) -> bool:
         """Return whether the readings have agreed for long enough.
 
         The first was made before it came, and the last after it was `asked` for: so late an answer proves nothing.
         """
-        return asked >= self._proof_at(pending, still_from) and self.way.is_there(now)
+        return asked >= self._proof_at(pending, still_from) and self._strategy.is_there(self._board.clock)
 
     def _proof_at(self, pending: Pending, still_from: Pointing) -> float:
-        still_s = self.way.still_s(slowest=pending.slowest)
-        return still_from.at + max(still_s, self.way.turns_s(still_from)) / self._board.clock.rate
+        still_s = self._strategy.still_s(slowest=pending.slowest)
+        return still_from.at + max(still_s, self._strategy.turns_s(still_from.dish)) / self._board.clock.rate
+
+    def _learn(self, means: StopMeans, *, works: bool) -> None:
+        """Keep what a dish in motion has shown of a rung."""
+        if works:
+            self._strategy.found_to_work(means)
+        else:
+            self._strategy.found_to_fail(means)
 
     def _complete(self, pending: Pending) -> None:
+        if pending.report.means is StopMeans.RELEASE:
+            self._release(pending)
+            return
         try:
-            self.way.answered(pending.report.means)
+            self._strategy.answered(pending.report.means)
+            if pending.report.means is StopMeans.SEARCH:
+                self._antenna.maintenance.end_search()
+                self._board.change(search=Search.OFF_UNTIL_POWER_UP)
+                self._antenna.rotator.make_ready()
             now = self._board.clock.monotonic()
             pending.deadline = max(pending.deadline, now + self._lasts_s(pending.report.means, slowest=pending.slowest))
-            pending.note = "The TV search was ended. " if pending.report.means == "search" else ""
+            pending.note = "The TV search was ended. " if pending.report.means is StopMeans.SEARCH else ""
         except CommandRefused as refused:
             pending.note = f"The TV search was not ended: {refused} "
 
-    def _may_crawl(self, means: str) -> bool:
+    def _may_crawl(self, means: StopMeans) -> bool:
         """Return whether the dish may move at an unknown speed: in a motion not sent from here."""
         if self._pending is not None and self._pending.slowest:
             return True
-        return means in LOOKING and self._board.state.activity in OTHERS
+        return means.is_undecided and self._board.state.activity in OTHERS
 
-    def _lasts_s(self, means: str, *, slowest: bool) -> float:
+    def _lasts_s(self, means: StopMeans, *, slowest: bool) -> float:
         """Return how long the dish may take to rest, and to be seen at rest by readings that take their time."""
         rotator = self._antenna.rotator
         round_trip_s = rotator.line.round_trip_s if rotator.is_open else None
-        lasts_s = self.way.lasts_s(means) + self.way.still_s(slowest=slowest)
+        lasts_s = self._strategy.lasts_s(means, self._board.clock) + self._strategy.still_s(slowest=slowest)
         return lasts_s / self._board.clock.rate + READINGS * (round_trip_s or 0.0)
 
     def _answered(self, pending: Pending) -> bool:
@@ -252,7 +272,7 @@ class Stopper:
         within_s = ANSWER_S
         if pending.sent >= MOST_REPEATS:
             within_s = rotator.line.delay_s
-            if pending.report.means == "look" and motion is not None:
+            if pending.report.means is StopMeans.LOOK and motion is not None:
                 # It may be waiting for a motor before it reads on.
                 within_s += max(0.0, motion.over_by(clock.rate) - clock.monotonic())
         try:
@@ -262,18 +282,20 @@ class Stopper:
 
     def _see_whether_it_waits(self, pending: Pending) -> None:
         """A dish that was found to wait for its motors before it reads on takes no new target: let its move end."""
-        if pending.report.means == "look" and self._antenna.motion is not None and isinstance(self.way, Blocked):
-            self._look_on(pending, self.way.at_once())
+        waits = self._antenna.motion is not None and not self._strategy.answers_in_motion
+        if waits and pending.report.means is StopMeans.LOOK:
+            self._look_on(pending, self._at_once())
 
-    def _look_on(self, pending: Pending, grip: Grip) -> None:
+    def _look_on(self, pending: Pending, action: StopAction) -> None:
         """Say what is done instead of what was sent first."""
-        pending.report = replace(pending.report, means=grip.means, sentence=grip.sentence)
+        pending.report = replace(pending.report, means=action.means, sentence=action.sentence)
         self._board.change(last_stop=pending.report)
-        self.reach = self._reach(grip)
+        self.reach = self._reach(action)
 
     def _repeat(self, pending: Pending) -> None:
         if pending.sent >= MOST_REPEATS:
-            if self.may_release:
+            rung = self._strategy.next_rung(pending.report.means)
+            if rung is not None and rung.means is StopMeans.RELEASE:
                 self._release(pending)
                 return
             self._finish(pending, False, "STOP was sent five times and not answered: cut the power of the dish.")
@@ -287,36 +309,52 @@ class Stopper:
         self.due = self._board.clock.monotonic()
 
     def _still_moving(self, pending: Pending, earlier: Pointing, pointing: Pointing, now: float) -> None:
-        if pending.report.means in LOOKING:
-            grip = self.way.on_sight(earlier, pointing)
+        if pending.report.means.is_undecided:
+            action = self._strategy.on_sight(earlier.dish, earlier.at, pointing.dish, pointing.at)
             self._antenna.motion = None  # it goes otherwise than it was modelled
-            if grip.order is None:
-                self._look_on(pending, grip)
-                pending.deadline = now + self._lasts_s(grip.means, slowest=pending.slowest)
+            if action.order is None:
+                self._look_on(pending, action)
+                pending.deadline = now + self._lasts_s(action.means, slowest=pending.slowest)
                 return
-            self._antenna.rotator.stop_now(grip.order)
-            self.reach = Reach.SENT
-            pending.order = grip.order
-            pending.report = replace(pending.report, means=grip.means, sentence=grip.sentence)
-            pending.deadline = now + self._lasts_s(grip.means, slowest=pending.slowest)
-            pending.answered = pending.grip_is_complete = False
-            pending.sent += 1
-        elif closes_in(self._antenna, earlier, pointing):
+            self._send(pending, action, action.order, now)
+        elif self._strategy.closes_in(earlier.dish, pointing.dish):
             pending.deadline = max(pending.deadline, now + 1.0)  # slower than modelled, but on its way to rest
-        elif now > pending.deadline and pending.report.confirmed is None and pending.report.means not in LOOKING:
-            self.way.retarget_works = False
-            pending.report = replace(
-                pending.report, confirmed=False, sentence=f"{pending.note}The dish goes on: cut its power."
-            )
-            self._publish(pending.report, sent=False)
-            if self.may_release:
-                self._release(pending)
+        elif now > pending.deadline and pending.report.confirmed is None and not pending.report.means.is_undecided:
+            self._climb(pending, earlier, pointing, now)
+
+    def _climb(self, pending: Pending, earlier: Pointing, pointing: Pointing, now: float) -> None:
+        """The dish goes on: try what its ladder has next."""
+        if pending.report.means in LEARNT:
+            self._learn(pending.report.means, works=False)
+        rung = self._strategy.next_rung(pending.report.means)
+        if rung is not None and rung.means is not StopMeans.RELEASE:
+            action = self._strategy.on_sight(earlier.dish, earlier.at, pointing.dish, pointing.at)
+            self._antenna.motion = None  # it goes otherwise than it was modelled
+            if action.order is not None:
+                self._send(pending, action, action.order, now)
+                return
+        pending.report = replace(
+            pending.report, confirmed=False, sentence=f"{pending.note}The dish goes on: cut its power."
+        )
+        self._publish(pending.report, sent=False)
+        if rung is not None and rung.means is StopMeans.RELEASE:
+            self._release(pending)
+
+    def _send(self, pending: Pending, action: StopAction, order: StopOrder, now: float) -> None:
+        """Send another thing than what was sent first."""
+        self._antenna.rotator.stop_now(order)
+        self.reach = Reach.SENT
+        pending.order = order
+        pending.report = replace(pending.report, means=action.means, sentence=action.sentence)
+        pending.deadline = now + self._lasts_s(action.means, slowest=pending.slowest)
+        pending.answered = pending.action_is_complete = False
+        pending.sent += 1
 
     def _release(self, pending: Pending) -> None:
         """Climb the last rung: only if the user enabled it."""
         self._antenna.maintenance.release_motors()
         self._look.unknown(PositionUnknown("STOP released the motors.", reason="released"))
-        pending.report = replace(pending.report, means="release", confirmed=None)
+        pending.report = replace(pending.report, means=StopMeans.RELEASE, confirmed=None)
         self._finish(pending, None, "The motors were released. The dish's position is not known: home it.")
 
     def motors_were_released(self) -> None:
@@ -331,7 +369,7 @@ class Stopper:
         self._pending, self.due, self._antenna.motion = None, None, None
         self._board.change(motion=None)
         moves = self._antenna.reckoning.moves_until > self._board.clock.monotonic()
-        self._mover.activity(self.way.after if moves else Activity.IDLE, "")
+        self._mover.activity(Activity.UNKNOWN if moves else Activity.IDLE, "")
         report = replace(pending.report, confirmed=confirmed if earlier is None else earlier, sentence=sentence)
         self._publish(report, sent=False)
 

@@ -22,7 +22,6 @@ from birdcage.station.stalls import MotorFault, blocked, motor_fault
 from birdcage.station.starting import Starting
 from birdcage.station.state import Activity, Fault, Link, Pointing, Search
 from birdcage.station.stopper import Stopper
-from birdcage.station.untold import lose_track
 from birdcage.station.watches import Watches
 
 CLOCK_STEP_S = 2.0
@@ -80,7 +79,7 @@ class Vigil:
         return min((time for time in times if time is not None), default=None)
 
     def _position_due(self) -> float | None:
-        if self._board.state.activity is Activity.UNKNOWN and not self._antenna.kind.tells_at_rest:
+        if self._board.state.activity is Activity.UNKNOWN and not self._antenna.strategy.reads_position:
             return self._antenna.reckoning.moves_until  # then it is over by its time, though nothing tells
         # Whoever waits to leave this menu needs an answer from it first.
         return self._watches.position_due(for_any=not self._look.may_leave)
@@ -117,7 +116,7 @@ class Vigil:
 
     def heard_position(self, told: values.Look) -> None:
         """Hear unasked where the dish is: at rest that is a look like any other. In motion its mover looks."""
-        if not self._antenna.kind.tells_at_rest:
+        if not self._antenna.strategy.reads_position:
             self._heard_on_its_way(told)
             return
         state, resting = self._board.state, (Activity.IDLE, Activity.UNKNOWN, Activity.MOVING_UNASKED)
@@ -354,8 +353,7 @@ class Vigil:
             End.STOPPED, f"interrupted: {reason}", Stopped(f"The motion was cancelled: {reason}.", reason=reason)
         )
         self._watches.end_excursion()
-        if not self._antenna.kind.tells_at_rest:
-            lose_track(self._antenna, self._board.clock)
+        self._antenna.strategy.lose_track(self._board.clock)
         if moving:
             self._board.change(motion=None)  # a pursuit's, too: where it leads now is not known
             self._mover.activity(Activity.UNKNOWN, "")

@@ -33,7 +33,7 @@ class Stopping:
         Whether a rung works cannot be seen of a machine that does not tell its position: STOP names none.
         """
         facts = machines.facts_of(bench.machine)
-        ladder = [rung.name for rung in facts.stop_ladder if rung.name != BY_HAND] if facts.tells_at_rest else [NONE]
+        ladder = [rung.means for rung in facts.stop_ladder if rung.means != BY_HAND] if facts.tells_at_rest else [NONE]
         seen = [scene.rung for scene in bench.stops]
         require(set(ladder) <= set(seen), f"the ladder has {ladder}, and the bench shows {seen}")
 
@@ -45,7 +45,7 @@ class Stopping:
         for scene in bench.stops:
             with Stage(bench, scene.twin, scene.settings) as stage:
                 self._stop(stage, scene)
-            consent = [rung for rung in machines.facts_of(bench.machine).stop_ladder if rung.name == scene.rung]
+            consent = [rung for rung in machines.facts_of(bench.machine).stop_ladder if rung.means == scene.rung]
             if consent and consent[0].needs_consent:
                 with Stage(bench, scene.twin) as stage:
                     self._move(stage, scene)

@@ -12,7 +12,7 @@ from birdcage.base.clock import Outcome
 from birdcage.base.errors import LinkError, NoReply
 from birdcage.rotator.axis import Axis, CableRange, Role
 from birdcage.rotator.facts import Facts, Readback, SearchSwitch, SecondMove, Turn
-from birdcage.rotator.ladder import POWER_SWITCH, Rung
+from birdcage.rotator.ladder import POWER_SWITCH, MoveKind, Rung, StopMeans
 from birdcage.rotator.plain import PlainLine, PlainRotator
 from birdcage.rotator.values import Look, Survey, Taken
 
@@ -30,7 +30,10 @@ FACTS = Facts(
     turn=Turn.REPORTED,
     second_same=SecondMove.RETARGET,
     second_other=SecondMove.RETARGET,
-    stop_ladder=(Rung("retarget", proven=True, sentence="it halts where it is"), POWER_SWITCH),
+    stop_ladder=(
+        Rung(means=StopMeans.COMMAND, ends=frozenset({MoveKind.SINGLE}), proven=True, sentence="it halts where it is"),
+        POWER_SWITCH,
+    ),
     slew=None,
     search_switch=SearchSwitch.NEVER_SEARCHES,
     homing_s=None,

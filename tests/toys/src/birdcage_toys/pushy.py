@@ -13,7 +13,7 @@ from birdcage.console.line_session import LineDialect, LineSession
 from birdcage.link.opening import open_link
 from birdcage.rotator.axis import Axis, CableRange, Role, TurnBy
 from birdcage.rotator.facts import Facts, Readback, SearchSwitch, SecondMove, Turn
-from birdcage.rotator.ladder import POWER_SWITCH, Rung
+from birdcage.rotator.ladder import POWER_SWITCH, MoveKind, Rung, StopMeans
 from birdcage.rotator.plain import PlainLine, PlainRotator
 from birdcage.rotator.values import Look, Taken
 
@@ -31,7 +31,15 @@ FACTS = Facts(
     turn=Turn.REPORTED,
     second_same=SecondMove.RETARGET,
     second_other=SecondMove.RETARGET,
-    stop_ladder=(Rung("retarget", proven=True, sentence="a new target just ahead of it"), POWER_SWITCH),
+    stop_ladder=(
+        Rung(
+            means=StopMeans.RETARGET,
+            ends=frozenset({MoveKind.SINGLE}),
+            proven=True,
+            sentence="a new target just ahead of it",
+        ),
+        POWER_SWITCH,
+    ),
     slew=None,
     search_switch=SearchSwitch.NEVER_SEARCHES,
     homing_s=None,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from birdcage.protocol import plugs
 from birdcage.protocol.carryout.dialect import BAUD
 from birdcage.protocol.carryout.features import FEATURES
@@ -9,7 +11,7 @@ from birdcage.protocol.carryout.going import AZ_SPAN_DEG, EL_MAX_ROW, EL_SPAN_DE
 from birdcage.protocol.nvs import row_id, row_label
 from birdcage.rotator.axis import Axis, Role
 from birdcage.rotator.facts import Facts, Handling, Readback, SearchSwitch, SecondMove, Setting, SilentSlew, Turn
-from birdcage.rotator.ladder import END_OF_MOVE, POWER_SWITCH, Rung
+from birdcage.rotator.ladder import END_OF_MOVE, POWER_SWITCH, MoveKind, Rung, StopMeans
 from birdcage.rotator.origin import by_origin
 
 _SPEED_DEG_S = 5.0
@@ -32,8 +34,14 @@ CARRYOUT_2003 = Facts(
     second_same=SecondMove.QUEUE,
     second_other=SecondMove.QUEUE,
     stop_ladder=(
-        Rung("abort", proven=False, sentence="a bare Enter, which ends a combined move of relatives of this dish"),
-        END_OF_MOVE,
+        Rung(
+            means=StopMeans.ABORT,
+            ends=frozenset({MoveKind.COMBINED}),
+            proven=False,
+            sentence="a bare Enter, which ends a combined move of relatives of this dish",
+            anywhere=True,
+        ),
+        replace(END_OF_MOVE, ends=frozenset({MoveKind.COMBINED}), sentence="it stops at its target"),
         POWER_SWITCH,
     ),
     slew=SilentSlew(0.0),
@@ -60,7 +68,7 @@ CARRYOUT_2003 = Facts(
         inferred="""
             azimuth.speed_deg_s azimuth.acceleration_deg_s2 azimuth.overshoot_deg
             elevation.speed_deg_s elevation.acceleration_deg_s2 elevation.overshoot_deg
-            turn second_same second_other stop_ladder slew.least_deg search_switch homing_stoppable boot_s
+            turn second_same second_other stop_ladder slew.least_deg search_switch boot_s
             has_motor_power has_stow cable_known moves_one_axis tells_version
         """,
     ),

@@ -12,7 +12,7 @@ from birdcage.protocol.g2.features import features_of
 from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, row_id, row_label
 from birdcage.rotator.axis import Axis, CableRange, Role
 from birdcage.rotator.facts import Facts, Handling, Readback, SearchSetting, SearchSwitch, SecondMove, Setting, Turn
-from birdcage.rotator.ladder import Rung
+from birdcage.rotator.ladder import POWER_SWITCH, MoveKind, Rung, StopMeans
 from birdcage.rotator.origin import by_origin
 
 REFLECTOR = Reflector(0.3048, 0.3048, CountedBeam(6.4, 6.3, 12.45e9))
@@ -34,17 +34,20 @@ CARRYOUT_G2 = Facts(
     second_other=SecondMove.UNKNOWN,
     stop_ladder=(
         Rung(
-            "retarget",
+            means=StopMeans.RETARGET,
+            ends=frozenset({MoveKind.SINGLE, MoveKind.STOW}),
             proven=False,
             sentence="a new target just ahead of the dish; no stop is documented for this firmware",
         ),
         Rung(
-            "release",
+            means=StopMeans.RELEASE,
+            ends=frozenset({MoveKind.SINGLE, MoveKind.STOW}),
             proven=False,
             sentence="the motors are released; the dish may fall under its own weight",
             loses_position=True,
             needs_consent=True,
         ),
+        POWER_SWITCH,
     ),
     slew=None,
     search_switch=SearchSwitch.FOR_GOOD,
@@ -69,7 +72,7 @@ CARRYOUT_G2 = Facts(
     adapters=(plugs.SH_U11, plugs.ESP32),
     origin=by_origin(
         documented="""
-            name firmware baud power_switch search_switch turn homing_s homing_stoppable
+            name firmware baud power_switch search_switch turn homing_s
             azimuth.min_deg azimuth.max_deg azimuth.speed_deg_s azimuth.acceleration_deg_s2
             azimuth.step_deg elevation.min_deg elevation.max_deg elevation.speed_deg_s
             elevation.acceleration_deg_s2 elevation.step_deg cable.min_deg cable.max_deg

@@ -8,7 +8,7 @@ from birdcage.protocol.hal.features import FEATURES, SAFE_MINIMUM, SEARCH_MINIMU
 from birdcage.protocol.nvs import row_id, row_label
 from birdcage.rotator.axis import Axis, CableRange, MeasuredTimes, Role
 from birdcage.rotator.facts import Facts, Handling, Readback, SearchSwitch, SecondMove, Setting, SilentSlew, Turn
-from birdcage.rotator.ladder import END_OF_MOVE, Rung
+from birdcage.rotator.ladder import END_OF_MOVE, POWER_SWITCH, MoveKind, Rung, StopMeans
 from birdcage.rotator.origin import by_origin
 
 MOVE_TIMES = MeasuredTimes(((0.5, 0.3), (1.0, 0.5)), from_deg=2.0, scale_s=3.23, per_deg=0.84, less_s=0.48)
@@ -54,8 +54,15 @@ TRAVLER = Facts(
     second_same=SecondMove.QUEUE,
     second_other=SecondMove.QUEUE,
     stop_ladder=(
-        Rung("abort", proven=True, sentence="any byte ends a combined move"),
+        Rung(
+            means=StopMeans.ABORT,
+            ends=frozenset({MoveKind.COMBINED, MoveKind.SEARCH}),
+            proven=True,
+            sentence="any byte ends a combined move",
+            anywhere=True,
+        ),
         END_OF_MOVE,
+        POWER_SWITCH,
     ),
     slew=SilentSlew(5.0),
     search_switch=SearchSwitch.UNTIL_POWER_UP,
@@ -86,7 +93,7 @@ TRAVLER = Facts(
             azimuth.speed_deg_s azimuth.acceleration_deg_s2 azimuth.overshoot_deg
             elevation.speed_deg_s elevation.acceleration_deg_s2 elevation.overshoot_deg
             skew.min_deg skew.max_deg skew.speed_deg_s skew.acceleration_deg_s2 skew.overshoot_deg skew.times
-            slew.least_deg turn boot_s power_switch has_motor_power homing_stoppable tells_version
+            slew.least_deg turn boot_s power_switch has_motor_power tells_version
         """,
     ),
 )

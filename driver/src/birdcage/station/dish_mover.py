@@ -1,4 +1,4 @@
-"""Moves a dish that takes a new target in mid-motion, or may: both axes at once, and the latest target wins."""
+"""Moves a dish as its strategy says: whole, and the latest target wins at once; or leg by leg."""
 
 from __future__ import annotations
 
@@ -11,18 +11,17 @@ from birdcage.station.events import End
 from birdcage.station.mover import ARRIVED_DEG, POLL_S, Job
 from birdcage.station.queued_mover import QueuedMover
 from birdcage.station.state import Activity
-from birdcage.station.stop_power import stop_power
 
 
-class RetargetMover(QueuedMover):
-    """Sends each motion whole, and polls the position while it lasts.
+class DishMover(QueuedMover):
+    """Sends each motion whole where a new target is taken in mid-motion, and polls the position while it lasts.
 
-    A dish that was seen to take no command while a motor runs is moved as one whose moves queue: in legs.
+    A dish that was seen to take no command while a motor runs is moved in legs from then on.
     """
 
     def go(self, job: Job, *, clamp: bool = False, leapfrog: bool = False) -> None:
         """Send a motion. What the gate refuses is raised, and the motion under way goes on."""
-        if self._antenna.model.moves_in_turn:
+        if self._antenna.strategy.one_at_a_time:
             super().go(job, clamp=clamp, leapfrog=leapfrog)
             return
         job.whole, clock, permit = True, self._board.clock, self._antenna.permit
@@ -34,7 +33,7 @@ class RetargetMover(QueuedMover):
             self._end(End.SUPERSEDED, "a newer target replaced it", Superseded("A newer target replaced this one."))
             motion = self._antenna.motion
             assert motion is not None, "the antenna has just begun it"
-            power = stop_power(self._antenna.model, motion, clock.rate)
+            power = self._antenna.strategy.power(motion, clock.rate)
             self._begin(
                 job, commanded, start or self._board.state.position, now, motion.eta(clock.rate), power.seconds,
                 power.means,
@@ -89,7 +88,7 @@ class RetargetMover(QueuedMover):
         shown, motion, clock = self._board.state.motion, self._antenna.motion, self._board.clock
         if shown is None or motion is None:
             return clock.monotonic() if shown is None else shown.eta
-        eta, power = motion.eta(clock.rate), stop_power(self._antenna.model, motion, clock.rate)
+        eta, power = motion.eta(clock.rate), self._antenna.strategy.power(motion, clock.rate)
         way_deg = self._seen_way(shown)
         if abs(eta - shown.eta) > POLL_S or power.means != shown.stop_means or way_deg != shown.az_way_deg:
             self._board.change(

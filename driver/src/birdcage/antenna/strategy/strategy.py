@@ -1,0 +1,186 @@
+"""What all ways of moving and stopping a machine have in common (SEAMS *Rotator*, *STOP*)."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from contextlib import suppress
+from dataclasses import dataclass
+from enum import Enum
+from typing import TYPE_CHECKING
+
+from birdcage.antenna.motion import DishMotion, stop_power_s
+from birdcage.base.clock import Clock
+from birdcage.base.errors import CommandRefused
+from birdcage.base.geometry import shortest_turn
+from birdcage.rotator.ladder import MoveKind, Rung, StopBy, StopMeans, StopOrder, rungs
+from birdcage.rotator.values import Position
+
+if TYPE_CHECKING:
+    from birdcage.antenna.antenna import BirdcageAntenna
+
+GRACE_S = 1.0
+"""How much longer than its stopping power a dish may take to rest, before STOP is reported as not working."""
+
+
+class Unplanned(Enum):
+    """What is known of a motion that this program has not sent."""
+
+    NONE = "none"
+    """There is none."""
+    UNKNOWN = "unknown"
+    SEEN = "seen"
+
+
+@dataclass(frozen=True, slots=True)
+class StopAction:
+    """What STOP does, and why; no order when nothing can be sent, or need be."""
+
+    means: StopMeans
+    sentence: str
+    order: StopOrder | None = None
+
+
+NOTHING_MOVED = StopAction(StopMeans.NOTHING_MOVED, "Nothing was moving. Looking where the dish is.")
+LOOK = StopAction(StopMeans.LOOK, "birdcage sent no motion. Looking where the dish goes, to aim.")
+DROPPED = StopAction(StopMeans.NOTHING_MOVED, "The move was not sent yet, and is dropped. Looking where the dish is.")
+COMMANDED = StopAction(StopMeans.COMMAND, "The machine's own STOP command was sent.", StopOrder(StopBy.COMMAND))
+
+
+@dataclass(frozen=True, slots=True)
+class StopPower:
+    """What STOP can do about a motion, said before it is needed (DESIGN section 5)."""
+
+    seconds: float
+    means: StopMeans
+    rests_at: float | None = None
+    """When the move ends that STOP must wait for; monotonic seconds."""
+
+
+class MotionStrategy(ABC):
+    """How one machine is moved and stopped. `choice` chooses it; nothing else asks what kind of machine it is."""
+
+    one_at_a_time = False
+    """Whether nothing is sent before the move under way is over, or was ended."""
+    reads_position = True
+    """Whether it is asked where it stands; else that is modelled."""
+    answers_in_motion = True
+    """Whether it answers the command of a move while a motor runs."""
+    unseen = "The dish does not know where it points, so it can't tell whether it moves. If it does, cut its power."
+    """What is said of a STOP that no reading proves."""
+
+    def __init__(self, antenna: BirdcageAntenna) -> None:
+        self._antenna = antenna
+        self.proven: StopMeans | None = None
+        """By what a STOP in motion was seen to work."""
+        self.failed: frozenset[StopMeans] = frozenset()
+        """What was sent to a dish in motion, and did not stop it."""
+
+    def forget_learnt(self) -> None:
+        """Another machine may be at the end of the line."""
+        self.proven, self.failed = None, frozenset()
+
+    def found_to_work(self, means: StopMeans) -> None:
+        """A dish in motion was seen to come to rest by it."""
+        if means not in self.failed:
+            self.proven = means
+
+    def found_to_fail(self, means: StopMeans) -> None:
+        """A dish in motion went on."""
+        self.proven, self.failed = None, self.failed | {means}
+
+    def rungs(self, kind: MoveKind) -> tuple[Rung, ...]:
+        """Return the rungs that may end a kind of motion, best first: those with consent that have not failed."""
+        antenna = self._antenna
+        every = rungs(antenna.model.stop_ladder, kind, consent=antenna.stop_consent)
+        return tuple(rung for rung in every if rung.means not in self.failed)
+
+    @property
+    def kind(self) -> MoveKind:
+        """The kind of the motion under way, or of the next one."""
+        motion = self._antenna.motion
+        return MoveKind.COMBINED if motion is not None and motion.silent else MoveKind.SINGLE
+
+    @property
+    def commands(self) -> bool:
+        """Whether the machine's own STOP command goes before anything else."""
+        first = self.rungs(self.kind)[:1]
+        return bool(first) and first[0].means is StopMeans.COMMAND
+
+    @property
+    def anywhere(self) -> bool:
+        """Whether what stops it does so in every menu."""
+        return any(rung.anywhere for rung in self._antenna.model.stop_ladder)
+
+    @abstractmethod
+    def power(self, motion: DishMotion | None, rate: float) -> StopPower:
+        """Return what STOP can do about a motion; without one, about the first that may begin."""
+
+    @property
+    @abstractmethod
+    def unplanned(self) -> StopMeans:
+        """By what STOP ends a motion that goes on without a plan of this program."""
+
+    @abstractmethod
+    def at_once(self, unplanned: Unplanned, clock: Clock) -> StopAction:
+        """Return what stops the motion that is known. Any thread; sends nothing."""
+
+    @abstractmethod
+    def on_sight(self, earlier: Position, earlier_at: float, later: Position, later_at: float) -> StopAction:
+        """Return what stops an unplanned motion that two readings of dish angles show."""
+
+    def next_rung(self, after: StopMeans) -> Rung | None:
+        """Return the rung above one that did not stop the dish, as far as a program can climb it."""
+        later = {StopMeans.RETARGET, StopMeans.COMMAND, StopMeans.ABORT, StopMeans.RELEASE} - {after}
+        return next((rung for rung in self.rungs(self.kind) if rung.means in later), None)
+
+    @abstractmethod
+    def still_s(self, *, slowest: bool) -> float:
+        """Return for how long the readings must agree before it counts as at rest, in mechanical seconds.
+
+        `slowest`: whether it may move as slowly as its motors can.
+        """
+
+    def turns_s(self, dish: Position) -> float:  # noqa: ARG002 - only what aims can miss
+        """Return for how many mechanical seconds readings must agree there at least: it may just be turning round."""
+        return 0.0
+
+    def lasts_s(self, means: StopMeans, clock: Clock) -> float:  # noqa: ARG002 - only some wait for an end
+        """Return how long this STOP may take from now on, in mechanical seconds."""
+        return self.takes_s(means) + GRACE_S
+
+    def takes_s(self, means: StopMeans) -> float:
+        """Return how long it takes: as its rung says, else as long as braking; mechanical seconds."""
+        rung = next((rung for rung in self._antenna.model.stop_ladder if rung.means is means), None)
+        own_s = None if rung is None else rung.lasts_s
+        return stop_power_s(self._antenna.model) if own_s is None else own_s
+
+    def answered(self, means: StopMeans) -> None:  # noqa: B027 - most dishes need no more
+        """Take in that the dish has answered. May raise LinkError, NoReply or CommandRefused."""
+
+    def closes_in(self, earlier: Position, later: Position) -> bool:
+        """Return whether the dish is nearer to where it comes to rest by its model than it was a moment ago."""
+        motion = self._antenna.motion
+        if motion is None:
+            return False
+        az_deg, el_deg = motion.rest
+
+        def away_deg(dish: Position) -> float:
+            return max(abs(shortest_turn(dish.azimuth, az_deg)), abs(dish.elevation - el_deg))
+
+        return away_deg(later) < away_deg(earlier)
+
+    def is_there(self, clock: Clock) -> bool:  # noqa: ARG002
+        """Return whether readings that agree mean rest, and no motion that has hardly begun."""
+        return True
+
+    def ends_soon(self, clock: Clock) -> bool:  # noqa: ARG002 - where positions are told it can be stopped anywhere
+        """Return whether the move under way is best left alone: it ends within seconds."""
+        return False
+
+    def end_motion(self, clock: Clock) -> None:  # noqa: ARG002 - only some have to lose track
+        """Stop what moves as far as that can be done, and hold nothing. LinkError, NoReply."""
+        with suppress(CommandRefused):  # it ends its move, or takes no new target: then it rests where it was sent
+            self._antenna.stop()
+
+    def lose_track(self, clock: Clock) -> None:  # noqa: B027 - where positions are told there is none to lose
+        """Take in that something came between the machine and its target: STOP, a lost line, a step of the clock."""

@@ -1,0 +1,88 @@
+"""A machine that does not tell where it stands: moved leg by leg, and taken to be there by time (decision 0043)."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from typing import TYPE_CHECKING
+
+from birdcage.antenna.gate import UNTOLD
+from birdcage.antenna.motion import DishMotion
+from birdcage.antenna.strategy.queue import ENTER, Queue
+from birdcage.antenna.strategy.strategy import COMMANDED, StopAction, StopPower, Unplanned
+from birdcage.base.clock import Clock
+from birdcage.base.errors import NoReply
+from birdcage.rotator.ladder import MoveKind, StopMeans
+
+if TYPE_CHECKING:
+    from birdcage.antenna.antenna import BirdcageAntenna
+
+SOON_S = 5.0
+
+
+class Timed(Queue):
+    """The only one whose position at rest is modelled. What is sent to stop it may help, and is never confirmed."""
+
+    reads_position = False
+    unseen = "This dish does not tell whether it has stopped. If it moves, cut its power."
+
+    def __init__(self, antenna: BirdcageAntenna) -> None:
+        super().__init__(antenna)
+        self.one_at_a_time = antenna.model.moves_in_turn
+
+    @property
+    def unplanned(self) -> StopMeans:
+        """What is proven to end it, though nothing tells that it did."""
+        can = (StopMeans.COMMAND, StopMeans.ABORT)
+        rungs = self.rungs(MoveKind.COMBINED) + self.rungs(MoveKind.SINGLE)
+        return next((rung.means for rung in rungs if rung.proven and rung.means in can), StopMeans.NONE)
+
+    def power(self, motion: DishMotion | None, rate: float) -> StopPower:  # noqa: ARG002 - whichever it is
+        """Return what is proven to stop it, if anything is."""
+        means = self.unplanned
+        return StopPower(0.0 if means is StopMeans.NONE else self.takes_s(means), means)
+
+    def at_once(self, unplanned: Unplanned, clock: Clock) -> StopAction:  # noqa: ARG002 - nothing shows one
+        """Send what its ladder has; a byte moves nothing even where it is not proven to help."""
+        antenna = self._antenna
+        motion, now = antenna.motion, clock.monotonic()
+        if motion is not None and antenna.is_kept:
+            return StopAction(StopMeans.NOTHING_MOVED, "The move was not sent yet, and is dropped.")
+        until = antenna.reckoning.moves_until if motion is None else motion.over_by(clock.rate)
+        if until <= now:
+            return StopAction(
+                StopMeans.NOTHING_MOVED, "By its time no move is under way. This dish does not tell."
+            )  # fmt: skip
+        means, ends = self.unplanned, f"ends within {until - now:.0f} s. To stop it sooner, cut its power."
+        match means:
+            case StopMeans.COMMAND:
+                said = "Its own STOP command was sent. It does not tell whether it has stopped. If it goes on, it"
+                return StopAction(means, f"{said} {ends}", COMMANDED.order)
+            case StopMeans.ABORT:
+                said = "What ends a combined move was sent. It does not tell whether it has stopped. If it goes on, it"
+                return StopAction(means, f"{said} {ends}", ENTER)
+        if any(rung.means is StopMeans.ABORT for rung in self.rungs(MoveKind.COMBINED)):
+            said = "No STOP is known for this dish. A bare Enter was sent, which stops relatives of it."
+            return StopAction(means, f"{said} If it goes on, it {ends}", ENTER)
+        return StopAction(means, f"No STOP is known for this dish. Its move {ends}")
+
+    def answered(self, means: StopMeans) -> None:
+        """Nothing else is to be done."""
+
+    def ends_soon(self, clock: Clock) -> bool:
+        """Return whether it does: where it stands is known only then."""
+        motion = self._antenna.motion
+        return motion is None or (motion.start_known and motion.eta(clock.rate) - clock.monotonic() <= SOON_S)
+
+    def end_motion(self, clock: Clock) -> None:
+        """Stop it as far as that can be done: where it stands is not known then."""
+        with suppress(NoReply):
+            super().end_motion(clock)
+        self.lose_track(clock)
+
+    def lose_track(self, clock: Clock) -> None:
+        """Whether its motion goes on, and where it ends, nothing will tell: only until when it may last is known."""
+        antenna = self._antenna
+        if antenna.motion is not None:
+            antenna.reckoning.abandon(antenna.motion, clock.monotonic(), clock.rate)
+            antenna.motion = None
+            antenna.gate.forget(UNTOLD)
