@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from birdcage.antenna.gate import MotionGate
@@ -10,6 +10,7 @@ from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused
 from birdcage.rotator.axis import TurnBy
 from birdcage.rotator.facts import Facts
+from birdcage.rotator.feature import Feature, Reading, Value
 from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.ladder import StopOrder
 from birdcage.rotator.rotator import Line, Rotator
@@ -70,6 +71,19 @@ class AzEl:
     def survey(self) -> Survey:
         """See `Rotator`."""
         return self._rotator.survey()
+
+    @property
+    def features(self) -> Mapping[str, Feature]:
+        """See `Rotator`."""
+        return self._rotator.features
+
+    def read(self, ids: Iterable[str]) -> Mapping[str, Reading]:
+        """See `Rotator`."""
+        return self._rotator.read(ids)
+
+    def write(self, feature: str, value: Value) -> Reading:
+        """See `Rotator`."""
+        return self._rotator.write(feature, value)
 
     def look(self, *, hurry: bool = False, busy_s: float = 0.0) -> Position:
         """See `Rotator`."""

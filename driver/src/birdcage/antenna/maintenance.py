@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from birdcage.antenna.az_el import AzEl
 from birdcage.antenna.gate import MotionGate
 from birdcage.rotator.facts import SearchSwitch
-from birdcage.rotator.feature import END_TV_SEARCH, TV_SEARCH
+from birdcage.rotator.feature import END_TV_SEARCH, TV_SEARCH, Reading
 
 
 class Maintenance:
@@ -40,13 +40,12 @@ class Maintenance:
 
         self._rotator.release_motors(goes_out)
 
-    def end_search(self) -> None:
-        """End the firmware's TV search, or switch it off: see `Facts.search_switch`."""
+    def end_search(self) -> Mapping[str, Reading]:
+        """End the firmware's TV search, or switch it off: see `Facts.search_switch`. Return what was read back."""
         try:
             if self._rotator.facts.search_switch is SearchSwitch.UNTIL_POWER_UP:
-                self._rotator.write(END_TV_SEARCH, True)
-            else:
-                self._rotator.write(TV_SEARCH, False)
+                return {END_TV_SEARCH: self._rotator.write(END_TV_SEARCH, True)}
+            return {TV_SEARCH: self._rotator.write(TV_SEARCH, False)}
         finally:
             if self._rotator.facts.search_switch is SearchSwitch.UNTIL_POWER_UP:
                 self._gate.forget("unread")

@@ -42,11 +42,11 @@ Exit status:
 
 def code_of(error: BirdcageError) -> int:
     """Return the exit code for an error."""
-    from birdcage.base.errors import ConfigError, Held, LinkError, MotionRefused, NoReply
+    from birdcage.base.errors import ConfigError, Held, LinkError, MotionRefused, NoReply, OutOfRange
 
     if isinstance(error, ConfigError) or error.reason == "wrong_firmware":
         return USAGE
     if isinstance(error, LinkError | NoReply) or error.reason == "link":
         return LINK
-    refused = isinstance(error, MotionRefused) or (isinstance(error, Held) and error.reason == Held.reason)
+    refused = isinstance(error, MotionRefused | OutOfRange) or (isinstance(error, Held) and error.reason == Held.reason)
     return REFUSED if refused else NOT_DONE

@@ -8,6 +8,30 @@ if TYPE_CHECKING:
     from birdcage.cli.options import Wanted
 
 
+def ask_owner(dish: Wanted, do: str, by: str, **more: object) -> dict[str, Any] | None:
+    """Ask the program that has the port; None if there is none, or it keeps silent, which is said.
+
+    Raises what it tells went wrong.
+    """
+    from birdcage.cli.say import say
+    from birdcage.station.feature_report import error_of
+    from birdcage.station.ring import NoAnswer, NobodyThere, find_owner, owners_folder, ring
+
+    owner = find_owner(owners_folder(dish.paths), dish.port)
+    if owner is None:
+        return None
+    try:
+        told = ring(owner, do, by, **more)
+    except NoAnswer as error:
+        say(f"{error}.")
+        return None
+    except NobodyThere:
+        return None  # it has ended: the port is free to be opened
+    if isinstance(told.get("error"), dict):
+        raise error_of(told["error"])
+    return told | {"port": owner.port}
+
+
 def ring_owners(dish: Wanted, do: str, by: str) -> list[dict[str, Any]]:
     """Have the owner of the port do it, or every owner when no port is named anywhere; empty if there is none.
 

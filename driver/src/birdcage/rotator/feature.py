@@ -70,8 +70,8 @@ class Range:
     def __str__(self) -> str:
         """Return it for a person."""
         if math.isinf(self.low):
-            return f"up to {self.high:g}"
-        return f"from {self.low:g}" if math.isinf(self.high) else f"{self.low:g} to {self.high:g}"
+            return f"up to {self.high:.4g}"
+        return f"from {self.low:.4g}" if math.isinf(self.high) else f"{self.low:.4g} to {self.high:.4g}"
 
 
 @dataclass(frozen=True, slots=True)

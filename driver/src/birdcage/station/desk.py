@@ -12,6 +12,7 @@ from birdcage.station.applying import Applying
 from birdcage.station.board import Board
 from birdcage.station.control import Control
 from birdcage.station.events import End, FaultAcknowledged
+from birdcage.station.features import Features
 from birdcage.station.look import Look
 from birdcage.station.motors import Motors
 from birdcage.station.mover import Job, Mover
@@ -40,6 +41,7 @@ class Desk:
         self._rewire, self._talk, self._applying, self._pursuing = rewire, talk, applying, pursuing
         self._motors = Motors(board, antenna, control, mover, stopper, look, self._free_wire)
         self._search = SearchSwitch(board, antenna, look, settings)
+        self._features = Features(board, antenna, control, look, self._motors, self._search, self._free_wire)
 
     def serve(self, request: ask.Request, future: Future[object], stops_seen: int) -> None:
         """Serve one request; its future is resolved now, or at arrival for a motion.
@@ -72,6 +74,12 @@ class Desk:
             case ask.SetSpeed(axis, speed_deg_s, holder):
                 self._make_way(holder)
                 future.set_result(self._motors.set_speed(axis, speed_deg_s, holder))
+                return
+            case ask.Read(features):
+                future.set_result(self._features.read(features))
+                return
+            case ask.Set():
+                future.set_result(self._features.set(request))
                 return
             case ask.ApplySettings(settings):
                 self._applying.apply(settings)

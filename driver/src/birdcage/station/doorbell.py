@@ -7,6 +7,9 @@ where it listens, and a token. One JSON line in, one out:
     {"token": "…", "do": "hold", "by": "anna"}           ->  {"ok": true, "hold": {…}}     the same, in other words
     {"token": "…", "do": "release", "by": "anna"}        ->  {"ok": true, "release": {…}}  (`report.release_report`)
     {"token": "…", "do": "status"}                       ->  {"ok": true, "status": {…}}   (`report.status_report`)
+    {"token": "…", "do": "features"}                     ->  {"ok": true, "features": {…}} (`feature_report`)
+    {"token": "…", "do": "get", "ids": ["rssi"]}         ->  {"ok": true, "get": {"readings": {…}}}, or {"error": {…}}
+    {"token": "…", "do": "set", "id": "…", "value": 1, "agreed": true, "by": "anna"}        the same, as `set`
 
 The caller's side is `ring`.
 """
@@ -22,13 +25,16 @@ import secrets
 import select
 import socket
 import threading
+from collections.abc import Mapping
 from pathlib import Path
 
-from birdcage.base.errors import BirdcageError
+from birdcage.base.errors import BirdcageError, NoReply
 from birdcage.base.wake import Wake
+from birdcage.rotator.feature import Reading
 from birdcage.station.events import Event, LinkChanged, StopConfirmed
+from birdcage.station.feature_report import error_values, feature_values, reading_values
 from birdcage.station.report import release_report, status_report, stop_report
-from birdcage.station.requests import Release
+from birdcage.station.requests import Read, Release, Set
 from birdcage.station.ring import owner_file
 from birdcage.station.state import Link
 from birdcage.station.station import Station
@@ -40,6 +46,8 @@ CONFIRM_S = 6.0
 """How long the answer to a stop waits for the dish to confirm: five repeats, and the time to come to rest."""
 RELEASE_S = 5.0
 """How long the answer to a release waits for the station."""
+FEATURE_S = 8.0
+"""How long the answer to a question for features waits: less than the caller does (`ring.ANSWER_S`)."""
 ANSWERED_S = 0.3
 """How long closing waits for an answer that is being sent."""
 
@@ -158,6 +166,19 @@ class Doorbell:
             case "status":
                 station = self._station
                 return {"ok": True, "status": status_report(station.state, station.clock.monotonic())}
+            case "features":
+                dish = self._station.state.dish
+                told = [] if dish is None else list(map(feature_values, dish.features.values()))
+                return {"ok": True, "features": {"firmware": dish.firmware if dish else None, "features": told}}
+            case "get":
+                ids = tuple(map(str, asked.get("ids") or ()))
+                return {"ok": True, "get": self._feature(Read(ids), ids)}
+            case "set":
+                name, value = str(asked.get("id")), asked.get("value")
+                if not isinstance(value, bool | int | float | str):
+                    return {"ok": False, "error": f"no value: {value!r}"}
+                setting = Set(name, value, by, agreed=asked.get("agreed") is True)
+                return {"ok": True, "set": self._feature(setting, (name,))}
             case other:
                 return {"ok": False, "error": f"cannot do {other!r}"}
 
@@ -179,6 +200,20 @@ class Doorbell:
         if last is None or last.at < called:
             return {"by": by, "means": "sent", "confirmed": None, "sentence": "STOP was called, without effect."}
         return dict(stop_report(last))
+
+    def _feature(self, request: Read | Set, ids: tuple[str, ...]) -> dict[str, object]:
+        """Read or set features, and return what was read, or why not."""
+        try:
+            told = self._station.submit(request).result(FEATURE_S)
+        except TimeoutError:
+            late = NoReply(f"The program that has the port did not answer within {FEATURE_S:.0f} s.")
+            return {"error": error_values(late)}
+        except BirdcageError as error:
+            return {"error": error_values(error)}
+        readings = {ids[0]: told} if isinstance(told, Reading) else told
+        dish = self._station.state.dish
+        assert isinstance(readings, Mapping)
+        return {"readings": reading_values(ids, {} if dish is None else dish.features, readings)}
 
     def _release(self, by: str) -> dict[str, object]:
         before = self._station.state.held

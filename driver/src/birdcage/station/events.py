@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from enum import Enum
 
+from birdcage.rotator.feature import Value
 from birdcage.station.pursuit import Pursuit, Sample
 from birdcage.station.state import Activity, Fault, HeldState, LinkState, Motion, Pointing, StopReport
 
@@ -119,7 +120,7 @@ class ReadingRead(Event):
     """A value was read from the dish."""
 
     feature: str
-    value: float | str | bool
+    value: Value
     unit: str
 
 

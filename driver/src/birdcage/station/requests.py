@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from birdcage.base.config import Settings
+from birdcage.rotator.feature import Value
 from birdcage.rotator.verdict import Grade
 from birdcage.station.pursuit import PursuitOptions
 
@@ -138,6 +139,28 @@ class SetSpeed:
 
 
 @dataclass(frozen=True, slots=True)
+class Read:
+    """Ask the dish for some of its features (`StationState.dish.features`) now; no control is needed.
+
+    Its future resolves with a mapping of id to `Reading`: what the dish did not tell is left out.
+    """
+
+    features: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Set:
+    """Write a feature of the dish; its future resolves with the `Reading` that was read back."""
+
+    feature: str
+    value: Value
+    """True for one that is momentary."""
+    holder: str
+    agreed: bool = False
+    """Whether a person was told the feature's `hazard`, and agreed. ConfirmationNeeded if it has one and none did."""
+
+
+@dataclass(frozen=True, slots=True)
 class Raw:
     """One line for the dish's own console, exempt from the limits. Its future resolves with a `RawReply`.
 
@@ -253,6 +276,8 @@ Request = (
     | Engage
     | Stow
     | SetSpeed
+    | Read
+    | Set
     | Raw
     | ListCommands
     | ProbePort

@@ -72,13 +72,15 @@ def find_owners(folder: Path) -> list[Owner]:
     return [owner for owner in found if owner is not None]
 
 
-def ring(owner: Owner, do: str, by: str) -> dict[str, Any]:
-    """Ask the owner to `stop`, `hold`, `release` or for its `status`, and return what it tells; `by` says who asks.
+def ring(owner: Owner, do: str, by: str, **more: object) -> dict[str, Any]:
+    """Ask the owner to `stop`, `hold`, `release`, or for its `status`, and return what it tells; `by` says who asks.
+
+    `more` goes with it: of which features, and what to set (`doorbell`).
 
     NobodyThere when it has ended, or ends before it answers; a file left behind by it is then removed. NoAnswer when
     it lives and keeps silent.
     """
-    asked = json.dumps({"token": owner.token, "do": do, "by": by}).encode() + b"\n"
+    asked = json.dumps({"token": owner.token, "do": do, "by": by, **more}).encode() + b"\n"
     try:
         with socket.create_connection(("127.0.0.1", owner.tcp_port), CONNECT_S) as line:
             line.settimeout(ANSWER_S)

@@ -47,17 +47,16 @@ class SearchSwitch:
         """Switch the search off, or back on; return the path of the backup, None if no setting was written."""
         rotator = self._antenna.rotator
         if self._until_power_up:
-            self._antenna.maintenance.end_search()
+            ended = self._antenna.maintenance.end_search()
             rotator.make_ready()
             self._board.change(search=Search.OFF_UNTIL_POWER_UP)
             self._look.position()
+            self._look.note(ended)
             return None
         backup = self._back_up(self._settings_table())
-        if disabled:
-            self._antenna.maintenance.end_search()
-        else:
-            rotator.write(TV_SEARCH, True)
+        written = self._antenna.maintenance.end_search() if disabled else {TV_SEARCH: rotator.write(TV_SEARCH, True)}
         self._look.survey()
+        self._look.note(written)
         if self._board.state.search is not Search.OFF:
             # Written, but the search process that the dish started at power-up goes on until the next one.
             self._board.change(search=Search.UNKNOWN)

@@ -20,10 +20,11 @@ def command(context: click.Context, quick: bool) -> None:
     If another birdcage program has the port, that one is asked. What is not known is a dash, or null in JSON.
     """
     from birdcage.base.errors import LinkError, NoReply
+    from birdcage.cli.owners import ask_owner
     from birdcage.cli.say import say, tell, tell_json
 
     dish, trouble = wanted(), None
-    status = _ask_owner(dish)
+    status = ask_owner(dish, "status", "birdcage status")
     if status is None:
         try:
             status = _look(dish, quick=quick)
@@ -38,22 +39,6 @@ def command(context: click.Context, quick: bool) -> None:
     if trouble is not None:
         say(str(trouble))
         context.exit(exits.code_of(trouble))
-
-
-def _ask_owner(dish: Wanted) -> dict[str, Any] | None:
-    from birdcage.cli.say import say
-    from birdcage.station.ring import NoAnswer, NobodyThere, find_owner, owners_folder, ring
-
-    owner = find_owner(owners_folder(dish.paths), dish.port)
-    if owner is None:
-        return None
-    try:
-        return ring(owner, "status", "birdcage status")
-    except NoAnswer as error:
-        say(f"{error}.")
-    except NobodyThere:
-        pass  # it has ended: the port is free to be opened
-    return None
 
 
 def _look(wanted: Wanted, *, quick: bool) -> dict[str, Any]:

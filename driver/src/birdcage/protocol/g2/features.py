@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from birdcage.base.errors import NoReply
+from birdcage.protocol.motors import MOTORS, by_name
 from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, row_label
 from birdcage.rotator.axis import Axis
 from birdcage.rotator.feature import (
@@ -30,8 +31,9 @@ if TYPE_CHECKING:
 RSSI_READS = 10
 _IDENTITY = {VERSION: "Software", "antenna_id": "Antenna ID", "system_id": "System ID"}
 _SEARCH_HAZARD = (
-    "This saves NVS 20 in the dish's flash memory, in force from the next power-up on. Off: it no longer homes by "
-    "itself then, so home it at each power-up. On: it homes and searches then: it moves by itself."
+    "This saves NVS 20 in the dish's flash memory, after a backup of all its settings, and counts from the next "
+    "power-up on. Off: it no longer homes by itself then, so home it at each power-up. On: it homes and searches then: "
+    "it moves by itself."
 )
 
 
@@ -53,12 +55,8 @@ def _angle(name: str, label: str, index: int) -> Row:
     return Row(Feature(name, label, "deg", Kind.NUMBER, Range(-90.0, 90.0), cost=Cost(1, "nvs")), read)
 
 
-def _named(dish: CarryoutG2Protocol, speeds: Mapping[int, float]) -> dict[str, Value]:
-    return {speed_of(dish.model.axis(motor).name): speed for motor, speed in speeds.items()}
-
-
-def _speeds(dish: CarryoutG2Protocol) -> dict[str, Value]:
-    return _named(dish, dish.read_speeds())
+def _named(speeds: Mapping[int, float]) -> dict[str, Value]:
+    return {speed_of(axis): speed for axis, speed in by_name(speeds).items()}
 
 
 def _speed(axis: Axis) -> Row:
@@ -67,7 +65,12 @@ def _speed(axis: Axis) -> Row:
         speed_of(axis.name), f"Greatest {axis.name} speed", "deg/s", Kind.NUMBER,
         Range(axis.step_deg, axis.speed_deg_s), Writer.UNTIL_RESTART, cost=Cost(2, "step"),
     )  # fmt: skip
-    return Row(feature, _speeds, lambda dish, value: _named(dish, dish.set_speed(axis.index, float(value))))
+    motor = MOTORS[axis.name]
+    return Row(feature, _speeds, lambda dish, value: _named(dish.set_speed(motor, float(value))))
+
+
+def _speeds(dish: CarryoutG2Protocol) -> dict[str, Value]:
+    return _named(dish.read_speeds())
 
 
 def _tv_search(dish: CarryoutG2Protocol) -> dict[str, Value]:

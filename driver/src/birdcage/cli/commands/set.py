@@ -1,0 +1,79 @@
+"""`birdcage set`."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+import click
+
+from birdcage.cli import exits
+from birdcage.cli.options import flags, global_options, wanted
+
+ON, OFF = ("on", "yes", "true", "1"), ("off", "no", "false", "0")
+
+
+@click.command("set", epilog=exits.EPILOG)
+@click.argument("name")
+@click.argument("value", required=False)
+@click.option("--yes", is_flag=True, help="Agree to what it does, without being asked.")
+@global_options()
+def command(name: str, value: str | None, yes: bool) -> None:
+    """Set a feature of the dish, and print what was read back; `birdcage features` lists names and ranges.
+
+    VALUE is a number, or on and off; what is done and over (`at once`) takes none. What needs your consent is asked for
+    first. Nothing is set while the dish moves. If another birdcage program has the port, that one sets it.
+    """
+    from birdcage.base.errors import CommandRefused
+    from birdcage.cli.commands.get import lines_of
+    from birdcage.cli.dish_features import list_features, set_feature
+    from birdcage.cli.say import tell, tell_json
+
+    dish = wanted()
+    rows = {row["id"]: row for row in list_features(dish)["features"]}
+    row = rows.get(name)
+    if row is None or row["writer"] == "read only":
+        raise CommandRefused(
+            f"This dish has no feature {name} that can be set. Nothing was sent. `birdcage features` lists what it "
+            "has.",
+            reason="unsupported",
+        )
+    meant = _value(row, value)
+    if row["hazard"]:
+        _confirm(row["hazard"], yes)
+    told = set_feature(dish, name, meant)
+    if flags().json:
+        tell_json(told)
+        return
+    for line in lines_of(name, told["readings"][name]):
+        tell(line)
+
+
+def _value(row: dict[str, Any], text: str | None) -> bool | float | str:
+    """Return what was typed as what this feature takes; UsageError for anything else."""
+    kind = row["kind"]
+    if kind == "momentary":
+        if text is not None:
+            raise click.UsageError(f"{row['id']} takes no value.")
+        return True
+    if text is None:
+        raise click.UsageError(f"Give a value for {row['id']}.")
+    if kind == "switch":
+        if text.lower() not in (*ON, *OFF):
+            raise click.UsageError(f"{row['id']} is {text!r}. Give on or off.")
+        return text.lower() in ON
+    if kind != "number":
+        return text
+    try:
+        return float(text)
+    except ValueError:
+        raise click.UsageError(f"{row['id']} is {text!r}. Give a number, in {row['unit'] or 'no unit'}.") from None
+
+
+def _confirm(hazard: str, yes: bool) -> None:
+    click.echo(hazard, err=True)
+    if yes:
+        return
+    if not sys.stdin.isatty():
+        raise click.UsageError("Give --yes to do it.")
+    click.confirm("Set it?", abort=True, err=True)

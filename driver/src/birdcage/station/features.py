@@ -1,0 +1,124 @@
+"""Serves what is read and set by name: the machine's own table of features, at what each costs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.base.errors import CommandRefused, ConfirmationNeeded, LeaseDenied
+from birdcage.rotator.feature import END_TV_SEARCH, TV_SEARCH, Feature, Reading, Value, speed_of
+from birdcage.station.applying import refuse_while_moving
+from birdcage.station.board import Board
+from birdcage.station.control import Control
+from birdcage.station.look import Look
+from birdcage.station.motors import Motors
+from birdcage.station.raw import CONSOLE
+from birdcage.station.requests import Set
+from birdcage.station.search import SearchSwitch
+
+
+class Features:
+    """Errors are raised, and become the future's. `wire_free` raises LinkError unless the dish answers."""
+
+    def __init__(
+        self, board: Board, antenna: BirdcageAntenna, control: Control, look: Look, motors: Motors,
+        search: SearchSwitch, wire_free: Callable[[], None],
+    ) -> None:  # fmt: skip
+        self._board, self._antenna, self._control, self._look = board, antenna, control, look
+        self._motors, self._search, self._wire_free = motors, search, wire_free
+
+    def read(self, ids: tuple[str, ...]) -> Mapping[str, Reading]:
+        """Ask the machine for some features, and tell all; what it did not tell is left out.
+
+        What was read less than its `min_interval_s` ago is not asked for again. BirdcageError (`moving`) while the
+        machine moves, unless each may be read then; LeaseDenied while a person has its console.
+        """
+        features = [self._feature(each, readable=True) for each in ids]
+        readings = {each.id: told for each in features if (told := self._fresh(each)) is not None}
+        due = [each for each in features if each.id not in readings]
+        if due:
+            if self._board.state.holder == CONSOLE:
+                raise LeaseDenied(
+                    "A person has the console of the dish, so nothing else is asked. Wait until it is free."
+                )
+            if not all(each.cost.while_moving for each in due):
+                refuse_while_moving(self._board, self._antenna, "Nothing is read")
+            self._wire_free()
+            readings |= self._ask([each.id for each in due])
+        return {each: readings[each] for each in ids if each in readings}
+
+    def set(self, request: Set) -> Reading:
+        """Write a feature, and return what was read back.
+
+        CommandRefused (`unsupported`) for what can't be written, OutOfRange for a value that it can't have,
+        ConfirmationNeeded where a person has to agree first.
+        """
+        feature, value = self._feature(request.feature, readable=False), request.value
+        feature.check(value)
+        if feature.hazard and not request.agreed:
+            raise ConfirmationNeeded(f"{feature.hazard} Nothing was sent.")
+        axes = {speed_of(axis.name): axis for axis in self._antenna.rotator.facts.axes}
+        if feature.id in axes:
+            self._motors.set_speed(axes[feature.id].index, float(value), request.holder)
+        elif feature.id in (TV_SEARCH, END_TV_SEARCH):
+            disabled = feature.id == END_TV_SEARCH or not value
+            self._search.refuse(disabled=disabled)
+            if feature.id == TV_SEARCH:  # one that runs is ended just because it moves the dish
+                refuse_while_moving(self._board, self._antenna, f"{feature.label} is not set")
+            self._free_for(request.holder)
+            self._search.set(disabled=disabled)
+        else:
+            self._write(feature, value, request.holder)
+        return self._board.state.readings[feature.id]
+
+    def _feature(self, name: str, *, readable: bool) -> Feature:
+        feature = self._antenna.rotator.features.get(name)
+        if feature is None or not (feature.is_readable if readable else feature.is_writable):
+            dish, done = self._antenna.rotator.facts.name, "read" if readable else "set"
+            raise CommandRefused(
+                f"The {dish} has no feature {name} that can be {done}. Nothing was sent. `birdcage features` lists "
+                "what it has.",
+                reason="unsupported",
+            )
+        return feature
+
+    def _fresh(self, feature: Feature) -> Reading | None:
+        """Return the last reading while it is too early for another."""
+        last = self._board.state.readings.get(feature.id)
+        if last is None or self._board.clock.monotonic() - last.at >= feature.cost.min_interval_s:
+            return None
+        return last
+
+    def _ask(self, ids: list[str]) -> Mapping[str, Reading]:
+        self._look.elsewhere = True  # STOP has to come back to the motor menu first, and look
+        try:
+            readings = self._antenna.rotator.read(ids)
+        except CommandRefused:
+            self._come_back()
+            raise
+        self._look.note(readings)
+        self._come_back()
+        return readings
+
+    def _write(self, feature: Feature, value: Value, holder: str) -> None:
+        if not feature.cost.while_moving:
+            refuse_while_moving(self._board, self._antenna, f"{feature.label} is not set")
+        self._free_for(holder)
+        self._look.elsewhere = True
+        try:
+            reading = self._antenna.rotator.write(feature.id, value)
+        except CommandRefused:
+            self._come_back()
+            raise
+        self._look.note({feature.id: reading})
+        self._come_back()
+
+    def _free_for(self, holder: str) -> None:
+        """Raise what forbids `holder` to have the machine do something; the lease stays where it is."""
+        self._control.may_take(holder)
+        self._control.refuse(holder)
+        self._wire_free()
+
+    def _come_back(self) -> None:
+        self._antenna.rotator.make_ready()
+        self._look.elsewhere = False

@@ -1,0 +1,122 @@
+"""`features`, `get` and `set`: at a port of their own, and beside a program that has it."""
+
+from __future__ import annotations
+
+import pytest
+from birdcage.base.paths import Paths
+from birdcage.protocol.g2.system import System
+
+
+@pytest.fixture(autouse=True)
+def _quick_line(monkeypatch):
+    monkeypatch.setenv("BIRDCAGE_LINK_DELAY_S", "0.3")
+
+
+def rows(text):
+    head, *lines = text.splitlines()
+    return {line.split()[0]: line for line in (head, *lines)}
+
+
+def test_what_a_dish_tells_is_listed_without_a_port(run, as_json):
+    result = run("features", port="/dev/ttyUSB99", firmware="g2")
+    assert result.exit_code == 0, result.stderr
+    table = rows(result.stdout)
+    assert table["rssi"].split()[1:] == ["Signal", "strength", "counts", "from", "0", "read", "only"]
+    assert table["speed.azimuth"].split()[-6:] == ["deg/s", "0.009", "to", "65", "until", "restart"]
+    assert table["tv_search"].split()[-4:] == ["on,", "off", "from", "power-up"]
+    told = as_json(run("features", "--json", port="/dev/ttyUSB99", firmware="g2"))
+    (search,) = [row for row in told["features"] if row["id"] == "tv_search"]
+    assert (search["kind"], search["writer"], search["unit"]) == ("switch", "from power-up", None)
+    assert "it moves by itself" in search["hazard"]
+    assert search["cost"] == {"lines": 4, "menu": "nvs", "min_interval_s": 0.0, "while_moving": False}
+
+
+def test_the_port_is_asked_where_no_firmware_is_named(run):
+    result = run("features", port="sim:hal205", firmware="")
+    assert result.exit_code == 0, result.stderr
+    assert "at once" in rows(result.stdout)["end_tv_search"]
+    silent = run("features", port="/dev/ttyUSB99", firmware="")
+    assert (silent.exit_code, silent.stdout) == (2, "")
+    assert "Name the firmware with --firmware" in silent.stderr
+
+
+def test_features_are_read(run, as_json):
+    result = run("get", "version", "speed.azimuth", "tv_search")
+    assert result.exit_code == 0, result.stderr
+    lines = [line.split(None, 1) for line in result.stdout.splitlines()]
+    assert lines == [["version", "02.02.48"], ["speed.azimuth", "64.998 deg/s"], ["tv_search", "off"]]
+    told = as_json(run("get", "rssi", "settings", "--json"))
+    assert told["port"] == "sim:g2"
+    assert told["readings"]["rssi"]["unit"] == "counts"
+    assert any("Disable Tracker" in line for line in told["readings"]["settings"]["value"])
+
+
+def test_what_a_dish_does_not_tell_is_a_dash(run, as_json, monkeypatch):
+    monkeypatch.setattr(System, "fields", lambda _system: {"Software": "02.02.48"})
+    result = run("get", "version", "antenna_id")
+    assert result.exit_code == 1
+    assert [line.split() for line in result.stdout.splitlines()] == [["version", "02.02.48"], ["antenna_id", "-"]]
+    assert as_json(run("get", "antenna_id", "--json"))["readings"] == {"antenna_id": None}
+
+
+def test_what_a_dish_lacks_is_an_error(run):
+    result = run("get", "rssi", port="sim:carryout", firmware="carryout")
+    assert (result.exit_code, result.stdout) == (1, "")
+    assert "has no feature rssi that can be read. Nothing was sent. `birdcage features`" in result.stderr
+
+
+def test_a_feature_is_set_and_read_back(run, pty_dish):
+    result = run("set", "speed.azimuth", "10", port=pty_dish.path)
+    assert result.exit_code == 0, result.stderr
+    assert result.stdout.split() == ["speed.azimuth", "9.999", "deg/s"]
+    assert "mv 0 1111" in pty_dish.lines()
+    assert [line for line in pty_dish.moves() if line != "a"] == []
+
+
+@pytest.mark.parametrize(("words", "code", "sentence"), [
+    (("speed.azimuth", "70"), 4, "5 deg/s beyond its limit of 65 deg/s. Nothing was sent. Give 0.009 to 65"),
+    (("speed.azimuth", "fast"), 2, "Give a number, in deg/s"),
+    (("speed.azimuth",), 2, "Give a value"),
+    (("tv_search", "maybe"), 2, "Give on or off"),
+    (("tv_search", "on"), 2, "Give --yes to do it"),
+    (("rssi", "3"), 1, "no feature rssi that can be set"),
+])  # fmt: skip
+def test_what_is_not_set_says_why_and_sends_nothing(run, pty_dish, words, code, sentence):
+    result = run("set", *words, port=pty_dish.path)
+    assert (result.exit_code, result.stdout) == (code, "")
+    assert sentence in result.stderr
+    assert not [line for line in pty_dish.lines() if line.startswith(("e ", "mv "))]
+
+
+def test_a_hazard_is_named_and_agreed_to(run, pty_dish):
+    asked = run("set", "tv_search", "on", port=pty_dish.path)
+    assert "On: it homes and searches then: it moves by itself." in asked.stderr
+    result = run("set", "tv_search", "on", "--yes", port=pty_dish.path)
+    assert result.exit_code == 0, result.stderr
+    assert result.stdout.split() == ["tv_search", "on"]
+    assert "e 20 0" in pty_dish.lines()
+    assert list(Paths.default().backups.iterdir()), "a copy of all settings is kept"
+
+
+def test_a_program_that_has_the_port_is_asked_instead(run, as_json, pty_dish, owner):
+    assert "speed.azimuth" in rows(run("features", port=pty_dish.path, firmware="").stdout)
+    told = as_json(run("get", "version", "speed.elevation", "--json", port=pty_dish.path))
+    assert told["port"] == pty_dish.path
+    assert told["readings"]["version"]["value"] == "02.02.48"
+    assert owner.station.state.readings["version"].value == "02.02.48"
+    result = run("set", "speed.elevation", "5", port=pty_dish.path)
+    assert result.exit_code == 0, result.stderr
+    assert owner.station.state.readings["speed.elevation"].value == pytest.approx(5.0, abs=0.02)
+    assert owner.station.state.holder is None
+
+
+def test_what_that_program_refuses_is_said_with_its_own_code(run, pty_dish, owner):
+    beyond = run("set", "speed.elevation", "50", port=pty_dish.path)
+    assert beyond.exit_code == 4
+    assert "beyond its limit of 45 deg/s" in beyond.stderr
+    lacking = run("get", "temperature", port=pty_dish.path)
+    assert lacking.exit_code == 1
+    assert "no feature temperature" in lacking.stderr
+    search = run("set", "tv_search", "on", "--yes", port=pty_dish.path)
+    assert search.exit_code == 0, search.stderr
+    assert owner.station.state.holder is None, "control is not left with a command that has ended"

@@ -1,0 +1,133 @@
+"""`Read` and `Set`: features by name, at what each costs."""
+
+from __future__ import annotations
+
+import pytest
+from birdcage.base.errors import (
+    BirdcageError,
+    CommandRefused,
+    ConfirmationNeeded,
+    Held,
+    LeaseDenied,
+    LinkError,
+    OutOfRange,
+)
+from birdcage.rotator.verdict import Grade
+from birdcage.station.events import ReadingRead
+from birdcage.station.requests import AcquireLease, Goto, Raw, Read, ReleaseLease, Set
+from birdcage.station.state import Activity, Link, Search
+
+from .conftest import Bench
+
+
+@pytest.fixture
+def bench(tmp_path):
+    bench = Bench(options={"backup_folder": tmp_path})
+    bench.watch("position")
+    bench.connect(10.0)
+    assert bench.state.activity is Activity.IDLE
+    return bench
+
+
+def told(bench, feature):
+    return [event for event in bench.events if isinstance(event, ReadingRead) and event.feature == feature]
+
+
+def test_features_are_read_shown_and_told_and_the_dish_is_back_in_the_motor_menu(bench):
+    since = len(bench.lines())
+    readings = bench.do(Read(("rssi", "lnb_supply", "version")))
+    assert readings["rssi"].unit == "counts"
+    assert readings["lnb_supply"].value == pytest.approx(18.0, abs=0.5)
+    assert readings["version"].value == "02.02.48"
+    assert bench.state.readings["lnb_supply"] == readings["lnb_supply"]
+    assert [event.unit for event in told(bench, "lnb_supply")] == ["V"]
+    assert bench.state.menu == "mot"
+    assert [line for line in bench.lines()[since:] if line in ("rssi 10", "lnbv", "id")] == ["rssi 10", "lnbv", "id"]
+
+
+def test_a_reading_stands_until_its_feature_may_be_read_again(bench):
+    first = bench.do(Read(("lnb_supply",)))["lnb_supply"]
+    assert bench.do(Read(("lnb_supply",)))["lnb_supply"] == first
+    assert bench.lines().count("lnbv") == 1
+    bench.step(bench.state.dish.features["lnb_supply"].cost.min_interval_s)
+    assert bench.do(Read(("lnb_supply",)))["lnb_supply"].at > first.at
+    assert bench.lines().count("lnbv") == 2
+
+
+def test_nothing_is_read_or_set_while_the_dish_moves(bench):
+    since = len(bench.lines())
+    bench.station.submit(Goto(90.0, 45.0, "you"))
+    bench.step(0.3)
+    assert bench.state.motion is not None
+    for request in (Read(("version",)), Set("speed.azimuth", 5.0, "you"), Set("tv_search", True, "you", agreed=True)):
+        with pytest.raises(BirdcageError) as refused:
+            bench.do(request, 0.5)
+        assert refused.value.reason == "moving"
+    assert not {"id", "mv 0 555", "e 20 0"} & set(bench.lines()[since:])
+
+
+def test_what_the_dish_lacks_is_refused_with_nothing_sent(bench):
+    before = bench.received()
+    for request in (Read(("rssi", "temperature")), Set("rssi", 5.0, "you"), Set("temperature", 5.0, "you")):
+        with pytest.raises(CommandRefused, match="Nothing was sent") as refused:
+            bench.station.submit(request).result(bench.step(0.0))
+        assert refused.value.reason == "unsupported"
+    assert bench.received() == before
+
+
+def test_a_speed_is_set_read_back_and_planned_with(bench):
+    assert bench.do(Set("speed.azimuth", 10.0, "you")).value == pytest.approx(10.0, abs=0.01)
+    assert bench.station._antenna.speeds_deg_s[0] == pytest.approx(10.0, abs=0.01)
+    assert bench.state.readings["speed.elevation"].value == pytest.approx(45.0, abs=0.01)
+    with pytest.raises(OutOfRange, match="beyond its limit of 65 deg/s"):
+        bench.do(Set("speed.azimuth", 66.0, "you"))
+    assert bench.state.readings["speed.azimuth"].value == pytest.approx(10.0, abs=0.01)
+
+
+def test_a_hazard_needs_consent_and_settings_a_backup(bench, tmp_path):
+    with pytest.raises(ConfirmationNeeded, match=r"it moves by itself\. Nothing was sent"):
+        bench.do(Set("tv_search", True, "you"))
+    assert "e 20 0" not in bench.lines()
+    assert bench.do(Set("tv_search", True, "you", agreed=True)).value is True
+    (backup,) = tmp_path.iterdir()
+    assert "Disable Tracker" in backup.read_text()
+    assert bench.lines().index("d") < bench.lines().index("e 20 0")
+    bench.do(ReleaseLease("you"))
+    bench.step(0.5)
+    assert bench.do(Read(("tv_search",)))["tv_search"].value is True
+
+
+def test_who_has_control_sets_and_held_nothing_is_done(bench):
+    bench.do(AcquireLease("tracker"))
+    with pytest.raises(LeaseDenied, match="tracker has control"):
+        bench.do(Set("tv_search", True, "you", agreed=True))
+    assert bench.do(Read(("version",)))["version"].value == "02.02.48"
+    bench.station.stop("you")
+    bench.step(3.0)
+    with pytest.raises(Held):
+        bench.do(Set("tv_search", True, "you", agreed=True))
+
+
+def test_who_talks_to_the_dish_is_not_disturbed(bench):
+    bench.do(Raw("a", "console", Grade.HARMLESS))
+    with pytest.raises(LeaseDenied, match="A person has the console"):
+        bench.do(Read(("version",)))
+    assert "id" not in bench.lines()[-2:]
+
+
+def test_without_a_link_nothing_is_asked(bench):
+    bench.device.unplug()
+    bench.step(5.0)
+    assert bench.state.link.state is not Link.UP
+    with pytest.raises(LinkError):
+        bench.do(Read(("version",)))
+
+
+def test_a_search_that_is_only_ended_is_a_momentary_feature():
+    bench = Bench("hal205?seed=1", firmware="hal205")
+    bench.watch("position")
+    bench.connect(15.0)
+    assert bench.do(Set("end_tv_search", True, "you")).value is True
+    assert bench.state.search is Search.OFF_UNTIL_POWER_UP
+    with pytest.raises(CommandRefused, match="end_tv_search that can be read"):
+        bench.do(Read(("end_tv_search",)))
