@@ -31,6 +31,11 @@ class SimTwin(Twin):
             lines = [(at, self._moves(line)) for at, line in self.device.shell.received]
         return [Taken(at, frozenset(motors)) for at, motors in lines if motors]
 
+    def received(self):
+        with self.device.lock:
+            self.device.machine.run()
+            return len(self.device.shell.received)
+
     def unplug(self):
         self.device.unplug()
 

@@ -9,6 +9,7 @@ import pytest
 from birdcage.base.errors import BirdcageError
 from birdcage.protocol.carryout.protocol import CarryoutProtocol
 from birdcage.rotator.facts import Readback
+from birdcage.rotator.feature import Feature, Reading
 from birdcage.rotator.ladder import StopMeans
 from birdcage.rotator.values import Look, Position, Taken
 from birdcage.station import look as dish_look
@@ -132,6 +133,40 @@ def has_a_limit_too_wide(patch, machine, twin):
     patch.setattr(twin, "_take", clipped)
 
 
+def calls_a_feature_by_no_id(patch, machine, twin):
+    named = {"Supply": machine.facts.features["supply"]}
+    patch.setattr(machine, "facts", replace(machine.facts, features=named))
+
+
+def tells_what_cannot_be(patch, machine, twin):
+    take = twin._take
+    patch.setattr(twin, "_take", lambda self, words: (setattr(self, "supply_v", 300.0), take(self, words)))
+
+
+def tells_in_another_unit(patch, machine, twin):
+    read = machine.read
+    patch.setattr(machine, "read", lambda self, ids: {k: replace(v, unit="mV") for k, v in read(self, ids).items()})
+
+
+def asks_before_it_refuses(patch, machine, twin):
+    write = machine.write
+    patch.setattr(machine, "write", lambda self, name, value: (self.ask("L", r"L (\d+)"), write(self, name, value))[1])
+
+
+def takes_any_value(patch, machine, twin):
+    patch.setattr(Feature, "check", lambda feature, value: None)
+
+
+def claims_to_have_taken_it(patch, machine, twin):
+    take = twin._take
+    patch.setattr(twin, "_take", lambda self, words: take(self, words[:1] if words[0] == "L" else words))
+    patch.setattr(machine, "write", lambda self, name, value: Reading(value, "%", 0.0, self.clock.utc()))
+
+
+def is_read_in_motion(patch, machine, twin):
+    patch.setattr("birdcage.station.features.refuse_while_moving", lambda *_: None)
+
+
 def calls_itself_homed(patch):
     reader = dish_look.Look
     unknown, position = reader.unknown, reader.position
@@ -194,6 +229,13 @@ def test_a_machine_that_does_not_tell_is_never_vouched_for(monkeypatch, breach, 
     (has_another_rung, "test_every_rung_has_a_scene"),
     (has_a_console_unseen, "test_a_line_and_its_answer_or_no_console_at_all"),
     (has_a_limit_too_wide, "test_a_go_to_arrives_where_the_truth_is"),
+    (calls_a_feature_by_no_id, "test_its_features_are_well_formed"),
+    (tells_what_cannot_be, "test_what_is_read_has_its_unit_and_lies_in_its_range"),
+    (tells_in_another_unit, "test_what_is_read_has_its_unit_and_lies_in_its_range"),
+    (asks_before_it_refuses, "test_what_it_lacks_is_refused_with_nothing_sent"),
+    (takes_any_value, "test_a_value_beyond_its_range_is_refused_with_nothing_sent"),
+    (claims_to_have_taken_it, "test_what_is_written_is_read_back"),
+    (is_read_in_motion, "test_nothing_is_read_in_motion_that_may_not_be"),
 ])  # fmt: skip
 def test_a_breach_is_seen(toys, monkeypatch, breach, case):
     machine, twin = toys

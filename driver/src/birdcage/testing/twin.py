@@ -46,6 +46,10 @@ class Twin(ABC):
         """Return every command of a move that has reached the machine, oldest first."""
 
     @abstractmethod
+    def received(self) -> int:
+        """Return how many lines, packets or calls of any kind have reached the machine."""
+
+    @abstractmethod
     def unplug(self) -> None:
         """Take the line away: opening it again fails until `plug`. A motion under way goes on."""
 

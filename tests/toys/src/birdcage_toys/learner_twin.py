@@ -16,6 +16,7 @@ class LearnerTwin(Twin):
     def __init__(self, clock, az=(20.0, 340.0), el=(8.0, 72.0), speed_deg_s=9.0):
         self.clock, self.address = clock, f"learner:{next(_numbers)}"
         self.motors = [Motor(clock, 120.0, speed_deg_s), Motor(clock, 30.0, speed_deg_s)]
+        self.calls = 0
         self.plugged, self.muted, self.heard, self._limits = True, False, [], (az, el)
         MACHINES[self.address] = self
 
@@ -24,6 +25,9 @@ class LearnerTwin(Twin):
 
     def taken(self):
         return self.heard
+
+    def received(self):
+        return self.calls
 
     def unplug(self):
         self.plugged = False
@@ -39,6 +43,7 @@ class LearnerTwin(Twin):
 
     # its library
     def _answer(self):
+        self.calls += 1
         if not self.plugged:
             raise ConnectionError
         if self.muted:

@@ -13,11 +13,25 @@ from birdcage.console.line_session import LineDialect, LineSession
 from birdcage.link.opening import open_link
 from birdcage.rotator.axis import Axis, CableRange, Role, TurnBy
 from birdcage.rotator.facts import Facts, Readback, SearchSwitch, SecondMove, Turn
+from birdcage.rotator.feature import Cost, Feature, Kind, Range, Writer
+from birdcage.rotator.feature_table import FeatureTable, Row
 from birdcage.rotator.ladder import POWER_SWITCH, MoveKind, Rung, StopMeans
 from birdcage.rotator.plain import PlainLine, PlainRotator
 from birdcage.rotator.values import Look, Taken
 
 SPEED_DEG_S = 12.0
+LAMP = r"L (\d+)"
+FEATURES = FeatureTable(
+    Row(
+        Feature("supply", "Supply voltage", "V", Kind.NUMBER, Range(0.0, 30.0), cost=Cost(while_moving=True)),
+        lambda pushy: {"supply": float(pushy.ask("V", r"V (\S+)"))},
+    ),
+    Row(
+        Feature("lamp", "Lamp at its foot", "%", Kind.NUMBER, Range(0.0, 100.0), Writer.UNTIL_RESTART),
+        lambda pushy: {"lamp": float(pushy.ask("L", LAMP))},
+        lambda pushy, bright: {"lamp": float(pushy.ask(f"L {bright:.0f}", LAMP))},
+    ),
+)
 AXES = "pan", "tilt"
 FACTS = Facts(
     name="Pushy",
@@ -46,12 +60,14 @@ FACTS = Facts(
     boot_s=1.0,
     readback=Readback.ALWAYS,
     power_switch="plug",
+    features=FEATURES.features,
 )
 PUSHED = re.compile(r"P (\S+) (\S+)")
 
 
 class Pushy(PlainRotator):
     facts = FACTS
+    feature_table = FEATURES
 
     def __init__(self):
         self.line = PlainLine()
@@ -106,6 +122,13 @@ class Pushy(PlainRotator):
                 raise NoReply("Pushy says nothing.", reason="silent")
         self.line.note(asked, session.clock.monotonic())
         return self._told
+
+    def ask(self, line, answer):
+        session = self._open_session()
+        sent = session.clock.monotonic()
+        told = session.ask(line, re.compile(answer))
+        self.line.note(sent, session.clock.monotonic())
+        return told.match[1]
 
     def send(self, to, *, hurry=False, busy_s=0.0):
         ((axis, deg),) = to.items()

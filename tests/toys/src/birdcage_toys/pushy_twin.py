@@ -22,7 +22,8 @@ class PushyTwin(Twin):
     def __init__(self, clock, turn_deg=100.0):
         self.clock = clock
         self.motors = [Motor(clock, turn_deg, 12.0), Motor(clock, 30.0, 12.0)]
-        self.heard, self.sent_to = [], []
+        self.heard, self.sent_to, self.lines = [], [], 0
+        self.lamp, self.supply_v = 0, 12.1
         self.plugged, self.muted, self.sessions = True, False, 0
         self._out, self._push_at, self._buffer = deque(), clock.monotonic(), b""
 
@@ -31,6 +32,9 @@ class PushyTwin(Twin):
 
     def taken(self):
         return self.heard
+
+    def received(self):
+        return self.lines
 
     def unplug(self):
         self.plugged = False
@@ -91,6 +95,12 @@ class PushyTwin(Twin):
 
     def _take(self, words):
         self._run()
+        self.lines += 1
+        if words[0] in "LV":
+            self.lamp = int(words[1]) if words[1:] else self.lamp
+            told = f"L {self.lamp}\n" if words[0] == "L" else f"V {self.supply_v}\n"
+            self._out.append((self.clock.monotonic() + LATENCY_S, told))
+            return
         sent = {int(words[1]): float(words[2])} if words[0] == "G" else dict(enumerate(map(float, words[1:])))
         for motor, deg in sent.items():
             self.motors[motor].go(deg)

@@ -1,0 +1,172 @@
+"""Cases: what the machine tells, and lets be set, besides its position."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import partial
+
+from birdcage.base.clock import VirtualClock
+from birdcage.base.errors import BirdcageError, CommandRefused, OutOfRange
+from birdcage.rotator import machines
+from birdcage.rotator.feature import WELL_FORMED, Feature, Kind, Reading, Value, Writer
+from birdcage.rotator.hooks import Hooks
+from birdcage.rotator.rotator import Rotator
+from birdcage.station.requests import Goto, Read
+from birdcage.testing.stage import FIRST_DEG, STEP_S, Stage, require
+from birdcage.testing.twin import Bench, Twin
+
+LACKING = "no_such_feature"
+NEAR = 0.01
+"""How far what is read back may lie from what was written, of the whole range: machines count in steps."""
+KINDS: dict[Kind, type | tuple[type, ...]] = {
+    Kind.NUMBER: (float, int), Kind.TEXT: str, Kind.LINES: str, Kind.SWITCH: bool, Kind.MOMENTARY: bool,
+}  # fmt: skip
+
+
+@contextmanager
+def opened(bench: Bench) -> Iterator[tuple[Rotator, Twin]]:
+    """Open the machine itself, without a station, at its twin."""
+    clock, rotator = VirtualClock(), machines.make(bench.machine)
+    twin = bench.twin(clock)
+    rotator.open(twin.address, None, clock, Hooks(dial=twin.dial))
+    try:
+        rotator.meet()
+        rotator.make_ready()
+        yield rotator, twin
+    finally:
+        rotator.close(0.0)
+
+
+def refused(twin: Twin, ask: Callable[[], object], error: type[Exception], what: str) -> Exception:
+    """Return the error with which something is refused; fail the case for any other outcome, and for a line sent."""
+    before = twin.received()
+    try:
+        told = ask()
+    except error as why:
+        require(twin.received() == before, f"{what} was refused after something was sent")
+        return why
+    raise AssertionError(f"{what} was not refused: {told}")
+
+
+class Features:
+    """A machine without features keeps each of these by refusing what it is asked."""
+
+    def test_its_features_are_well_formed(self, bench: Bench) -> None:
+        """They are known before a port is open, each by an id of its own."""
+        told = machines.facts_of(bench.machine).features
+        require(machines.make(bench.machine).features == told, "the machine and its facts have different features")
+        for name, each in told.items():
+            require(
+                name == each.id and WELL_FORMED.fullmatch(name), f"{name!r} is no id: small letters, digits, _ and ."
+            )
+            require(each.label, f"{name} has no label")
+            once = each.writer is Writer.AT_ONCE
+            require(each.is_readable or once, f"{name} is momentary, and is not written at once")
+            require(each.range is None or each.range.low < each.range.high, f"{name}: {each.range} is no range")
+            require(each.range is None or each.kind is Kind.NUMBER, f"{name} is no number, and has a range")
+            require(each.cost.lines > 0 and each.cost.min_interval_s >= 0.0, f"{name} costs {each.cost}")
+
+    def test_what_is_read_has_its_unit_and_lies_in_its_range(self, bench: Bench) -> None:
+        """Each of them is read, and nothing moves."""
+        with Stage(bench) as stage:
+            stage.ready()
+            before = stage.truth
+            for each in stage.facts.features.values():
+                if each.is_readable:
+                    readings = stage.do(Read((each.id,)))
+                    require(each.id in readings, f"{each.id} was not told by the twin")
+                    self._is_sound(each, readings[each.id])
+            require(stage.truth == before and not stage.twin.taken(), "reading has moved it")
+
+    @staticmethod
+    def _is_sound(feature: Feature, reading: Reading) -> None:
+        value, name = reading.value, feature.id
+        require(reading.unit == feature.unit, f"{name} was read in {reading.unit!r}, not in {feature.unit!r}")
+        number = feature.kind is Kind.NUMBER
+        sound = isinstance(value, KINDS[feature.kind]) and not (number and isinstance(value, bool))
+        require(sound, f"{name} was read as {value!r}: that is no {feature.kind.value}")
+        if number:
+            require(math.isfinite(float(value)), f"{name} was read as {value}")
+            inside = feature.range is None or feature.range.holds(float(value))
+            require(inside, f"{name} was read as {value}, outside {feature.range}")
+
+    def test_what_it_lacks_is_refused_with_nothing_sent(self, bench: Bench) -> None:
+        """What is not in the table, what can only be read, and what can only be done."""
+        with opened(bench) as (rotator, twin):
+            features = rotator.features.values()
+            unreadable = [LACKING, *(each.id for each in features if not each.is_readable)]
+            unwritable = [LACKING, *(each.id for each in features if not each.is_writable)]
+            for name in unreadable:
+                error = refused(twin, partial(rotator.read, [name]), CommandRefused, f"reading {name}")
+                require(getattr(error, "reason", "") == "unsupported", f"reading {name}: {error}")
+            for name in unwritable:
+                error = refused(twin, partial(rotator.write, name, 1.0), CommandRefused, f"writing {name}")
+                require(getattr(error, "reason", "") == "unsupported", f"writing {name}: {error}")
+
+    def test_a_value_beyond_its_range_is_refused_with_nothing_sent(self, bench: Bench) -> None:
+        """The error says the value and the limit, and is a ValueError too."""
+        with opened(bench) as (rotator, twin):
+            for each in rotator.features.values():
+                limit = math.inf if each.range is None else each.range.high
+                if not each.is_writable or not math.isfinite(limit):
+                    continue
+                beyond = round(limit + 7.0, 2)
+                error = refused(twin, partial(rotator.write, each.id, beyond), ValueError, each.id)
+                require(isinstance(error, OutOfRange), f"{each.id}: {type(error).__name__} {error}")
+                require(f"{beyond:g}" in str(error) and f"{limit:g}" in str(error), f"{each.id}: {error}")
+
+    def test_what_is_written_is_read_back(self, bench: Bench) -> None:
+        """The machine itself says what it took, and says it again when it is asked; nothing moves."""
+        with opened(bench) as (rotator, twin):
+            before = twin.truth()
+            for each in rotator.features.values():
+                if each.is_writable:
+                    self._is_taken(rotator, each)
+            require(twin.truth() == before and not twin.taken(), "writing has moved it")
+
+    def _is_taken(self, rotator: Rotator, feature: Feature) -> None:
+        name = feature.id
+        if feature.kind is Kind.MOMENTARY:
+            self._is_sound(feature, rotator.write(name, True))
+            return
+        was = rotator.read([name])[name].value
+        for value in (self._other(feature, was), was):
+            told = rotator.write(name, value)
+            self._is_sound(feature, told)
+            require(self._same(feature, told.value, value), f"{name}: {value!r} was written, and {told.value!r} told")
+            again = rotator.read([name])[name].value
+            require(self._same(feature, again, value), f"{name}: {value!r} was written, and {again!r} is read")
+
+    @staticmethod
+    def _other(feature: Feature, was: Value) -> Value:
+        """Return another value than the present one."""
+        if feature.kind is Kind.SWITCH:
+            return not was
+        limits = feature.range
+        if feature.kind is not Kind.NUMBER or limits is None or not math.isfinite(limits.high - limits.low):
+            return was
+        low, high = limits.low, limits.high
+        return low + (high - low) * (0.25 if float(was) > (low + high) / 2.0 else 0.75)
+
+    @staticmethod
+    def _same(feature: Feature, one: Value, other: Value) -> bool:
+        if feature.kind is not Kind.NUMBER:
+            return one == other
+        span = 1.0 if feature.range is None else feature.range.high - feature.range.low
+        return math.isclose(float(one), float(other), rel_tol=NEAR, abs_tol=NEAR * span if math.isfinite(span) else 0.0)
+
+    def test_nothing_is_read_in_motion_that_may_not_be(self, bench: Bench) -> None:
+        """A question at the wrong time may cost the motion: it is refused by who asks."""
+        with Stage(bench) as stage:
+            stage.found()
+            future = stage.station.submit(Goto(*stage.target(*FIRST_DEG), "contract"))
+            stage.until(lambda: stage.truth.moving, 30.0, "it moves")
+            for each in stage.facts.features.values():
+                if each.is_readable and not each.cost.while_moving:
+                    error = stage.refused(Read((each.id,)), BirdcageError, within_s=STEP_S * 2.0)
+                    require(error.reason == "moving", f"reading {each.id} in motion: {error.reason}, {error}")
+            stage.refused(Read((LACKING,)), CommandRefused, within_s=STEP_S * 2.0)
+            stage.until(future.done, 240.0, "it arrived")
+            future.result(0)
