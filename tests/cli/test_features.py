@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from birdcage.base.paths import Paths
+from birdcage.protocol.g2.model import CARRYOUT_G2
+from birdcage.protocol.g2.protocol import CarryoutG2Protocol
 from birdcage.protocol.g2.system import System
+from birdcage.rotator.facts import SearchSwitch
 
 
 @pytest.fixture(autouse=True)
@@ -96,6 +101,19 @@ def test_a_hazard_is_named_and_agreed_to(run, pty_dish):
     assert result.stdout.split() == ["tv_search", "on"]
     assert "e 20 0" in pty_dish.lines()
     assert list(Paths.default().backups.iterdir()), "a copy of all settings is kept"
+
+
+def test_a_dish_that_never_searches_owes_no_answer_about_it(run, monkeypatch):
+    never = replace(CARRYOUT_G2, search_switch=SearchSwitch.NEVER_SEARCHES, search_setting=None)
+    monkeypatch.setattr(CarryoutG2Protocol, "model", never)
+    refused = run("init", "--disable-search", "--yes")
+    assert refused.exit_code == 2
+    assert "This dish has no TV search." in refused.stderr
+    result = run("init", "--json")
+    assert '"search": "none"' in result.stdout
+    assert "TV search" not in result.stderr
+    ready = run("ready").stdout
+    assert "this dish has none" in next(line for line in ready.splitlines() if "TV search" in line)
 
 
 def test_a_program_that_has_the_port_is_asked_instead(run, as_json, pty_dish, owner):

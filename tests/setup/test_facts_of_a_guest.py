@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import pytest
 from birdcage.protocol.g2.model import CARRYOUT_G2
-from birdcage.rotator.facts import SearchSetting, Setting
+from birdcage.rotator.facts import SearchSetting, SearchSwitch, Setting
 from birdcage.rotator.wiring import Connector, Drawing
 from birdcage.setup import wiring
 from birdcage.setup.steps.dish import DishStep
@@ -62,6 +62,13 @@ def test_a_dish_that_tells_no_version_is_waited_for_no_longer_and_one_that_does_
 
 def test_the_setting_of_its_search_is_named_as_it_names_it():
     assert SearchStep(bench(tv="yes")).evidence() == "on: row TV is yes; the dish moves by itself after power-up"
+
+
+def test_one_that_never_searches_has_nothing_to_switch_off():
+    step = SearchStep(bench(replace(GUEST, search_switch=SearchSwitch.NEVER_SEARCHES, search_setting=None)))
+    assert (step.proven, step.choices()) == (True, ())
+    assert step.evidence() == "this dish has none"
+    assert step.words() == ("This dish has no TV search of its own.",)
 
 
 def test_its_plug_is_drawn_and_how_long_it_starts_is_told(monkeypatch):

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from itertools import pairwise
+
 import pytest
 from birdcage.base.errors import (
     BirdcageError,
@@ -12,6 +15,8 @@ from birdcage.base.errors import (
     LinkError,
     OutOfRange,
 )
+from birdcage.protocol.g2.model import CARRYOUT_G2
+from birdcage.rotator.feature import Cost
 from birdcage.rotator.verdict import Grade
 from birdcage.station.events import ReadingRead
 from birdcage.station.requests import AcquireLease, Goto, Raw, Read, ReleaseLease, Set
@@ -131,3 +136,15 @@ def test_a_search_that_is_only_ended_is_a_momentary_feature():
     assert bench.state.search is Search.OFF_UNTIL_POWER_UP
     with pytest.raises(CommandRefused, match="end_tv_search that can be read"):
         bench.do(Read(("end_tv_search",)))
+
+
+def test_a_watched_signal_is_read_no_sooner_than_its_feature_may_be():
+    rssi = replace(CARRYOUT_G2.features["rssi"], cost=Cost(1, "dvb", 2.0))
+    bench = Bench()
+    rotator = bench.station._antenna.rotator
+    rotator.facts = replace(rotator.facts, features={**rotator.facts.features, "rssi": rssi})
+    bench.watch("position", "rssi")
+    bench.connect(40.0)
+    times = [event.at for event in told(bench, "rssi")]
+    assert len(times) > 6
+    assert min(later - before for before, later in pairwise(times)) >= 2.0

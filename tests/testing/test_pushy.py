@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import pytest
+from birdcage.base.errors import CommandRefused
 from birdcage.rotator import machines
 from birdcage.rotator.facts import Turn
-from birdcage.station.requests import Goto
-from birdcage.station.state import Activity
+from birdcage.station.requests import Goto, SetSearch
+from birdcage.station.state import Activity, Search
 from birdcage.testing import Bench, Contract, Stage, StopScene
 
 from .installed import installed
@@ -41,6 +42,15 @@ def test_the_host_chooses_the_turn(bench, twins, turn_deg, az_deg, sent_deg):
         assert stage.twin.motors[0].deg == pytest.approx(sent_deg)
         assert stage.state.position.cable_deg == pytest.approx(sent_deg)
         assert stage.state.position.az_deg == pytest.approx(az_deg)
+
+
+def test_it_has_no_tv_search_to_end(bench):
+    with Stage(bench) as stage:
+        stage.ready()
+        assert stage.state.search is Search.NONE
+        for disabled in (True, False):
+            error = stage.refused(SetSearch("you", disabled), CommandRefused)
+            assert str(error) == "The Pushy has no TV search. Nothing was sent."
 
 
 def test_what_it_tells_unasked_is_seen_by_all(bench):

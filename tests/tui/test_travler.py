@@ -8,12 +8,14 @@ import pytest
 import stand_in
 from birdcage.base.clock import VirtualClock
 from birdcage.protocol.hal.model import TRAVLER
+from birdcage.rotator.facts import SearchSwitch
 from birdcage.station.events import End, MoveEnded
 from birdcage.station.requests import Goto, Home, SetSearch, TurnSkew
-from birdcage.station.state import Activity, HeldState, Link, LinkState, StopReport
+from birdcage.station.state import Activity, HeldState, Link, LinkState, Search, StopReport
 from birdcage_tui.commands import BY_NAME
 from birdcage_tui.goto import foretell
 from birdcage_tui.goto_skew import skew_of
+from birdcage_tui.panes.health import HealthPane
 from birdcage_tui.settings import AppSettings
 from birdcage_tui.view import View
 from birdcage_tui.words import bad_day, calm, ended_text, motion_text, stop_text
@@ -170,6 +172,16 @@ def test_a_running_search_says_which_key_ends_it_and_that_asks_first():
 def test_the_search_of_a_g2_is_not_ended_by_that_key():
     assert "Setup (8), step 3" in BY_NAME["search"].refused(view_of("idle"))
     assert "The search has ended" in BY_NAME["search"].refused(view_of("travler"))
+
+
+def test_a_dish_without_a_search_says_so_and_owes_nothing():
+    view = view_of("idle")
+    dish = replace(view.state.dish, search_switch=SearchSwitch.NEVER_SEARCHES, search_setting=None)
+    view = replace(view, state=replace(view.state, dish=dish, search=Search.NONE))
+    assert BY_NAME["search"].refused(view) == "This dish has no TV search."
+    assert [(ink, value) for ink, name, value in HealthPane.facts(view) if name == "TV search"] == [
+        (("●", "good"), "none")
+    ]
 
 
 def test_an_unhomed_travler_is_sent_to_its_power_switch():

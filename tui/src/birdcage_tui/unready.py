@@ -66,7 +66,7 @@ def _lacks(check: Check, view: View) -> bool:
         case "port":
             return state.link.state is Link.LOST and not state.port
         case "search":
-            off = state.search in (Search.OFF, Search.OFF_UNTIL_POWER_UP)
+            off = state.search in (Search.OFF, Search.OFF_UNTIL_POWER_UP, Search.NONE)
             return not (view.link_up and off) and not searching(view)
         case "config":
             return False  # row 2 says it

@@ -31,6 +31,7 @@ SEARCH = {
     Search.RUNNING: "TV search RUNNING",
     Search.OFF: "TV search off",
     Search.OFF_UNTIL_POWER_UP: "TV search off until power-up",
+    Search.NONE: "TV search none",
     Search.UNKNOWN: "TV search unknown",
 }
 LINK = {

@@ -131,6 +131,11 @@ def _no_port(name: str) -> Check:
 
 def tv_search(settings: Settings) -> Check:
     """Whether the dish's own search for television is remembered as switched off."""
+    from birdcage.station.known import SearchSwitch, model_of
+
+    model = model_of(settings.dish.firmware, settings)
+    if model is not None and model.search_switch is SearchSwitch.NEVER_SEARCHES:
+        return Check("search", "TV search", "good", "this dish has none")
     kept = settings.setup.kept("search")
     if kept is not None and kept.done:
         return Check("search", "TV search", "good", f"{kept.evidence or 'done'} ({kept.when[:10]})")

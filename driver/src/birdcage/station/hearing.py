@@ -80,7 +80,7 @@ class Hearing:
             self.under_way = False
             self._watches.end_excursion()
             raise
-        self._watches.rssi_was_read(self._board.clock.monotonic())
+        self._watches.rssi_was_read(self._board.clock.monotonic(), self._look.signal_not_before)
         if self._watches.excursion is None:
             self.end()
 

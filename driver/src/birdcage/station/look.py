@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from datetime import timedelta
@@ -165,6 +166,12 @@ class Look:
         """Read the tuner's signal strength."""
         self.note(self._antenna.rotator.read([RSSI]))
 
+    @property
+    def signal_not_before(self) -> float:
+        """When the machine may be asked for its signal again, in monotonic seconds."""
+        last = self._board.state.readings.get(RSSI)
+        return -math.inf if last is None else last.at + self._antenna.rotator.features[RSSI].cost.min_interval_s
+
     def note(self, readings: Mapping[str, Reading]) -> None:
         """Show what features the machine has just told."""
         for name, reading in readings.items():
@@ -201,7 +208,7 @@ class Look:
         if self._antenna.rotator.facts.search_switch is SearchSwitch.FOR_GOOD:
             self._board.change(search=Search.OFF if survey.search_disabled else Search.UNKNOWN)
         elif self._antenna.rotator.facts.search_switch is SearchSwitch.NEVER_SEARCHES:
-            self._board.change(search=Search.OFF)
+            self._board.change(search=Search.NONE)
         self.limit(survey)
         try:
             self._antenna.rotator.make_ready()

@@ -82,6 +82,8 @@ class Search(Enum):
     RUNNING = "running"
     OFF = "off"
     OFF_UNTIL_POWER_UP = "off until power-up"
+    NONE = "none"
+    """The machine has none."""
     UNKNOWN = "unknown"
 
 

@@ -112,7 +112,7 @@ class Vigil:
 
     def _read_signal(self, now: float) -> None:
         self._look.signal()
-        self._watches.rssi_was_read(now)
+        self._watches.rssi_was_read(now, self._look.signal_not_before)
 
     def heard_position(self, told: values.Look) -> None:
         """Hear unasked where the dish is: at rest that is a look like any other. In motion its mover looks."""

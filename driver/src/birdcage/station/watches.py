@@ -7,6 +7,7 @@ at most 14 lines in 5 s.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from birdcage.station.requests import Watch
@@ -74,13 +75,14 @@ class Watches:
         """Return whether another excursion is within the budget, at a monotonic time."""
         return self.excursion is None and now >= self._excursion_at
 
-    def rssi_was_read(self, at: float) -> None:
-        """Note that the signal was read once."""
+    def rssi_was_read(self, at: float, not_before: float = -math.inf) -> None:
+        """Note that the signal was read once, and that it may not be read again before a time."""
         if self.excursion is None:
             self.excursion = Excursion(RSSI_READS, at)
             self._excursion_at = at + EXCURSION_PERIOD_S
+        self._excursion_at = max(self._excursion_at, not_before)
         self.excursion.reads_left -= 1
-        self.excursion.next_at = at + RSSI_PERIOD_S
+        self.excursion.next_at = max(at + RSSI_PERIOD_S, not_before)
         if self.excursion.reads_left <= 0:
             self.end_excursion()
 

@@ -14,6 +14,8 @@ def can_end_search(view: View) -> str | None:
     dish, search = view.state.dish, view.state.search
     if not view.link_up or dish is None:
         return "The dish does not answer."
+    if dish.search_switch is SearchSwitch.NEVER_SEARCHES:
+        return "This dish has no TV search."
     if dish.search_switch is SearchSwitch.NOT_KNOWN:
         return "No command is known that ends this dish's TV search. Wait until it rests."
     if dish.search_switch is not SearchSwitch.UNTIL_POWER_UP:

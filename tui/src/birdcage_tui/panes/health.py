@@ -85,7 +85,7 @@ class HealthPane(Pane):
             *((_NO, subject, words) for subject, words in state.warnings.items()),
             (_UNKNOWN if state.homed is None else ok if state.homed else _NO, "homed", homed),
             (
-                {"off": ok, "off until power-up": ok, "RUNNING": _NO}.get(search, _UNKNOWN),
+                {"off": ok, "off until power-up": ok, "none": ok, "RUNNING": _NO}.get(search, _UNKNOWN),
                 "TV search",
                 search + where,
             ),

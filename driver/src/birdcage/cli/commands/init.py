@@ -73,9 +73,9 @@ def command(switch: str | None, yes: bool, timeout_s: float | None) -> None:
     from birdcage.station.state import Activity
 
     dish_wanted = with_firmware(wanted(), patience_s=PATIENCE_S if timeout_s is None else timeout_s)
-    at_once, endless = _ends_at_once(dish_wanted.model), _is_endless(dish_wanted.model)
-    if switch is not None and endless:
-        raise click.UsageError("No command is known that switches this dish's TV search off or on.")
+    at_once = _ends_at_once(dish_wanted.model)
+    if switch is not None and (why := _no_switch(dish_wanted.model)):
+        raise click.UsageError(why)
     if switch == "restore" and at_once:
         raise click.UsageError("This dish's TV search can't be switched off for good: it starts at each power-up.")
     if switch is not None and not at_once:
@@ -134,7 +134,7 @@ class Follower:
 def _describe(dish: Dish) -> None:
     from birdcage.cli.dish import how_to_home
     from birdcage.cli.say import say
-    from birdcage.station.state import Activity
+    from birdcage.station.state import Activity, Search
 
     state = dish.state
     assert state.dish is not None, "a station knows its dish from the start"
@@ -150,6 +150,8 @@ def _describe(dish: Dish) -> None:
         at = state.position
         skew = "" if at.skew_deg is None else f" SK {at.skew_deg:.2f}°"
         say(f"It points at AZ {at.az_text} EL {at.el_deg:.2f}°{skew}.")
+    if state.search is Search.NONE:
+        return
     if _ends_at_once(state.dish):
         say(SEARCHES[state.search.value])
         return
@@ -174,11 +176,15 @@ def _ends_at_once(model: Facts | None) -> bool:
     return model is not None and model.search_switch is SearchSwitch.UNTIL_POWER_UP
 
 
-def _is_endless(model: Facts | None) -> bool:
-    """Return whether nothing is known that ends the TV search."""
+def _no_switch(model: Facts | None) -> str:
+    """Return why the TV search can't be switched off or on; empty if it can, or that is not known."""
     from birdcage.station.known import SearchSwitch
 
-    return model is not None and model.search_switch is SearchSwitch.NOT_KNOWN
+    words = {
+        SearchSwitch.NOT_KNOWN: "No command is known that switches this dish's TV search off or on.",
+        SearchSwitch.NEVER_SEARCHES: "This dish has no TV search.",
+    }
+    return "" if model is None else words.get(model.search_switch, "")
 
 
 def _end_search(dish: Dish, *, booted: bool) -> None:

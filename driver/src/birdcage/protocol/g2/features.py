@@ -85,7 +85,7 @@ def features_of(azimuth: Axis, elevation: Axis) -> FeatureTable:
     """Return the table of a G2 with these axes."""
     return FeatureTable(
         Row(
-            Feature(RSSI, "Signal strength", "counts", Kind.NUMBER, Range(0.0, math.inf), cost=Cost(1, "dvb", 0.4)),
+            Feature(RSSI, "Signal strength", "counts", Kind.NUMBER, Range(0.0, math.inf), cost=Cost(1, "dvb")),
             lambda dish: {RSSI: float(dish.get_rssi(RSSI_READS).average)},
         ),
         Row(

@@ -15,6 +15,7 @@ _AT_ONCE = {
     Search.OFF_UNTIL_POWER_UP: "ended: it begins again at each power-up",
     Search.RUNNING: "runs, and moves the dish by itself",
     Search.OFF: "off",
+    Search.NONE: "none",
     Search.UNKNOWN: "unknown whether it runs",
 }
 """What is known of a search that no setting switches off."""
@@ -23,6 +24,7 @@ _UNKNOWN = SearchSetting("", "the setting of the search", "", off="off", on="on"
 """For a dish whose own name for it is not known."""
 
 _STILL = "Nothing moves."
+NONE = "this dish has none"
 
 
 class SearchStep(Step):
@@ -66,9 +68,17 @@ class SearchStep(Step):
         return model is not None and model.search_switch is SearchSwitch.NOT_KNOWN
 
     @property
+    def _never(self) -> bool:
+        """Whether this dish has no search at all."""
+        model = self.bench.state.dish
+        return model is not None and model.search_switch is SearchSwitch.NEVER_SEARCHES
+
+    @property
     def proven(self) -> bool | None:
         """Off in force, and a restart acknowledged; None while the dish has not told."""
         state = self.bench.state
+        if self._never:
+            return True
         if self._endless:
             kept = self.bench.kept(self.name)
             return True if kept is not None and kept.done else None
@@ -83,6 +93,8 @@ class SearchStep(Step):
     def evidence(self) -> str:
         """Say what the dish says, and where the backup is."""
         state, kept = self.bench.state, self.bench.kept(self.name)
+        if self._never:
+            return NONE
         if self._endless:
             return kept.evidence if kept else "no known command ends it"
         if self._at_once:
@@ -96,6 +108,8 @@ class SearchStep(Step):
 
     def words(self) -> tuple[str, ...]:
         """Name the consequences."""
+        if self._never:
+            return ("This dish has no TV search of its own.",)
         if self._endless:
             return (
                 "After power-up the dish homes, then searches for TV satellites: it moves by itself.",
@@ -141,7 +155,7 @@ class SearchStep(Step):
 
     def choices(self) -> tuple[Choice, ...]:
         """Switch it off, or say that the power was cycled."""
-        if not self.bench.is_up:
+        if not self.bench.is_up or self._never:
             return ()
         if self._endless:
             return () if self.proven else (*self.release_choice(), Choice("rests", "enter", "It rests: go on"))
@@ -190,6 +204,11 @@ class SearchStep(Step):
         """Notice the power cycle, and that the search is off."""
         state, setting = self.bench.state, self._setting
         if self._at_once or self._endless:
+            return
+        if self._never:
+            kept = self.bench.kept(self.name)
+            if self.bench.is_up and (kept is None or not kept.done):
+                self.bench.done(self.name, NONE)
             return
         if self.written:
             self.gone = self.gone or self._restarted or state.activity is Activity.INITIALIZING
