@@ -57,7 +57,7 @@ def test_home_finds_both_references(run) -> None:
     result = run("home", "--yes", port="sim:g2?unhomed=1&az_speed=300&el_speed=300")
     assert result.exit_code == 0, result.stderr
     assert result.stdout.startswith("AZ: ")
-    assert "Homing the azimuth" in result.stderr
+    assert "Homing the azimuth. Homing has no STOP. In an emergency, switch off its 12 V." in result.stderr
     assert "Homing the elevation" in result.stderr
 
 

@@ -99,6 +99,7 @@ def test_leapfrog_aims_beyond_and_its_opposite_is_accepted(run, pty_dish) -> Non
 def test_no_wait_leaves_the_dish_moving(run, pty_dish) -> None:
     result = run("move", "--az", 200, "--el", 45, "--no-wait", port=pty_dish.path)
     assert (result.exit_code, result.stdout) == (0, "")
+    assert "STOP should take 0.3 s. `birdcage stop` calls STOP." in result.stderr
     assert pty_dish.device.truth().moving
     pty_dish.wait_for(lambda truth: not truth.moving)
     assert pty_dish.device.truth().az_deg == pytest.approx(200, abs=0.06)

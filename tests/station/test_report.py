@@ -19,7 +19,7 @@ def report(bench):
 
 def test_of_a_station_that_knows_nothing() -> None:
     told = status_report(StationState(), 5.0)
-    assert {key for key, value in told.items() if value is not None} == {"connected", "link", "demo", "held"}
+    assert {key for key, value in told.items() if value is not None} == {"connected", "link", "demo", "held", "stop"}
     assert told["connected"] is told["held"] is told["demo"] is False
 
 
@@ -39,7 +39,7 @@ def test_in_motion_tells_where_to_and_what_a_stop_takes(bench) -> None:
     told = report(bench)
     assert (told["activity"], told["holder"], told["target_azimuth_deg"]) == ("slewing", "you", 210)
     assert 0 < told["stop_power_s"] < 1
-    assert told["stop_means"] == "retarget"
+    assert (told["stop_means"], told["stop"]) == ("retarget", "STOP should take 0.3 s")
 
 
 def test_after_stop(bench) -> None:

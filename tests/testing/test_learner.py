@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import pytest
 from birdcage.base.errors import MotionRefused
 from birdcage.rotator import machines
-from birdcage.station.requests import Goto
+from birdcage.rotator.ladder import POWER_SWITCH, MoveKind, Rung, StopBy, StopMeans
+from birdcage.station.requests import Goto, Release
 from birdcage.station.state import LimitSource
+from birdcage.station.stop_words import stop_line
 from birdcage.testing import Bench, Contract, Stage, StopScene
 from birdcage_tui.settings import AppSettings
 from birdcage_tui.view import View
@@ -53,6 +56,51 @@ def test_limits_are_those_that_it_has_told(bench, twins):
         stage.ready()
         assert stage.state.el_max_deg == 45.0
     assert machines.facts_of("learner").elevation.max_deg == 90.0
+
+
+def test_a_stop_command_that_is_ignored_leads_to_the_next_rung(bench, twins, monkeypatch):
+    """Its own command does nothing, and is answered: it is stopped by a new target, and at once by that the next time.
+
+    A rung that nothing has proven is said to do what it should, until a STOP has shown it.
+    """
+    from birdcage_toys import learner
+
+    orders = []
+
+    def stop_now(self, order):
+        with self._writing:
+            orders.append(order.by)
+            for axis, deg in order.aim_deg.items():
+                self._machine.go(learner.AXES.index(axis), deg)
+            self._stops += 1
+
+    retarget = Rung(means=StopMeans.RETARGET, ends=frozenset({MoveKind.SINGLE}), proven=False, sentence="a new target")
+    facts = replace(learner.FACTS, stop_ladder=(learner.FACTS.stop_ladder[0], retarget, POWER_SWITCH))
+    monkeypatch.setattr(learner.Learner, "stop_now", stop_now)
+    monkeypatch.setattr(learner.Learner, "facts", facts)
+    monkeypatch.setattr(learner, "FACTS", facts)
+    with Stage(bench, lambda clock: twins.LearnerTwin(clock, speed_deg_s=4.0)) as stage:
+        stage.ready()
+
+        def stopped_in_motion(az_deg):
+            stage.station.submit(Goto(az_deg, 40.0, "you"))
+            stage.step(2.0)
+            said = stop_line(stage.state, stage.clock.monotonic())
+            stage.station.stop("you")
+            stage.until(lambda: not stage.truth.moving, 30.0, "it rests")
+            stage.until(lambda: stage.state.last_stop.confirmed is not None, 30.0, "STOP was followed up")
+            assert abs(stage.truth.az_deg - az_deg) > 10.0, "it was stopped, and not there"
+            stage.do(Release("you"))
+            return said, stage.state.last_stop
+
+        said, stop = stopped_in_motion(300.0)
+        assert said == "STOP stops it; how fast is unknown"
+        assert orders == [StopBy.COMMAND, StopBy.RETARGET]
+        assert (stop.means, stop.confirmed) == (StopMeans.RETARGET, True)
+        orders.clear()
+        said, stop = stopped_in_motion(40.0)
+        assert said == "STOP stops it; how fast is unknown", "it was seen to work"
+        assert orders == [StopBy.RETARGET]
 
 
 @pytest.mark.parametrize("speed_deg_s", [1.5, 9.0, 60.0])

@@ -15,6 +15,7 @@ from birdcage.protocol.menu_raw import MenuRaw
 from birdcage.protocol.registry import get_protocol
 from birdcage.rotator.facts import Turn
 from birdcage.rotator.feature import Reading
+from birdcage.rotator.ladder import StopMeans
 from birdcage.signal.tuner import TUNER_FACTS
 from birdcage.station.menu_commands import MenuCommands
 from birdcage.station.state import (
@@ -111,6 +112,7 @@ def at_rest(clock):
         port="sim:g2",
         demo=True,
         dish=CARRYOUT_G2,
+        unplanned_stop=StopMeans.RETARGET,
         firmware_version="02.02.48",
         position=Pointing(189.16, 42.87, 189.16, 42.87, now - 0.2, utc, -120.0),
         target_az_deg=189.16,
@@ -136,7 +138,7 @@ def slewing(clock):
     state, now = at_rest(clock), clock.monotonic()
     return replace(
         state,
-        motion=Motion(231.0, 25.0, 160.7, 40.21, now - 0.6, now + 0.62, 0.3, "retarget", az_way_deg=-70.3),
+        motion=Motion(231.0, 25.0, 160.7, 40.21, now - 0.6, now + 0.62, 0.3, StopMeans.RETARGET, az_way_deg=-70.3),
         position=replace(state.position, az_deg=201.3, el_deg=32.9, dish_az_deg=201.3),
         target_az_deg=160.7,
         target_el_deg=40.21,
@@ -224,6 +226,7 @@ def travler(clock):
         link=LinkState(Link.UP, now - 60, now - 0.2, 0.021),
         port="sim:hal205",
         dish=TRAVLER,
+        unplanned_stop=StopMeans.WAIT,
         firmware_version=None,
         position=Pointing(189.16, 42.87, 189.16, 42.87, now - 0.2, utc, None, 45.0),
         target_skew_deg=45.0,
@@ -243,7 +246,9 @@ def travler_slew(clock):
     state, now = travler(clock), clock.monotonic()
     return replace(
         state,
-        motion=Motion(231.0, 25.0, 160.7, 40.21, now - 4.6, now + 7.1, 0.4, "abort", az_way_deg=-70.3),
+        motion=Motion(
+            231.0, 25.0, 160.7, 40.21, now - 4.6, now + 7.1, 0.4, StopMeans.ABORT, az_way_deg=-70.3, stop_proven=True
+        ),
         position=replace(
             state.position, az_deg=201.3, el_deg=32.9, dish_az_deg=201.3, at=now, modelled=True, read_at=now - 4.6
         ),
@@ -260,7 +265,7 @@ def travler_step(clock):
     return replace(
         state,
         motion=Motion(
-            189.16, 42.87, 193.0, 42.87, now - 0.6, now + 9.2, 3.2, "end of move", rests_at=now + 3.2, az_way_deg=3.84
+            189.16, 42.87, 193.0, 42.87, now - 0.6, now + 9.2, 3.2, StopMeans.WAIT, rests_at=now + 3.2, az_way_deg=3.84
         ),
         target_az_deg=193.0,
         activity=Activity.SLEWING,
@@ -273,7 +278,7 @@ def travler_skew(clock):
     state, now = travler(clock), clock.monotonic()
     return replace(
         state,
-        motion=Motion(189.16, 42.87, 189.16, 42.87, now - 2.6, now + 5.2, 5.2, "end of move", 110.0, now + 5.2, 0.0),
+        motion=Motion(189.16, 42.87, 189.16, 42.87, now - 2.6, now + 5.2, 5.2, StopMeans.WAIT, 110.0, now + 5.2, 0.0),
         target_skew_deg=110.0,
         activity=Activity.SLEWING,
         holder="you",

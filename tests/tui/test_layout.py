@@ -50,7 +50,7 @@ def test_first_questions_are_answered_at_every_size(size):
     for words in ("AZ 201.30°", "EL 32.90°", "SLEWING", "you", "DEMO", "12:00:00Z", "■ STOP", "Space STOP"):
         assert words in text
     assert "40.6° to go, 0.6 s" in text
-    assert "STOP takes 0.3 s" in text
+    assert "STOP should take 0.3 s" in text
     assert "CCW 303°" in text
     assert "counts" in text
     assert "You move it to" in text

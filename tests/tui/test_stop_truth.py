@@ -12,6 +12,11 @@ from dataclasses import dataclass, replace
 from itertools import product
 
 import pytest
+from birdcage.protocol.carryout.model import CARRYOUT_2003
+from birdcage.protocol.g2.model import CARRYOUT_G2
+from birdcage.protocol.generic import GENERIC_FACTS
+from birdcage.protocol.hal.model import TRAVLER
+from birdcage.rotator.ladder import EVERY_MOVE, POWER_SWITCH, MoveKind, Rung, StopMeans
 from birdcage.station.raw import Grade
 from birdcage.station.requests import Goto, Home, Jog, Pursue, Stow
 from birdcage.station.state import Activity, HeldState, Link, LinkState, Motion, Search, StopReport
@@ -26,7 +31,7 @@ from tests.station.pursuit_bench import at, g2, plan_of
 from tests.station.queued_bench import connected
 from tests.station.talk_bench import TalkBench
 
-PROMISE = re.compile(r"^STOP (holds it|in [\d.]+ s|brings it|ends the|at end of move)")
+PROMISE = re.compile(r"^STOP (holds it|takes [\d.]+ s|should take|brings it|ends the|at end of move)")
 DENIAL = re.compile(r"[Nn]o STOP|can't")
 WIDEST = 36
 """Columns of the pane at 80x24."""
@@ -207,30 +212,39 @@ def test_while_homing_nothing_says_that_stop_holds_the_dish():
 
 # All states, also those that a dish has not shown yet: no line may claim what the state does not bear out.
 
-MEANS = ("retarget", "abort", "end of move", "release", "none")
-SENT = ("retarget", "abort", "search")
-REPORTS = (*SENT, "end of move", "none", "look", "nothing moved", "no link", "release")
+MEANS = (StopMeans.RETARGET, StopMeans.ABORT, StopMeans.COMMAND, StopMeans.WAIT, StopMeans.RELEASE, StopMeans.NONE)
+UNPLANNED = (StopMeans.RETARGET, StopMeans.COMMAND, StopMeans.WAIT, StopMeans.NONE)
+REPORTED = tuple(means for means in StopMeans if means is not StopMeans.POWER)
+"""A rung that a person climbs is none that STOP can report."""
+STOPPABLE = Rung(means=StopMeans.COMMAND, ends=EVERY_MOVE, proven=True, sentence="it halts")
+MACHINES = {
+    "g2": CARRYOUT_G2, "hal205": TRAVLER, "carryout": CARRYOUT_2003, "generic": GENERIC_FACTS,
+    "stoppable": replace(CARRYOUT_G2, stop_ladder=(STOPPABLE, POWER_SWITCH)),
+    "unproven": replace(CARRYOUT_G2, stop_ladder=(replace(STOPPABLE, proven=False), POWER_SWITCH)),
+}  # fmt: skip
 
 
 def motions(view: View) -> tuple[Motion | None, ...]:
     return None, *(
-        Motion(10.0, 30.0, 99.0, 40.0, view.now - 1, view.now + 9.4, None if means == "none" else 0.4, means)
-        for means in MEANS
-    )
+        Motion(10.0, 30.0, 99.0, 40.0, view.now - 1, view.now + 9.4, None if means is StopMeans.NONE else 0.4, means,
+               stop_proven=proven)
+        for means, proven in product(MEANS, (True, False))
+    )  # fmt: skip
 
 
-@pytest.mark.parametrize("dish", ["idle", "travler"])
+@pytest.mark.parametrize("machine", MACHINES)
 @pytest.mark.parametrize("activity", Activity, ids=lambda activity: activity.value)
-def test_no_line_claims_more_than_is_known(dish, activity):
+def test_no_line_claims_more_than_is_known(machine, activity):
     from birdcage.base.clock import VirtualClock
 
     clock = VirtualClock()
-    state = STATES[dish](clock)
+    state = replace(STATES["travler" if machine == "hal205" else "idle"](clock), dish=MACHINES[machine])
     plain = View(state, clock.monotonic(), clock.utc(), AppSettings())
     held = HeldState("you", plain.now, plain.utc, "stop")
-    reports = [None, *(StopReport("you", plain.now, *each, "") for each in product(REPORTS, (None, False)))]
-    for link, motion, report, latched in product(Link, motions(plain), reports, (None, held)):
-        now = replace(state, activity=activity, motion=motion, last_stop=report, held=latched,
+    reports = [None, *(StopReport("you", plain.now, *each, "") for each in product(REPORTED, (None, False)))]
+    kinds = [(motion, by) for motion in motions(plain) for by in (UNPLANNED if motion is None else UNPLANNED[:1])]
+    for link, (motion, by), report, latched in product(Link, kinds, reports, (None, held)):
+        now = replace(state, activity=activity, motion=motion, last_stop=report, held=latched, unplanned_stop=by,
                       link=LinkState(link, plain.now))  # fmt: skip
         _check(replace(plain, state=now))
         if report is None:
@@ -245,8 +259,16 @@ def _check(view: View) -> None:
     plans = state.motion is not None
     if not view.link_up or view.crash:
         assert not promised, said
-    if state.activity in (Activity.HOMING, Activity.INITIALIZING, Activity.STOWING, Activity.UNKNOWN) and not plans:
+    if state.activity in (Activity.INITIALIZING, Activity.STOWING, Activity.UNKNOWN) and not plans:
         assert not promised, said
+    if promised and not plans:
+        proven = {kind for rung in state.dish.stop_ladder if rung.proven and rung.means is not StopMeans.POWER
+                  for kind in rung.ends}  # fmt: skip
+        assert state.activity is not Activity.HOMING or MoveKind.HOME in proven, said
+        assert state.activity is not Activity.MOVING_UNASKED or MoveKind.SEARCH in proven, said
+        assert state.unplanned_stop is not StopMeans.NONE or said == "STOP ends the homing", said
+    if plans:
+        assert state.motion.stop_proven or "STOP takes" not in said, said
     if said == "STOP holds it where it is":
         assert not view.moving, state
         assert state.activity is Activity.IDLE
@@ -261,5 +283,5 @@ def _check(view: View) -> None:
             assert view.link_up
             assert not plans
             assert not view.crash
-    if state.last_stop is not None and state.last_stop.means not in SENT:
+    if state.last_stop is not None and not state.last_stop.means.is_sent:
         assert not [words for words in (said, *told) if "STOP sent" in words], (said, told)

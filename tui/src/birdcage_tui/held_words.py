@@ -6,8 +6,8 @@ from datetime import datetime
 
 from birdcage.station.pursuit import Phase, Pursuit
 from birdcage.station.state import Activity, HeldState, Search, StopReport
+from birdcage.station.stop_words import awaited_words
 
-from birdcage_tui.stop_words import awaited_words
 from birdcage_tui.track.pursuing import pursuit_of
 from birdcage_tui.track.resume import direction_words, resume_words
 from birdcage_tui.track.words import plain_name

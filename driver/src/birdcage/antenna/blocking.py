@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 from birdcage.antenna.motion import AxisMotion, DishMotion, longest_s
 from birdcage.antenna.overshoot import OvershootWatch
 from birdcage.base.geometry import shortest_turn
-from birdcage.rotator.facts import SecondMove
 from birdcage.rotator.values import MOTOR_AZIMUTH, Position, Taken
 
 if TYPE_CHECKING:
@@ -117,7 +116,7 @@ class MoveCommands:
         """Return how long the dish may leave a reading unanswered: one that waits for its motors may wait with that."""
         antenna = self._antenna
         motion, clock = antenna.motion, antenna.rotator.clock
-        if motion is None or antenna.model.second_same is not SecondMove.BLOCK:
+        if motion is None or not antenna.strategy.looks_wait:
             return 0.0
         return max(0.0, motion.over_by(clock.rate) - clock.monotonic())
 

@@ -32,9 +32,15 @@ class StopAim:
                 return StopOrder(StopBy.ABORT)
             if antenna.strategy.one_at_a_time:
                 return None
-            clock = antenna.rotator.clock
-            antenna.motion = antenna.motion.stopped(clock.monotonic(), clock.rate)
+            self.model_stopped()
             return self._retarget(*antenna.motion.rest)
+
+    def model_stopped(self) -> None:
+        """Model the motion under way as braking from now on, unless it is silent. Any thread."""
+        antenna, clock = self._antenna, self._antenna.rotator.clock
+        with antenna.modelling:
+            if antenna.motion is not None and not antenna.motion.silent:
+                antenna.motion = antenna.motion.stopped(clock.monotonic(), clock.rate)
 
     def order_seen(self, earlier: Position, earlier_at: float, later: Position, later_at: float) -> StopOrder:
         """Return what stops an unasked motion, from two readings of the dish's own angles."""

@@ -35,8 +35,7 @@ class DishMover(QueuedMover):
             assert motion is not None, "the antenna has just begun it"
             power = self._antenna.strategy.power(motion, clock.rate)
             self._begin(
-                job, commanded, start or self._board.state.position, now, motion.eta(clock.rate), power.seconds,
-                power.means,
+                job, commanded, start or self._board.state.position, now, motion.eta(clock.rate), power,
             )  # fmt: skip
 
         self._point(job, begin, clamp=clamp, leapfrog=leapfrog and self._is_stream(job))
@@ -93,7 +92,8 @@ class DishMover(QueuedMover):
         if abs(eta - shown.eta) > POLL_S or power.means != shown.stop_means or way_deg != shown.az_way_deg:
             self._board.change(
                 motion=replace(
-                    shown, eta=eta, stop_power_s=power.seconds, stop_means=power.means, rests_at=power.rests_at,
+                    shown, eta=eta, stop_power_s=power.seconds, stop_means=power.means, stop_proven=power.proven,
+                    rests_at=power.rests_at,
                     az_way_deg=way_deg,
                 )
             )  # fmt: skip

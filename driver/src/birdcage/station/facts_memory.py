@@ -93,4 +93,5 @@ class FactsMemory:
             self._file.write(own)
 
     def _show(self) -> None:
-        self._board.change(dish=self._antenna.kind, own=self._antenna.own)
+        antenna = self._antenna
+        self._board.change(dish=antenna.kind, own=antenna.own, unplanned_stop=antenna.strategy.unplanned)

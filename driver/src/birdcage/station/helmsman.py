@@ -310,7 +310,7 @@ class Helmsman:
         self._board.change(
             motion=Motion(
                 here.az_deg if here else az_deg, here.el_deg if here else el_deg, az_deg, el_deg, now,
-                motion.eta(clock.rate), power.seconds, power.means, rests_at=power.rests_at,
+                motion.eta(clock.rate), power.seconds, power.means, stop_proven=power.proven, rests_at=power.rests_at,
                 az_way_deg=motion.azimuth.slew.end_deg - motion.azimuth.read_deg,
             ),
             target_az_deg=az_deg, target_el_deg=el_deg,

@@ -223,7 +223,7 @@ class Look:
         antenna.rotator.facts = antenna.gate.model = known
         antenna.know(antenna.own)
         antenna.doubt()
-        self._board.change(dish=antenna.kind, turn=self._turn())
+        self._board.change(dish=antenna.kind, turn=self._turn(), unplanned_stop=antenna.strategy.unplanned)
         self.limit()
 
     def set_speed(self, motor: int, speed_deg_s: float) -> float:

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import AGAINST_DEG_S
+from birdcage.antenna.strategy.strategy import StopPower
 from birdcage.base.errors import BirdcageError, MotionRefused, NoReply, NotTaken, Stopped
 from birdcage.base.geometry import separation, shortest_turn
 from birdcage.rotator.ladder import StopMeans
@@ -186,7 +187,7 @@ class Mover(ABC):
 
     def _begin(
         self, job: Job, commanded: tuple[float, float], start: Pointing | None, now: float, eta: float,
-        stop_power_s: float, stop_means: StopMeans, rests_at: float | None = None,
+        power: StopPower,
     ) -> None:  # fmt: skip
         """Follow a motion from now on, and show it."""
         job.az_deg, job.el_deg = commanded
@@ -194,7 +195,7 @@ class Mover(ABC):
         self.due = self._board.clock.monotonic() + POLL_S
         shown = Motion(
             start.az_deg if start else commanded[0], start.el_deg if start else commanded[1], *commanded, now, eta,
-            stop_power_s, stop_means, to_skew_deg=job.skew_deg, rests_at=rests_at,
+            power.seconds, power.means, stop_proven=power.proven, to_skew_deg=job.skew_deg, rests_at=power.rests_at,
             eta_known=self._antenna.motion is None or self._antenna.motion.eta_known,
             az_way_deg=self._way(commanded) if job.skew_deg is None else 0.0,
         )  # fmt: skip

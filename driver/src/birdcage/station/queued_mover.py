@@ -83,8 +83,7 @@ class QueuedMover(Mover):
         self._legs, self._plans, self._asked = legs, int(rests), asked
         power = self._antenna.strategy.power(self._antenna.motion, self._board.clock.rate)
         start = start or self._board.state.position
-        self._begin(job, (job.az_deg, job.el_deg), start, now, self._eta(job), power.seconds, power.means,
-                    power.rests_at)  # fmt: skip
+        self._begin(job, (job.az_deg, job.el_deg), start, now, self._eta(job), power)  # fmt: skip
 
     def _plan(self, job: Job, asked: tuple[bool, bool]) -> deque[Leg]:
         """Read where the dish is, and plan from there. Raises what the gate refuses."""
@@ -269,7 +268,8 @@ class QueuedMover(Mover):
             return
         self._board.change(
             motion=replace(
-                shown, eta=eta, stop_power_s=power.seconds, stop_means=power.means, rests_at=power.rests_at,
+                shown, eta=eta, stop_power_s=power.seconds, stop_means=power.means, stop_proven=power.proven,
+                    rests_at=power.rests_at,
                 az_way_deg=way_deg,
             )
         )  # fmt: skip

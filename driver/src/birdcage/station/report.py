@@ -5,6 +5,7 @@ from __future__ import annotations
 from birdcage.rotator.facts import Turn
 from birdcage.station.gear_words import gear_values
 from birdcage.station.state import Activity, HeldState, Link, Search, StationState, StopReport
+from birdcage.station.stop_words import stop_line
 
 Value = str | float | bool | None
 
@@ -54,6 +55,7 @@ def status_report(state: StationState, now: float) -> dict[str, Value | dict[str
         "stop_power_s": motion.stop_power_s if motion else None,
         "stop_means": motion.stop_means if motion else None,
         "rests_in_s": _left(motion.rests_at, now) if motion else None,
+        "stop": stop_line(state, now),
         "last_stop": stop_report(state.last_stop) if state.last_stop else None,
     }
 

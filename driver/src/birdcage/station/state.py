@@ -169,6 +169,8 @@ class Motion:
     az_way_deg: float | None = None
     """How far the azimuth turns from `from_az_deg`, clockwise positive; None while which way round is not known."""
     eta_known: bool = True
+    stop_proven: bool = False
+    """Whether a source, or a STOP of this dish in motion, has shown that `stop_means` works."""
     """Whether the speeds of what moves are known."""
 
 
@@ -252,6 +254,8 @@ class StationState:
     """Why HELD, or its release, is not kept for the programs that come after; empty if it is."""
     fault: Fault | None = None
     last_stop: StopReport | None = None
+    unplanned_stop: StopMeans = StopMeans.NONE
+    """By what STOP ends a motion that goes on without a plan of this program."""
     homed: bool | None = None
     search: Search = Search.UNKNOWN
     turn: Turn = Turn.UNKNOWN

@@ -65,7 +65,9 @@ class Station:
         self._antenna = antenna = BirdcageAntenna(rotator, config, settings.alignment)
         antenna.permit = self._permit
         antenna.doubt()
-        state = StationState(port=settings.port, dish=rotator.facts, turn=rotator.facts.turn)
+        state = StationState(
+            port=settings.port, dish=rotator.facts, turn=rotator.facts.turn, unplanned_stop=antenna.strategy.unplanned
+        )
         self._board = board = Board(clock, state)
         self._wake = Wake()
         self._inbox: deque[tuple[Request, Future[object], int]] = deque()

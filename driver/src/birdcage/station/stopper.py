@@ -237,6 +237,7 @@ class Stopper:
             self._strategy.found_to_work(means)
         else:
             self._strategy.found_to_fail(means)
+        self._board.change(unplanned_stop=self._strategy.unplanned)
 
     def _complete(self, pending: Pending) -> None:
         if pending.report.means is StopMeans.RELEASE:

@@ -6,7 +6,6 @@ from contextlib import suppress
 
 from birdcage.antenna.motion import DishMotion, longest_s
 from birdcage.antenna.strategy.strategy import (
-    COMMANDED,
     DROPPED,
     GRACE_S,
     LOOK,
@@ -18,6 +17,7 @@ from birdcage.antenna.strategy.strategy import (
 )
 from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused
+from birdcage.rotator.facts import SecondMove
 from birdcage.rotator.ladder import StopBy, StopMeans, StopOrder
 from birdcage.rotator.values import Position
 
@@ -43,12 +43,11 @@ class Queue(MotionStrategy):
         """Return braking, or the end of the move under way."""
         if motion is None:
             first = self._antenna.model.stop_ladder[0].means
-            return StopPower(self.takes_s(first), first)
+            return self._power(first)
         if self.commands or motion.silent:
-            means = StopMeans.COMMAND if self.commands else StopMeans.ABORT
-            return StopPower(self.takes_s(means), means)
+            return self._power(StopMeans.COMMAND if self.commands else StopMeans.ABORT)
         rests_at = motion.eta(rate)
-        return StopPower(rests_at - motion.azimuth.started, StopMeans.WAIT, rests_at)
+        return StopPower(rests_at - motion.azimuth.started, StopMeans.WAIT, True, rests_at)
 
     def at_once(self, unplanned: Unplanned, clock: Clock) -> StopAction:
         """Send a byte wherever it may do good: it moves nothing."""
@@ -56,7 +55,7 @@ class Queue(MotionStrategy):
         if motion is not None and self._antenna.is_kept:
             return DROPPED
         if self.commands and (motion is not None or unplanned is not Unplanned.NONE):
-            return COMMANDED
+            return self._commanded()
         if motion is not None and motion.silent:
             return StopAction(StopMeans.ABORT, "A byte that ends the slew was sent.", ENTER)
         if motion is not None:
@@ -85,7 +84,7 @@ class Queue(MotionStrategy):
     def on_sight(self, earlier: Position, earlier_at: float, later: Position, later_at: float) -> StopAction:  # noqa: ARG002
         """End whatever it is."""
         if self.commands:
-            return COMMANDED
+            return self._commanded()
         return StopAction(
             StopMeans.SEARCH, "The dish was seen moving: a bare Enter was sent, and the TV search is ended.", ENTER
         )
@@ -119,6 +118,11 @@ class Block(Queue):
     """It takes no command of a move before the motor stands: nothing stops a move, and none follows it."""
 
     answers_in_motion = False
+
+    @property
+    def looks_wait(self) -> bool:
+        """Where the very axis that runs makes it wait."""
+        return self._antenna.model.second_same is SecondMove.BLOCK
 
     @property
     def anywhere(self) -> bool:

@@ -8,7 +8,6 @@ from birdcage.antenna.blocking import LATE_S
 from birdcage.antenna.motion import DishMotion
 from birdcage.antenna.rest import STILL_DEG
 from birdcage.antenna.strategy.strategy import (
-    COMMANDED,
     LOOK,
     NOTHING_MOVED,
     MotionStrategy,
@@ -62,18 +61,18 @@ class Retarget(MotionStrategy):
         """Return the first rung that has not failed, and how long braking takes."""
         first = next((rung for rung in self.rungs(MoveKind.SINGLE) if rung.means is not StopMeans.POWER), None)
         if first is None:
-            return StopPower(0.0, StopMeans.NONE)
+            return StopPower(0.0, StopMeans.NONE, proven=True)
         if first.means is StopMeans.WAIT and motion is not None:
             rests_at = motion.eta(rate)
-            return StopPower(rests_at - motion.azimuth.started, first.means, rests_at)
-        return StopPower(self.takes_s(first.means), first.means)
+            return StopPower(rests_at - motion.azimuth.started, first.means, first.proven, rests_at)
+        return self._power(first.means)
 
     def at_once(self, unplanned: Unplanned, clock: Clock) -> StopAction:
         """Send its own command, or aim ahead of the motion as it is modelled."""
         antenna = self._antenna
         motion = antenna.motion
         if self.commands and (motion is not None or unplanned is not Unplanned.NONE):
-            return COMMANDED
+            return self._commanded()
         if (motion is not None or unplanned is not Unplanned.NONE) and self._retargets:
             unsure = motion is not None and not antenna.commands.are_sure
             if antenna.rotator.line.unanswered_s() > LATE_S or unsure:
@@ -101,7 +100,7 @@ class Retarget(MotionStrategy):
     def on_sight(self, earlier: Position, earlier_at: float, later: Position, later_at: float) -> StopAction:
         """Aim ahead of the motion as it was seen."""
         if self.commands:
-            return COMMANDED
+            return self._commanded()
         order = self._antenna.stop_aim.order_seen(earlier, earlier_at, later, later_at)
         return StopAction(StopMeans.RETARGET, "The dish was seen moving: retargeted ahead of it.", order)
 

@@ -43,7 +43,6 @@ class StopAction:
 NOTHING_MOVED = StopAction(StopMeans.NOTHING_MOVED, "Nothing was moving. Looking where the dish is.")
 LOOK = StopAction(StopMeans.LOOK, "birdcage sent no motion. Looking where the dish goes, to aim.")
 DROPPED = StopAction(StopMeans.NOTHING_MOVED, "The move was not sent yet, and is dropped. Looking where the dish is.")
-COMMANDED = StopAction(StopMeans.COMMAND, "The machine's own STOP command was sent.", StopOrder(StopBy.COMMAND))
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,6 +51,8 @@ class StopPower:
 
     seconds: float
     means: StopMeans
+    proven: bool
+    """Whether a source, or a STOP of this dish in motion, has shown that it works."""
     rests_at: float | None = None
     """When the move ends that STOP must wait for; monotonic seconds."""
 
@@ -101,15 +102,30 @@ class MotionStrategy(ABC):
         return MoveKind.COMBINED if motion is not None and motion.silent else MoveKind.SINGLE
 
     @property
+    def looks_wait(self) -> bool:
+        """Whether it answers no question for its position either while a motor runs."""
+        return False
+
+    @property
     def commands(self) -> bool:
         """Whether the machine's own STOP command goes before anything else."""
         first = self.rungs(self.kind)[:1]
         return bool(first) and first[0].means is StopMeans.COMMAND
 
+    def _commanded(self) -> StopAction:
+        """Return its own STOP command; the motion under way brakes from now on."""
+        self._antenna.stop_aim.model_stopped()
+        return StopAction(StopMeans.COMMAND, "The machine's own STOP command was sent.", StopOrder(StopBy.COMMAND))
+
     @property
     def anywhere(self) -> bool:
         """Whether what stops it does so in every menu."""
         return any(rung.anywhere for rung in self._antenna.model.stop_ladder)
+
+    def _power(self, means: StopMeans) -> StopPower:
+        """Return what a rung can do."""
+        known = any(rung.means is means and rung.proven for rung in self._antenna.model.stop_ladder)
+        return StopPower(self.takes_s(means), means, known or self.proven is means)
 
     @abstractmethod
     def power(self, motion: DishMotion | None, rate: float) -> StopPower:

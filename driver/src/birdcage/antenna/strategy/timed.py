@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 from birdcage.antenna.gate import UNTOLD
 from birdcage.antenna.motion import DishMotion
 from birdcage.antenna.strategy.queue import ENTER, Queue
-from birdcage.antenna.strategy.strategy import COMMANDED, StopAction, StopPower, Unplanned
+from birdcage.antenna.strategy.strategy import StopAction, StopPower, Unplanned
 from birdcage.base.clock import Clock
 from birdcage.base.errors import NoReply
-from birdcage.rotator.ladder import MoveKind, StopMeans
+from birdcage.rotator.ladder import MoveKind, StopBy, StopMeans, StopOrder
 
 if TYPE_CHECKING:
     from birdcage.antenna.antenna import BirdcageAntenna
@@ -39,7 +39,9 @@ class Timed(Queue):
     def power(self, motion: DishMotion | None, rate: float) -> StopPower:  # noqa: ARG002 - whichever it is
         """Return what is proven to stop it, if anything is."""
         means = self.unplanned
-        return StopPower(0.0 if means is StopMeans.NONE else self.takes_s(means), means)
+        if means is StopMeans.NONE:
+            return StopPower(0.0, means, proven=True)
+        return self._power(means)
 
     def at_once(self, unplanned: Unplanned, clock: Clock) -> StopAction:  # noqa: ARG002 - nothing shows one
         """Send what its ladder has; a byte moves nothing even where it is not proven to help."""
@@ -56,7 +58,7 @@ class Timed(Queue):
         match means:
             case StopMeans.COMMAND:
                 said = "Its own STOP command was sent. It does not tell whether it has stopped. If it goes on, it"
-                return StopAction(means, f"{said} {ends}", COMMANDED.order)
+                return StopAction(means, f"{said} {ends}", StopOrder(StopBy.COMMAND))
             case StopMeans.ABORT:
                 said = "What ends a combined move was sent. It does not tell whether it has stopped. If it goes on, it"
                 return StopAction(means, f"{said} {ends}", ENTER)

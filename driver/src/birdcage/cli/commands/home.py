@@ -32,6 +32,7 @@ def command(axis: str | None, yes: bool) -> None:
     from birdcage.station.events import ActivityChanged
     from birdcage.station.requests import Home
     from birdcage.station.state import Activity
+    from birdcage.station.stop_words import stop_line
 
     dish_wanted = with_firmware(wanted())
     _refuse_if_by_itself(dish_wanted)
@@ -39,7 +40,7 @@ def command(axis: str | None, yes: bool) -> None:
 
     def hear(event: Event) -> None:
         if isinstance(event, ActivityChanged) and event.activity is Activity.HOMING:
-            say(f"Homing the {event.text}. Cut the power of the dish to stop it.")
+            say(f"Homing the {event.text}. {stop_line(dish.state, dish.now)}")
 
     with open_dish(dish_wanted, moves=True) as dish:
         model = dish.come_up(15.0).dish

@@ -135,7 +135,9 @@ def _beyond(dish: Dish, az_deg: float, el_deg: float) -> tuple[float, float]:
 def _begin(dish: Dish, request: Goto, timeout_s: float) -> None:
     """Wait until the dish has taken the target, and leave it moving."""
     from birdcage.cli.say import say
+    from birdcage.rotator.ladder import StopMeans
     from birdcage.station.events import MoveStarted
+    from birdcage.station.stop_words import stop_line
 
     started: list[Event] = []
 
@@ -149,9 +151,9 @@ def _begin(dish: Dish, request: Goto, timeout_s: float) -> None:
     if future.done():
         future.result()
     dish.leave_moving = True
-    facts = dish.state.dish
-    stops = "`birdcage stop` stops it." if facts is None or facts.tells_at_rest else "No STOP is known for it."
-    say(f"On its way to AZ {request.az_deg:.2f}° EL {request.el_deg:.2f}°. {stops}")
+    motion, stops = dish.state.motion, stop_line(dish.state, dish.now).rstrip(".")
+    how = "" if motion is None or motion.stop_means is StopMeans.NONE else " `birdcage stop` calls STOP."
+    say(f"On its way to AZ {request.az_deg:.2f}° EL {request.el_deg:.2f}°. {stops}.{how}")
 
 
 class Shown:

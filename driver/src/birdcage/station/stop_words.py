@@ -1,0 +1,149 @@
+"""What STOP can do at this moment, and what to do where it can't: from rung, motion and machine, for every face.
+
+Each line is exact in every state, or hedged; it has a form of at most `SHORT` columns.
+"""
+
+from __future__ import annotations
+
+from birdcage.rotator.facts import Facts
+from birdcage.rotator.ladder import MoveKind, Rung, StopMeans, rungs
+from birdcage.station.state import Activity, Link, Motion, Search, StationState, StopReport
+
+SHORT = 36
+"""Columns that every line has a form for: the narrowest pane, at 40x12 and at 80x24."""
+_AWAITED = {
+    StopMeans.WAIT: "no STOP for this move: it ends by itself",
+    StopMeans.NONE: "no STOP for this motion: it goes on",
+    StopMeans.LOOK: "STOP looks where it goes",
+    StopMeans.NOTHING_MOVED: "STOP checks that it is at rest",
+    StopMeans.NO_LINK: "STOP DID NOT REACH IT",
+    StopMeans.RELEASE: "motors released",
+}
+_STOPPING = {
+    StopMeans.WAIT: "STOP waits for the end of this move",
+    StopMeans.LOOK: "STOP looks where the dish goes",
+    StopMeans.NOTHING_MOVED: "STOP checks that it is at rest",
+    StopMeans.RELEASE: "Motors released: position unknown",
+}
+
+
+def power_switch(dish: Facts | None) -> str:
+    """Return what to switch off where no STOP helps, as the dish calls its supply."""
+    return "power switch" if dish is None else dish.power_switch
+
+
+def is_stopping(state: StationState) -> bool:
+    """Return whether STOP was called, and the dish was not seen at rest since."""
+    return state.motion is None and state.activity is Activity.STOPPING
+
+
+def awaited_words(stopped: StopReport) -> str:
+    """Return what a STOP that is not confirmed yet has done, in a few words."""
+    return _AWAITED.get(stopped.means, "STOP sent")
+
+
+def stop_line(state: StationState, now: float, room: int | None = None) -> str:
+    """Return what STOP can do now: the longest form that has room; without a limit, the longest there is."""
+    forms = stop_forms(state, now)
+    return forms[0] if room is None else fitting(forms, room)
+
+
+def fitting(forms: tuple[str, ...], room: int) -> str:
+    """Return the longest form that has room; any has room for the last one."""
+    return next((words for words in forms if len(words) <= max(room, SHORT)), "")
+
+
+def stop_forms(state: StationState, now: float) -> tuple[str, ...]:
+    """Return the same thing in one form or more, the longest first; `now` is the station's monotonic time."""
+    if state.link.state in (Link.CLOSED, Link.OPENING):
+        return ("No STOP before the port is open",)
+    if state.link.state is Link.LOST:
+        return unreachable(state.dish)
+    if state.link.state is not Link.UP:
+        return _unsure(state.dish, "STOP may not reach the dish.")
+    if is_stopping(state):
+        return _stopping(state.dish, state.last_stop)
+    if state.motion is not None:
+        return _in_motion(state.dish, state.motion, now)
+    return _without_plan(state)
+
+
+def unreachable(dish: Facts | None) -> tuple[str, ...]:
+    """Return that there is no way to the dish."""
+    return and_else(
+        dish, "STOP can't reach the dish. Switch off its {supply}.", "STOP can't reach it. Cut its {supply}."
+    )  # fmt: skip
+
+
+def and_else(dish: Facts | None, *forms: str) -> tuple[str, ...]:
+    """Return lines with the dish's own supply and switch in their places."""
+    switch = power_switch(dish)
+    supply = switch.removesuffix(" switch")
+    emergency = f"In an emergency, switch off its {supply}"
+    return tuple(form.format(emergency=emergency, supply=supply, switch=switch) for form in forms)
+
+
+def _unsure(dish: Facts | None, sentence: str) -> tuple[str, ...]:
+    """Return that STOP may do nothing, and what then does."""
+    return and_else(dish, f"{sentence} If it moves, switch off its {{supply}}.", "STOP may fail: use the {switch}")
+
+
+def _in_motion(dish: Facts | None, motion: Motion, now: float) -> tuple[str, ...]:
+    if motion.stop_means is StopMeans.WAIT:
+        rests = motion.eta if motion.rests_at is None else motion.rests_at
+        return (f"STOP at end of move, {max(0.0, rests - now):.0f} s",)
+    if motion.stop_means is StopMeans.NONE or motion.stop_power_s is None:
+        ends = f"No STOP: it ends by itself in {max(0.0, motion.eta - now):.0f} s"
+        return and_else(dish, f"{ends}. {{emergency}}.", ends)
+    stops, takes = ("stops it", "takes") if motion.stop_proven else ("should stop it", "should take")
+    if not motion.eta_known:
+        return (f"STOP {stops}; how fast is unknown", f"STOP {stops}")
+    tail = ", by motor release" if motion.stop_means is StopMeans.RELEASE else ""
+    return (f"STOP {takes} {motion.stop_power_s:.1f} s{tail}",)
+
+
+def _without_plan(state: StationState) -> tuple[str, ...]:
+    """Return what STOP does to a dish that rests, or whose motion this program has not planned."""
+    dish, activity, by = state.dish, state.activity, state.unplanned_stop
+    latched = ("STOP is latched: no motion is sent",)
+    unknown = and_else(dish, "No STOP is known for this dish. {emergency}.", "No STOP but the {switch}")
+    match activity:
+        case Activity.HOMING:
+            none = and_else(dish, "Homing has no STOP. {emergency}.", "Homing: no STOP but the {switch}")
+            return none if _rung(dish, MoveKind.HOME) is None else ("STOP ends the homing",)
+        case Activity.INITIALIZING:
+            return and_else(dish, "There is no STOP at start-up. {emergency}.", "No STOP but the {switch}")
+        case Activity.IDLE if state.held is not None:
+            return latched
+        case _ if by is StopMeans.NONE:
+            return unknown
+        case Activity.UNKNOWN:
+            return ("Motion unknown: STOP looks and acts",)
+        case Activity.MOVING_UNASKED if state.search is Search.RUNNING and _rung(dish, MoveKind.SEARCH) is not None:
+            return ("STOP ends the TV search",)
+        case Activity.STOWING | Activity.MOVING_UNASKED:
+            return _unsure(dish, "STOP may not hold the dish.")
+        case Activity.SLEWING | Activity.FOLLOWING:
+            return ("STOP at end of move" if by is StopMeans.WAIT else "STOP brings it to rest",)
+    return latched if state.held is not None else ("STOP holds it where it is",)
+
+
+def _rung(dish: Facts | None, kind: MoveKind) -> Rung | None:
+    """Return what a source says that a program can do to end such a motion."""
+    ladder = () if dish is None else rungs(dish.stop_ladder, kind, consent=False)
+    return next((rung for rung in ladder if rung.proven and rung.means is not StopMeans.POWER), None)
+
+
+def _stopping(dish: Facts | None, stopped: StopReport | None) -> tuple[str, ...]:
+    """Return what is awaited after a STOP; never that the dish is held before it is."""
+    if stopped is None:
+        return ("STOP called: not yet at rest",)
+    if stopped.confirmed is False:
+        return and_else(dish, "STOP is not confirmed. If the dish moves, switch off its {supply}.",
+                        "STOP not confirmed: use {switch}")  # fmt: skip
+    if stopped.means is StopMeans.NONE:
+        return and_else(dish, "No STOP for this motion. {emergency}.", "No STOP but the {switch}")
+    if stopped.means is StopMeans.NO_LINK:
+        return and_else(dish, "STOP did not reach the dish. If it moves, switch off its {supply}.",
+                        "STOP did not arrive. Cut its {supply}.")  # fmt: skip
+    return (_STOPPING.get(stopped.means, "STOP sent: not yet at rest"),)
