@@ -203,9 +203,11 @@ class BirdcageAntenna:
     def get_position(self) -> Position:
         """Read where the dish points, in true degrees. PositionUnknown when it is not homed.
 
-        Of one that does not tell: where it should be by its last move, PositionUnknown (`untold`) before there was one.
+        Of one that does not tell: where it should be by its last move, PositionUnknown (`untold`) before there was one,
+        and (`no_direction`) of one that has no azimuth and elevation.
         """
         self._check_thread()
+        self.gate.require_direction()
         if not self.strategy.reads_position:
             return self._reckoned()
         return self._read(lambda: self.rotator.look(busy_s=self.commands.busy_s()))
@@ -213,6 +215,7 @@ class BirdcageAntenna:
     def glance(self) -> Position:
         """Read where the dish points within a stream of targets: NoReply (`late`) where waiting would hold that up."""
         self._check_thread()
+        self.gate.require_direction()
         if not self.strategy.reads_position:
             return self._reckoned()
         return self._read(lambda: self.rotator.look(hurry=True))
@@ -229,6 +232,7 @@ class BirdcageAntenna:
 
     def hear(self, told: Look) -> Position:
         """Take in where the dish points, told unasked; reads on where that alone cannot be believed. True degrees."""
+        self.gate.require_direction()
         unasked = [self.rotator.position(told)]
         return self._read(lambda: unasked.pop() if unasked else self.rotator.look())
 
@@ -289,7 +293,7 @@ class BirdcageAntenna:
             current = None
         dish_az, dish_el = self.to_dish(az_deg, el_deg, clamp=clamp)
         gate.check(dish_az, dish_el)
-        if not leapfrog or current is None:
+        if not leapfrog or current is None or gate.model.mapping is not None:
             return dish_az, dish_el
         wanted = apply_leapfrog(az_deg, el_deg, current.azimuth, current.elevation)
         beyond = self.to_dish(*wanted, clamp=True)
@@ -304,7 +308,13 @@ class BirdcageAntenna:
         """Return the dish angles of a true direction; `clamp` as in `point`."""
         gate = self.gate
         dish_az, dish_el = self.alignment.to_dish(az_deg, el_deg)
+        if gate.model.mapping is not None:
+            return self.rotator.nearest_allowed(dish_az, dish_el, self.alignment.to_true, any_miss=clamp)
         return dish_az, min(max(dish_el, gate.el_floor_deg), gate.el_max_deg) if clamp else dish_el
+
+    def miss_deg(self, az_deg: float, el_deg: float) -> float:
+        """Return by how much a machine with a mapping misses a true direction; 0 for any other."""
+        return self.rotator.nearest(*self.alignment.to_dish(az_deg, el_deg))[1]
 
     @contextmanager
     def begun(self, planned: DishMotion) -> Iterator[None]:

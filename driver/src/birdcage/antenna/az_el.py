@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+import math
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 from birdcage.antenna.gate import MotionGate
 from birdcage.base.clock import Clock
-from birdcage.base.errors import CommandRefused
+from birdcage.base.errors import CommandRefused, MotionRefused
 from birdcage.rotator.axis import TurnBy
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.feature import Feature, Reading, Value
@@ -15,6 +16,9 @@ from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.ladder import StopOrder
 from birdcage.rotator.rotator import Line, Rotator
 from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION, MOTOR_SKEW, Look, Position, Survey, Taken
+
+MOST_MISSED_DEG = 1.0
+"""Where no beam is known: about half the width of that of a small dish at Ku band."""
 
 
 class AzEl:
@@ -28,6 +32,8 @@ class AzEl:
         self._rotator, self._gate = rotator, gate
         self._last_deg = 0.0
         """The turn of the cable when it was last known: STOP may come when the position is in doubt."""
+        self.most_missed_deg = MOST_MISSED_DEG
+        """By how much a machine with a mapping may miss a direction that it is sent to."""
 
     def __getattr__(self, name: str) -> Any:  # noqa: ANN401 - whatever the machine has
         return getattr(self._rotator, name)
@@ -92,6 +98,8 @@ class AzEl:
     def position(self, look: Look) -> Position:
         """Return where the machine is that tells this."""
         facts, angles = self._rotator.facts, look.angles
+        if facts.mapping is not None:
+            return Position(*facts.mapping.to_sky(angles))
         skew = None if facts.skew is None else angles.get(facts.skew.name)
         return Position(angles[facts.azimuth.name], angles[facts.elevation.name], skew)
 
@@ -101,7 +109,10 @@ class AzEl:
 
     def begin_slew(self, az_deg: float, el_deg: float, skew_deg: float | None) -> None:
         """See `Rotator`."""
-        to = {MOTOR_AZIMUTH: az_deg, MOTOR_ELEVATION: el_deg}
+        facts, to = self._rotator.facts, {MOTOR_AZIMUTH: az_deg, MOTOR_ELEVATION: el_deg}
+        if facts.mapping is not None and facts.slew is None:
+            self._rotator.send(self.retarget(az_deg, el_deg))
+            return
         self._rotator.begin_slew(self._named(to if skew_deg is None else {**to, MOTOR_SKEW: skew_deg}))
 
     def retarget(self, az_deg: float, el_deg: float) -> Mapping[str, float]:
@@ -110,7 +121,10 @@ class AzEl:
 
     def home(self, motor: int) -> None:
         """See `Rotator`."""
-        self._rotator.home(self._name(motor))
+        mapped = self._rotator.facts.mapping is not None  # then all of its own axes are homed, for the azimuth
+        own = [axis.name for axis in self._rotator.facts.axes if mapped and motor == MOTOR_AZIMUTH]
+        for name in own if mapped else [self._name(motor)]:
+            self._rotator.home(name)
 
     def by_number(self, values: Mapping[str, float]) -> dict[int, float]:
         """Return what the machine tells of its axes."""
@@ -119,7 +133,41 @@ class AzEl:
     def _name(self, motor: int) -> str:
         return self._rotator.facts.axis(motor).name
 
-    def _named(self, to: Mapping[int, float]) -> dict[str, float]:
+    def nearest(self, az_deg: float, el_deg: float) -> tuple[tuple[float, float], float]:
+        """Return the direction that it can point to nearest to one, and by how many degrees on the sky it misses that.
+
+        Azimuth and elevation are the machine's own, as everywhere here.
+        """
+        mapping = self._rotator.facts.mapping
+        if mapping is None:
+            return (az_deg, el_deg), 0.0
+        angles, miss_deg = mapping.to_axes(az_deg, el_deg)
+        return mapping.to_sky(angles), miss_deg
+
+    def nearest_allowed(
+        self, az_deg: float, el_deg: float, to_true: Callable[[float, float], tuple[float, float]], *, any_miss: bool
+    ) -> tuple[float, float]:
+        """Return the nearest direction; MotionRefused (`missed`) where it misses by more than `most_missed_deg`.
+
+        `any_miss` takes it all the same. What is no angle is returned as it is.
+        """
+        if not (math.isfinite(az_deg) and math.isfinite(el_deg)):
+            return az_deg, el_deg
+        nearest, miss_deg = self.nearest(az_deg, el_deg)
+        if miss_deg > self.most_missed_deg and not any_miss:
+            true_az, true_el = to_true(*nearest)
+            raise MotionRefused(
+                f"The {self._rotator.facts.name} misses this direction by {miss_deg:.2f}°, more than the "
+                f"{self.most_missed_deg:.2f}° allowed. Nothing was sent. The nearest that it reaches is azimuth "
+                f"{true_az:.2f}°, elevation {true_el:.2f}°.",
+                reason="missed", limit_deg=self.most_missed_deg, by_deg=miss_deg - self.most_missed_deg,
+            )  # fmt: skip
+        return nearest
+
+    def _named(self, to: Mapping[int, float]) -> Mapping[str, float]:
+        mapping = self._rotator.facts.mapping
+        if mapping is not None:
+            return mapping.to_axes(to[MOTOR_AZIMUTH], to[MOTOR_ELEVATION])[0]
         turn = self._rotator.facts.azimuth.turn_by is TurnBy.HOST
         return {
             self._name(motor): self._on_cable(deg) if turn and motor == MOTOR_AZIMUTH else deg

@@ -6,6 +6,7 @@ import math
 from copy import copy
 from dataclasses import dataclass, replace
 
+from birdcage.antenna.mapped_way import mapped_points
 from birdcage.antenna.turning import LONGEST_SURE_DEG, AzimuthWay, azimuth_way, is_safe_at_any_turn
 from birdcage.base.errors import BelowFloor, MotionRefused, PositionUnknown
 from birdcage.base.geometry import shortest_turn, wrap_360
@@ -48,6 +49,8 @@ class Bounds:
 
 UNTOLD = "untold"
 """Why the position is not known of a dish that does not report it, before its first move is over."""
+NO_DIRECTION = "no_direction"
+"""Why it is not known of a machine that has no azimuth and elevation, and no mapping that makes some (yet)."""
 
 
 class MotionGate:
@@ -163,6 +166,12 @@ class MotionGate:
                 reason="skew_limit", limit_deg=limit, by_deg=abs(deg - limit),
             )  # fmt: skip
 
+    def require_direction(self) -> None:
+        """Raise `PositionUnknown` (`no_direction`) of a machine that has no azimuth and elevation."""
+        if self.model.no_direction:
+            self.forget(NO_DIRECTION)
+            raise self._unknown()
+
     def require_position(self) -> None:
         """Raise `PositionUnknown`, which says what to do, where it is not known."""
         if self.position is None:
@@ -178,6 +187,7 @@ class MotionGate:
                 raise MotionRefused(
                     f"The {name} asked for is {value}, which is not an angle. Nothing was sent.", reason="not_a_number"
                 )
+        self.require_direction()
         start = self.position or self._first_start(az_deg, el_deg)
         if az_deg is not None:
             self._check_azimuth(start, az_deg)
@@ -224,6 +234,8 @@ class MotionGate:
     def way_to(self, az_deg: float) -> AzimuthWay:
         """Return how the azimuth will turn to `az_deg` from the last position that was read."""
         here = az_deg if self.position is None else self.position.azimuth
+        if self.model.mapping is not None:
+            return AzimuthWay(shortest_turn(here, az_deg))
         return azimuth_way(self.model, here, az_deg, self.cable_deg, self.cable_limits)
 
     @property
@@ -247,6 +259,8 @@ class MotionGate:
             UNTOLD: "this dish does not tell where it points. Send it somewhere first, by its full direction.",
             "raw": "a raw command may have moved the dish. Read the position again.",
         }
+        if self.unknown_reason == NO_DIRECTION:
+            return PositionUnknown(f"{self.model.no_direction} Nothing was sent.", reason=NO_DIRECTION)
         sentence = why.get(self.unknown_reason, self.unknown_reason)
         return PositionUnknown(f"No motion: {sentence}", reason=self.unknown_reason)
 
@@ -313,6 +327,9 @@ class MotionGate:
 
     def _check_sectors(self, start: Position, az_deg: float, el_deg: float) -> None:
         """Refuse a motion that cuts a sector: the axes may move together or in turn, so the whole box counts."""
+        if self.model.mapping is not None:
+            self._check_sectors_along(start, az_deg, el_deg)
+            return
         lowest = min(start.elevation, el_deg)
         short_deg = shortest_turn(start.azimuth, az_deg)
         if abs(short_deg) < self.model.azimuth.step_deg and el_deg >= start.elevation:
@@ -325,6 +342,17 @@ class MotionGate:
                 raise self._in_the_way(sector, az_deg, el_deg, lowest)
             if way.other_deg is not None and sector.overlaps(start.azimuth, way.other_deg):
                 raise self._in_the_way(sector, az_deg, el_deg, lowest, round_about=True)
+
+    def _check_sectors_along(self, start: Position, az_deg: float, el_deg: float) -> None:
+        """Refuse a way along a machine's own arc that leads through a sector, or ends in one."""
+        points = [point for _, point in mapped_points(self.model, start, az_deg, el_deg)] if self.bounds.sectors else []
+        for sector in self.bounds.sectors:
+            within = [
+                point.elevation for point in points
+                if point.elevation < sector.below_el_deg and sector.overlaps(point.azimuth, 0.0)
+            ]  # fmt: skip
+            if within:
+                raise self._in_the_way(sector, az_deg, el_deg, min(within))
 
     def _in_the_way(
         self, sector: Sector, az_deg: float, el_deg: float, lowest_deg: float, *, round_about: bool = False
@@ -344,6 +372,8 @@ class MotionGate:
                 f"The turn of the cable is unknown: the dish may go to {target} the other way round, through "
                 f"{where}, {by:.2f}° too low. Nothing was sent: home the dish, or go up first, then across, then down."
             )
+        elif self.model.mapping is not None:
+            sentence = f"The way to {target} leads through {where}, {by:.2f}° too low. Nothing was sent."
         else:
             sentence = (
                 f"The way to {target} passes through {where}, {by:.2f}° too low, as both axes turn at once or in any "

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from birdcage.antenna.mapped_way import mapped_motion, mapped_s
 from birdcage.antenna.motion import DishMotion, move_axis, plan_axis
 from birdcage.base.errors import MotionRefused
 from birdcage.base.geometry import shortest_turn
@@ -52,6 +53,9 @@ def plan_legs(
     `az_turn_deg` is how far the azimuth turns where the turn of the cable tells, else None: then a way across north
     may be gone the other way round. Of two single moves, the motor `first` goes first.
     """
+    if model.mapping is not None:
+        seconds = mapped_s(model, start, az_deg, el_deg)
+        return (Leg(az_deg, el_deg, None, seconds, seconds),) if seconds else ()
     turn = shortest_turn(start.azimuth, az_deg) if az_turn_deg is None else az_turn_deg
     climb = el_deg - start.elevation
     furthest = turn
@@ -90,6 +94,8 @@ def leg_motion(
     model: Facts, start: Position, leg: Leg, az_turn_deg: float | None, now: float, *, start_known: bool = True
 ) -> DishMotion:
     """Model a leg that begins now."""
+    if model.mapping is not None:
+        return mapped_motion(model, start, leg.az_deg, leg.el_deg, now, start_known=start_known)
     az_end, el_end, skew = start.azimuth, start.elevation, None
     if leg.skew_deg is not None and model.skew is not None:
         skew = move_axis(model.skew, leg.skew_deg if start.skew is None else start.skew, leg.skew_deg, now)

@@ -146,6 +146,8 @@ class DishMotion:
     """A combined move that any byte aborts: nothing may be asked while it lasts."""
     longest_s: float = 0.0
     """How long it may take at the longest, whichever way round its azimuth goes; mechanical seconds."""
+    together: bool = False
+    """Whether its axes are known to turn at once."""
     start_known: bool = True
     """Whether it was known where it began; else its times are those of the longest way, and where it is stays unknown.
     """
@@ -163,7 +165,8 @@ class DishMotion:
     def over_by(self, rate: float) -> float:
         """Return the monotonic time at which it is over at the latest: whichever way round, and in turn."""
         last = max(axis.started for axis in self.axes)
-        return last + sum(max(axis.slew.duration_s, axis.longest_s) for axis in self.axes) / rate
+        times = [max(axis.slew.duration_s, axis.longest_s) for axis in self.axes]
+        return last + (max(times) if self.together else sum(times)) / rate
 
     def begun(self, motor: int, now: float) -> DishMotion:
         """Return the motion with one axis beginning its way only now."""

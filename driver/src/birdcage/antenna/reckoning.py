@@ -138,5 +138,10 @@ def farthest(facts: Facts, az_deg: float, el_deg: float) -> Position:
     def end(low_deg: float, high_deg: float, deg: float) -> float:
         return low_deg if deg - low_deg >= high_deg - deg else high_deg
 
+    if facts.mapping is not None:
+        there = facts.mapping.to_axes(az_deg, el_deg)[0]
+        own = {axis.name: axis for axis in facts.axes if axis.name in there}
+        ends = {name: end(own[name].min_deg, own[name].max_deg, deg) for name, deg in there.items()}
+        return Position(*facts.mapping.to_sky(ends))
     azimuth, elevation = facts.azimuth, facts.elevation
     return Position(end(azimuth.min_deg, azimuth.max_deg, az_deg), end(elevation.min_deg, elevation.max_deg, el_deg))

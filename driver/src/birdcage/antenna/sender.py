@@ -6,8 +6,11 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from birdcage.antenna.blocking import Without, running
+from birdcage.antenna.mapped_way import mapped_motion
 from birdcage.antenna.motion import start_motion
+from birdcage.antenna.reckoning import farthest
 from birdcage.antenna.steering import sent_to, steered
+from birdcage.base.errors import MotionRefused
 from birdcage.base.geometry import shortest_turn, wrap_360
 from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION
 
@@ -33,6 +36,9 @@ class Sender:
     def send(self, dish_az: float, dish_el: float, on_begun: Callable[[], None]) -> None:
         """Send the axes that change to dish angles that the gate has let through; `on_begun` when one is on its way."""
         antenna, gate = self._antenna, self._antenna.gate
+        if antenna.model.mapping is not None:
+            self._send_along(dish_az, dish_el, on_begun)
+            return
         start = gate.position
         assert start is not None, "the gate has just checked this"
         now, rate = antenna.rotator.clock.monotonic(), antenna.rotator.clock.rate
@@ -65,10 +71,23 @@ class Sender:
                 on_begun()
         self.moves += 1
 
+    def _send_along(self, dish_az: float, dish_el: float, on_begun: Callable[[], None]) -> None:
+        antenna, known, now = self._antenna, self._antenna.gate.position, self._antenna.rotator.clock.monotonic()
+        start = known or farthest(antenna.model, dish_az, dish_el)
+        with antenna.begun(
+            mapped_motion(antenna.model, start, dish_az, dish_el, now, start_known=known is not None)
+        ):  # fmt: skip
+            antenna.rotator.begin_slew(dish_az, dish_el, None)
+            antenna.reckon_move()
+            antenna.taken += 1
+            on_begun()
+
     def steer(self, motor: int, dish_deg: float) -> None:
         """Send one axis as one of a stream; see `BirdcageAntenna.steer`."""
         antenna, gate, clock = self._antenna, self._antenna.gate, self._antenna.rotator.clock
         azimuth = antenna.model.azimuth
+        if antenna.model.no_following:
+            raise MotionRefused(f"{antenna.model.no_following} Nothing was sent.", reason="unsupported")
         turns_az = motor == azimuth.index
         if turns_az and azimuth.max_deg - azimuth.min_deg >= 360.0:
             dish_deg = round(wrap_360(dish_deg), 2) % 360.0  # as it is printed: never 360.00

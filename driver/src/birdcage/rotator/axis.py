@@ -54,6 +54,8 @@ class Role(Enum):
     """Lifts it from the horizon."""
     SKEW = "skew"
     """Turns the feed about it."""
+    ARC = "arc"
+    """Swings it along a curve of its own: only a `SkyMapping` tells where to."""
 
 
 class TurnBy(Enum):
@@ -95,7 +97,7 @@ class Axis:
 
     @property
     def index(self) -> int:
-        """Its number above the seam, as document 003 counts motors: by its role."""
+        """Its number above the seam, as document 003 counts motors: by its role. KeyError for one along an arc."""
         return _NUMBERS[self.role]
 
     def mean_overshoot_deg(self, way_deg: float) -> float | None:

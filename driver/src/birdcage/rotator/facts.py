@@ -10,6 +10,7 @@ from birdcage.base.beam import Reflector
 from birdcage.rotator.axis import Axis, CableRange, Role
 from birdcage.rotator.feature import RSSI, Feature, speed_of
 from birdcage.rotator.ladder import MoveKind, Rung, StopMeans
+from birdcage.rotator.mapping import SkyMapping, mapped_axes
 from birdcage.rotator.origin import Origin
 from birdcage.rotator.wiring import Adapter, Connector
 
@@ -117,6 +118,11 @@ class Handling:
     """What helps an axis that fails to home, by the name of the axis."""
 
 
+def _no_axis(role: Role, span_deg: float) -> Axis:
+    """Return what stands for an axis that a machine has not: nothing is sent to it (`Facts.points`)."""
+    return Axis(role.value, role, 0.0, span_deg, 1.0, 1.0, 0.1, speed_known=False)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Facts:
     """A dish. What it lacks is None or False here, and every face greys it out and says why."""
@@ -126,10 +132,11 @@ class Facts:
     baud: int
     """0 of a machine that is not at the end of a serial line."""
     axes: tuple[Axis, ...]
-    """One to three, each with a name of its own. Azimuth and elevation are among them."""
+    """One to three, each with a name of its own."""
     azimuth: Axis = field(init=False, repr=False, compare=False)
-    """The axis of that role, as of the two below."""
+    """The axis of that role. Of a machine with a mapping: the azimuths that it reaches by that. See `points` else."""
     elevation: Axis = field(init=False, repr=False, compare=False)
+    """As above."""
     skew: Axis | None = field(init=False, repr=False, compare=False)
     """The axis that turns the feed about the beam; None if there is none."""
     cable: CableRange | None
@@ -157,7 +164,11 @@ class Facts:
     cable_known: bool = True
     """Whether that is known; without a `cable` then, nothing winds up."""
     moves_one_axis: bool = True
-    """Whether an axis can be sent by itself; else both are, by a slew."""
+    """Whether azimuth and elevation can each be sent by itself; else both are, by a slew or by a mapping."""
+    mapping: SkyMapping | None = None
+    """How its axes point to the sky, where it has no azimuth and elevation of its own; None where it is not known."""
+    mapping_lacks: str = ""
+    """What that waits for, as a sentence that says what to do: `Set your location.`"""
     handling: Handling = Handling()
     tells_version: bool = False
     """Whether a command is known that tells the version of its firmware; if not, it is what its console speaks."""
@@ -186,12 +197,15 @@ class Facts:
         if not 1 <= len(self.axes) <= MOST_AXES or len({axis.name for axis in self.axes}) < len(self.axes):
             raise ValueError(f"The {self.name} needs one to three axes, each with a name of its own.")
         by_role = {axis.role: axis for axis in self.axes}
-        if len(by_role) < len(self.axes):
+        roles = [axis.role for axis in self.axes if axis.role is not Role.ARC]
+        if len(set(roles)) < len(roles):
             raise ValueError(f"Two axes of the {self.name} have the same role.")
-        if not {Role.AZ, Role.EL} <= by_role.keys():
-            raise ValueError(f"The {self.name} has no azimuth and elevation.")
-        for name, role in (("azimuth", Role.AZ), ("elevation", Role.EL), ("skew", Role.SKEW)):
-            object.__setattr__(self, name, by_role.get(role))
+        if self.mapping is not None:
+            sky = mapped_axes(self.axes, self.mapping)
+        else:
+            sky = by_role.get(Role.AZ, _no_axis(Role.AZ, 360.0)), by_role.get(Role.EL, _no_axis(Role.EL, 90.0))
+        for name, axis in (("azimuth", sky[0]), ("elevation", sky[1]), ("skew", by_role.get(Role.SKEW))):
+            object.__setattr__(self, name, axis)
 
     def with_axes(self, *others: Axis) -> Facts:
         """Return the facts with other axes in the place of those of the same names."""
@@ -233,12 +247,32 @@ class Facts:
 
     @property
     def moves_in_turn(self) -> bool:
-        """Whether it moves one axis at a time, or takes a command only when the one before is done."""
-        return self.second_same.waits or self.second_other.waits
+        """Whether it is sent one move at a time: it waits for the one before, or has a mapping."""
+        return self.mapping is not None or self.second_same.waits or self.second_other.waits
+
+    @property
+    def points(self) -> bool:
+        """Whether it can be sent to an azimuth and an elevation; else those two axes only stand for what it lacks."""
+        return self.mapping is not None or {Role.AZ, Role.EL} <= {axis.role for axis in self.axes}
+
+    @property
+    def no_direction(self) -> str:
+        """Why it cannot be sent to an azimuth and an elevation, and what helps; empty if it can."""
+        if self.points:
+            return ""
+        return f"The {self.name} has no azimuth and elevation. {self.mapping_lacks}".strip()
+
+    @property
+    def no_following(self) -> str:
+        """Why it follows nothing, and what helps; empty if it can."""
+        if self.mapping is None:
+            return self.no_direction
+        along = "one axis along an arc" if len(self.axes) == 1 else "axes of its own"
+        return f"The {self.name} turns {along}, so it follows no pass. Send it to a single direction."
 
     def axis(self, index: int) -> Axis:
         """Return the axis of this number above the seam; KeyError for any other."""
-        return {axis.index: axis for axis in self.axes}[index]
+        return {axis.index: axis for axis in (self.azimuth, self.elevation, self.skew) if axis is not None}[index]
 
     def named(self, name: str) -> Axis:
         """Return the axis that the seam calls so; KeyError for any other."""

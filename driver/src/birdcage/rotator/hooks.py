@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from birdcage.base.trouble import MotorTrouble
 from birdcage.rotator.facts import Facts
+from birdcage.rotator.mapping import Site
 from birdcage.rotator.values import Look
 
 if TYPE_CHECKING:
@@ -27,6 +28,8 @@ class Hooks:
 
     None: as the machine does it. LinkError says what is wrong.
     """
+    site: Site | None = None
+    """Where the machine stands; None if that is not known."""
     delay_s: float = 2.0
     """The longest that an answer may be on its way."""
     permit: Callable[[], None] | None = None

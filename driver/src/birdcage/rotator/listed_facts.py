@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, fields, is_dataclass
 from enum import Enum
 
 from birdcage.base.beam import CountedBeam, Reflector
-from birdcage.rotator.axis import Axis, CableRange, MeasuredTimes
+from birdcage.rotator.axis import Axis, CableRange, MeasuredTimes, Role
 from birdcage.rotator.facts import Facts, SilentSlew
 from birdcage.rotator.origin import Origin
 
@@ -39,12 +39,23 @@ def listed(facts: Facts) -> Iterator[ListedFact]:
         yield ListedFact(name, value, unit, None if value is None else facts.origin_of(name))
 
 
+def _arcs(axes: Iterable[Axis]) -> Iterator[tuple[str, str | float | bool | None]]:
+    """Return those of axes that have names of their own alone."""
+    for axis in axes:
+        if axis.role is Role.ARC:
+            for name, value in _flat("", axis):
+                if name not in ("name", "role", "turn_by", "speed_known"):
+                    yield f"{axis.name}.{name}", value
+
+
 def _flat(before: str, part: object) -> Iterator[tuple[str, str | float | bool | None]]:
     assert is_dataclass(part)
     for field in fields(part):
         name, value = before + field.name, getattr(part, field.name)
-        if name in _LEFT_OUT:
+        if name in _LEFT_OUT or (isinstance(part, Facts) and name in AXES[:2] and value not in part.axes):
             continue
+        if name == "axes":
+            yield from _arcs(value)
         if isinstance(value, _PARTS):
             yield from _flat(f"{name}.", value)
         elif isinstance(value, MeasuredTimes):

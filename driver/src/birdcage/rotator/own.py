@@ -81,6 +81,8 @@ def with_speeds(facts: Facts, speeds: Mapping[int, float]) -> Facts:
 
     Where its owner has told how fast an axis goes, the lesser of both counts.
     """
+    if facts.mapping is not None:
+        return facts
     axes = []
     for axis in (facts.azimuth, facts.elevation):
         speed = speeds.get(axis.index, axis.speed_deg_s)
@@ -123,7 +125,7 @@ def laid_by_owner(facts: Facts, values: Mapping[str, float | str]) -> tuple[Fact
 def _objection(facts: Facts, name: str, value: float | str) -> str:
     part, _, key = name.rpartition(".")
     span = getattr(facts, part) if part else None
-    if part and span is None:
+    if part and (span is None or (part != "cable" and span not in facts.axes)):
         what = "cable limit" if part == "cable" else f"{part} axis"
         return f"is set, but no {what} of the {facts.name} is known."
     if name == "homing_s" and facts.homing_s is None:

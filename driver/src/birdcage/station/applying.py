@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.az_el import MOST_MISSED_DEG
 from birdcage.base.beam import beam_of
 from birdcage.base.config import Settings
 from birdcage.base.errors import BirdcageError
@@ -58,10 +59,12 @@ class Applying:
         if position is not None:
             az_deg, el_deg = alignment.to_true(position.dish_az_deg, position.dish_el_deg)
             position = replace(position, az_deg=az_deg, el_deg=el_deg)
+        beam = beam_of(rules.feed, self._antenna.model.reflector)
+        self._antenna.rotator.most_missed_deg = MOST_MISSED_DEG if beam is None else beam.narrow_deg / 2.0
         self._board.change(
             position=position, alignment=alignment,
             az_offset_deg=alignment.az_offset_deg, el_offset_deg=alignment.el_offset_deg,
-            feed_name=rules.feed_name, beam=beam_of(rules.feed, self._antenna.model.reflector),
+            feed_name=rules.feed_name, beam=beam,
             stow_allowed=rules.stow_allowed, motion_refused_because=rules.refuse_motion or self._wrong_facts,
         )  # fmt: skip
         self._look.limit()

@@ -21,7 +21,7 @@ from birdcage.station.held_keeper import HeldKeeper
 from birdcage.station.narration import narrate
 from birdcage.station.record import keep_faults
 from birdcage.station.session import Session
-from birdcage.station.settings import StationSettings, rules_from
+from birdcage.station.settings import StationSettings, rules_from, site_from
 from birdcage.station.station import Station
 from birdcage.station.wear import keep_wear
 
@@ -66,6 +66,7 @@ def open_session(
             baud=baud,
             open_link=open_port,
             own_facts=settings.own_facts,
+            site=site_from(settings),
             find_port=_finder(port, settings.link.usb_identity, ports),
             delay_s=settings.link.delay_s,
             survey=survey,

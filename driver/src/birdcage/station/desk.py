@@ -142,6 +142,7 @@ class Desk:
         self._watches.end_excursion()
 
     def _move(self, request: ask.Goto | ask.Follow | ask.Jog, future: Future[object]) -> None:
+        self._antenna.gate.require_direction()
         if isinstance(request, ask.Jog):
             az_deg, el_deg = self._jogged(request)
         else:
@@ -150,7 +151,8 @@ class Desk:
         follow = isinstance(request, ask.Follow)
         self._control.refuse(request.holder, az_deg, el_deg)
         previous = self._take_for(request, lambda: self._judge(az_deg, el_deg, clamp=clamp))
-        job = Job(az_deg, el_deg, request.holder, future, follow=follow)
+        miss_deg = self._antenna.miss_deg(az_deg, el_deg)
+        job = Job(az_deg, el_deg, request.holder, future, follow=follow, miss_deg=miss_deg)
         self._pursuing.make_way(request.holder)
         try:
             self._mover.go(job, clamp=clamp, leapfrog=isinstance(request, ask.Follow) and request.leapfrog)

@@ -35,6 +35,8 @@ UNTAKEN_S = 0.3
 BUSY = "busy with the last move"
 """What is told of a dish that waits for a motor before it takes another command."""
 
+TOLD_DEG = 0.01
+"""A miss of less is not told: angles are shown in hundredths."""
 DAMAGE = ("garbage", "blocked")
 """Reasons of an answer that came, and made no sense."""
 
@@ -48,6 +50,8 @@ class Job:
     holder: str
     future: Future[object]
     follow: bool = False
+    miss_deg: float = 0.0
+    """How far from the direction that was asked for it goes at the nearest, on the sky."""
     skew_deg: float | None = None
     """Where the skew is sent; azimuth and elevation then stay where they are."""
     whole: bool = False
@@ -204,7 +208,9 @@ class Mover(ABC):
             self._board.change(target_skew_deg=job.skew_deg)
         else:
             self.target = commanded
-            self._board.change(target_az_deg=commanded[0], target_el_deg=commanded[1])
+            self._board.change(
+                target_az_deg=commanded[0], target_el_deg=commanded[1], target_miss_deg=job.miss_deg
+            )  # fmt: skip
         self.activity(Activity.SLEWING, "")
         self._board.tell(MoveStarted(*self._board.stamp(), shown, job.holder))
 
@@ -246,7 +252,8 @@ class Mover(ABC):
         self._board.change(motion=None)
         self.activity(Activity.IDLE, "")
         try:
-            self._board.tell(MoveEnded(*self._board.stamp(), End.ARRIVED, "arrived", pointing))
+            off = f", {job.miss_deg:.2f}° from the direction asked for" if job.miss_deg >= TOLD_DEG else ""
+            self._board.tell(MoveEnded(*self._board.stamp(), End.ARRIVED, f"arrived{off}", pointing))
         finally:
             job.future.set_result(pointing)
 
@@ -259,7 +266,7 @@ class Mover(ABC):
     def forget_target(self) -> None:
         """The dish does not go, or no longer stands, where it was sent: the next step is from where it is."""
         self.target = None
-        self._board.change(target_az_deg=None, target_el_deg=None, target_skew_deg=None)
+        self._board.change(target_az_deg=None, target_el_deg=None, target_miss_deg=0.0, target_skew_deg=None)
 
     def _end(self, end: End, sentence: str, error: BirdcageError) -> None:
         job, self._job = self._job, None

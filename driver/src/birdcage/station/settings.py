@@ -10,6 +10,7 @@ from birdcage.antenna.alignment import Alignment
 from birdcage.base.config import FeedProfile, Settings
 from birdcage.base.config.sections import NoGoSector
 from birdcage.link.link import Link
+from birdcage.rotator.mapping import Site
 from birdcage.station.held_keeper import HeldKeeper
 
 OpenLink = Callable[[str, int], Link]
@@ -34,6 +35,14 @@ class Rules:
     stop_releases_motors: bool = False
     refuse_motion: str | None = None
     """Why no motion may be taken at all: settings that limit it could not be read."""
+
+
+def site_from(settings: Settings) -> Site | None:
+    """Return where the machine stands, if its owner has said so."""
+    place = settings.place
+    if place.latitude_deg is None or place.longitude_deg is None:
+        return None
+    return Site(place.latitude_deg, place.longitude_deg, place.height_m)
 
 
 def rules_from(settings: Settings) -> Rules:
@@ -67,6 +76,8 @@ class StationSettings(Rules):
     port: str
     firmware: str
     open_link: OpenLink
+    site: Site | None = None
+    """Where the machine stands, by `[place]`; None if that is not set."""
     own_facts: Mapping[str, float | str] = field(default_factory=dict)
     """What the owner says of this machine, by flat names: `[dish.facts]`. It lies over the facts of its kind."""
     find_port: Callable[[str], str | None] = lambda port: port

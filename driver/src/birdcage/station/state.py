@@ -242,6 +242,8 @@ class StationState:
     """What the dish said instead of where it is, in a sentence; empty if that was not asked or needs no words."""
     target_az_deg: float | None = None
     target_el_deg: float | None = None
+    target_miss_deg: float = 0.0
+    """How far the target lies from the direction that was asked for: a machine with a mapping goes to the nearest."""
     target_skew_deg: float | None = None
     motion: Motion | None = None
     activity: Activity = Activity.UNKNOWN

@@ -100,7 +100,8 @@ class Station:
         self._connection = Connection(
             board, antenna, settings, look,
             Hooks(
-                dial=settings.open_link, delay_s=settings.delay_s, permit=antenna.check_permit, wake=self._wake,
+                dial=settings.open_link, site=settings.site, delay_s=settings.delay_s, permit=antenna.check_permit,
+                wake=self._wake,
                 on_wake=self._on_wake, on_line=self._vigil.on_line, on_restart=self._vigil.restarted,
                 on_trouble=self._vigil.troubled, on_look=self._vigil.heard_position,
                 on_facts=look.learn, on_busy=self._mover.busy,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from birdcage.base.errors import MotionRefused, Superseded
-from birdcage.base.geometry import shortest_turn
+from birdcage.base.geometry import separation, shortest_turn
 from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION
 from birdcage.station.requests import Goto, Jog
 from birdcage.station.state import Activity
@@ -43,6 +43,9 @@ class Motion:
         """
         with Stage(bench) as stage:
             stage.found().go(30.0, 8.0)
+            if stage.facts.mapping is not None:
+                self._step_along(stage)
+                return
             for motor, step in ((MOTOR_AZIMUTH, (2.0, 0.0)), (MOTOR_ELEVATION, (0.0, -1.0))):
                 before, since = stage.truth, stage.clock.monotonic()
                 stage.step(STEP_S)
@@ -58,13 +61,60 @@ class Motion:
                 alone = stage.facts.moves_one_axis
                 require(named == {motor} or not alone, f"a step of axis {motor} names {sorted(named)}")
 
+    @staticmethod
+    def _step_along(stage: Stage) -> None:
+        """A step goes to the nearest point that the machine reaches, and what it misses is told."""
+        for step in ((0.7, 0.0), (0.0, -0.7)):
+            asked = stage.truth.az_deg + step[0], stage.truth.el_deg + step[1]
+            nearest = stage.target(*step)
+            stage.do(Jog(*step, "contract"))
+            require(stage.stands_at(*nearest), f"{nearest} is the nearest to {asked}, and it is at {stage.truth}")
+            off_deg, told_deg = separation(*asked, stage.truth.az_deg, stage.truth.el_deg), stage.state.target_miss_deg
+            require(abs(off_deg - told_deg) <= stage.bench.near_deg, f"{off_deg:.2f}° off, and {told_deg:.2f}° is told")
+
+    def test_what_it_cannot_reach_is_refused_with_the_nearest(self, bench: Bench) -> None:
+        """Of a machine whose axes are not azimuth and elevation: how far it would miss, and where it could go."""
+        with Stage(bench) as stage:
+            mapping = stage.found().facts.mapping
+            if mapping is None:
+                require(not stage.facts.no_direction, f"it has no azimuth and elevation: {stage.facts.no_direction}")
+                return
+            since, (low, high) = stage.clock.monotonic(), stage.elevations
+            az_deg, el_deg = max(
+                ((az, el) for az in (90.0, 180.0, 270.0) for el in (low, high)), key=lambda to: mapping.to_axes(*to)[1]
+            )
+            angles, miss_deg = mapping.to_axes(az_deg, el_deg)
+            near_az, near_el = mapping.to_sky(angles)
+            refusal = str(stage.refused(Goto(az_deg, el_deg, "contract"), MotionRefused))
+            for said in (f"{miss_deg:.2f}°", f"azimuth {near_az:.2f}°, elevation {near_el:.2f}°", "Nothing was sent"):
+                require(said in refusal, f"{said!r} is not told: {refusal}")
+            require(not stage.taken_since(since), f"commands of moves went out: {stage.taken_since(since)}")
+
+    def test_on_its_way_it_is_shown_where_its_axes_point(self, bench: Bench) -> None:
+        """Of such a machine: along its arc, and not on a straight line through the sky."""
+        with Stage(bench) as stage:
+            mapping = stage.found().facts.mapping
+            if mapping is None:
+                return
+            future = stage.station.submit(Goto(*stage.target(60.0, 0.0), "contract"))
+            while not future.done():
+                stage.step(0.5)
+                here = stage.state.position
+                require(here is not None, "its position is lost on its way")
+                assert here is not None
+                off_deg = mapping.to_axes(here.dish_az_deg, here.dish_el_deg)[1]
+                require(off_deg <= bench.near_deg, f"shown {off_deg:.2f}° off all that it reaches: {here}")
+
     def test_steps_add_up(self, bench: Bench) -> None:
         """Three presses in a row are three steps, however late the machine is."""
         with Stage(bench) as stage:
             az_deg, el_deg = stage.found().go(30.0, 8.0)
             presses = [stage.station.submit(Jog(1.0, 0.0, "contract")) for _ in range(3)]
             stage.until(presses[-1].done, 60.0, "three steps were gone")
-            require(stage.stands_at(az_deg + 3.0, el_deg), f"three steps from {az_deg}° and it is at {stage.truth}")
+            target = az_deg + 3.0, el_deg
+            if stage.facts.mapping is not None:
+                target = stage.target(3.0, 0.0, start=(az_deg, el_deg))
+            require(stage.stands_at(*target), f"three steps from {az_deg}° and it is at {stage.truth}")
 
     def test_beyond_a_limit_nothing_is_sent(self, bench: Bench) -> None:
         """Whatever asks, and be it no number: a refusal says so in a sentence, and the wire stays quiet."""

@@ -9,7 +9,7 @@ from birdcage.base.clock import VirtualClock
 from birdcage.base.errors import BirdcageError
 from birdcage.base.geometry import separation, shortest_turn
 from birdcage.rotator import machines
-from birdcage.rotator.facts import Readback
+from birdcage.rotator.facts import Facts, Readback
 from birdcage.station.events import Event
 from birdcage.station.requests import Goto, ReleaseLease, Request, Watch
 from birdcage.station.session import Session
@@ -45,7 +45,6 @@ class Stage:
     ) -> None:
         """`twin` and `settings` replace, or add to, those of the bench."""
         self.bench = bench
-        self.facts = machines.facts_of(bench.machine)
         self.clock = VirtualClock()
         self.twin: Twin = (twin or bench.twin)(self.clock)
         more = {**bench.settings, **(settings or {})}
@@ -65,6 +64,11 @@ class Stage:
 
     def __exit__(self, *_: object) -> None:
         self.session.close()
+
+    @property
+    def facts(self) -> Facts:
+        """What is known of the machine: what it has told of itself lies over what its class says."""
+        return self.state.dish or machines.facts_of(self.bench.machine)
 
     @property
     def state(self) -> StationState:
@@ -167,7 +171,10 @@ class Stage:
     def target(
         self, d_az_deg: float, d_el_deg: float, *, start: tuple[float, float] | None = None
     ) -> tuple[float, float]:
-        """Return a direction so far from here that is allowed: the other way round where this one leads out of it."""
+        """Return a direction so far from here that is allowed: the other way round where this one leads out of it.
+
+        Of a machine with a mapping: the nearest direction that it reaches.
+        """
         here_az, here_el = (self.truth.az_deg % 360.0, self.truth.el_deg) if start is None else start
         low, high = self.elevations
         az_deg, el_deg = here_az + d_az_deg, here_el + d_el_deg
@@ -175,6 +182,9 @@ class Stage:
             az_deg = here_az - d_az_deg
         if not low <= el_deg <= high:
             el_deg = here_el - d_el_deg
+        mapping = self.facts.mapping
+        if mapping is not None:
+            az_deg, el_deg = mapping.to_sky(mapping.to_axes(az_deg, el_deg)[0])
         require(low <= el_deg <= high, f"no elevation {d_el_deg}° from {here_el:.2f}° within {low:.2f}° to {high:.2f}°")
         return round(az_deg % 360.0, 2), round(el_deg, 2)
 

@@ -11,6 +11,7 @@ from birdcage.base.geometry import separation
 from birdcage.rotator import machines
 from birdcage.rotator.axis import Role
 from birdcage.rotator.hooks import Hooks
+from birdcage.rotator.ladder import StopMeans
 from birdcage.station.requests import Goto, Jog, Release
 from birdcage.station.state import Activity
 from birdcage.testing.stage import LONGEST_MOVE_S, STEP_S, Stage, require
@@ -18,8 +19,6 @@ from birdcage.testing.twin import Bench, StopScene
 
 BY_HAND = "power"
 """The rung that a person climbs."""
-NONE = "none"
-"""What STOP calls its means where nothing could tell whether it works."""
 SHORT_DEG = 2.0
 """A motion that was stopped ends this far from its target at least: else it was not stopped, it was over."""
 
@@ -30,10 +29,13 @@ class Stopping:
     def test_every_rung_has_a_scene(self, bench: Bench) -> None:
         """A rung that no case has seen at work is a promise.
 
-        Whether a rung works cannot be seen of a machine that does not tell its position: STOP names none.
+        Whether one works cannot be seen of a machine that does not tell its position: STOP names none but a proven one.
         """
         facts = machines.facts_of(bench.machine)
-        ladder = [rung.means for rung in facts.stop_ladder if rung.means != BY_HAND] if facts.tells_at_rest else [NONE]
+        ladder = [rung.means for rung in facts.stop_ladder if rung.means != BY_HAND]
+        if not facts.tells_at_rest:
+            ladder = [rung.means for rung in facts.stop_ladder if rung.proven and rung.means.is_sent]
+            ladder = ladder or [StopMeans.NONE]
         seen = [scene.rung for scene in bench.stops]
         require(set(ladder) <= set(seen), f"the ladder has {ladder}, and the bench shows {seen}")
 
@@ -119,7 +121,7 @@ class Stopping:
             rotator.look()
         middle = {axis.name: (axis.min_deg + axis.max_deg) / 2.0 for axis in facts.axes if axis.role is not Role.SKEW}
         moves: list[Callable[[], object]] = [partial(rotator.begin_slew, middle)]
-        if facts.moves_one_axis:
+        if facts.moves_one_axis or facts.slew is None:
             moves = [partial(rotator.send, {name: deg}) for name, deg in middle.items()]
         for move in moves:
             try:

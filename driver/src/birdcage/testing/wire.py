@@ -47,6 +47,8 @@ class Wire:
         for fault, shows in (("unplug", Link.LOST), ("mute", Link.SILENT)):
             for moment in (self._at_rest, self._moving, self._passing, self._held):
                 with Stage(bench) as stage:
+                    if moment == self._passing and stage.facts.no_following:
+                        continue
                     moment(stage)
                     held = stage.state.held is not None
                     (stage.twin.unplug if fault == "unplug" else stage.twin.mute)()

@@ -14,7 +14,7 @@ from birdcage.base.errors import NoReply
 from birdcage.rotator.ladder import MoveKind, StopBy, StopMeans, StopOrder
 
 if TYPE_CHECKING:
-    from birdcage.antenna.antenna import BirdcageAntenna
+    pass
 
 SOON_S = 5.0
 
@@ -25,9 +25,10 @@ class Timed(Queue):
     reads_position = False
     unseen = "This dish does not tell whether it has stopped. If it moves, cut its power."
 
-    def __init__(self, antenna: BirdcageAntenna) -> None:
-        super().__init__(antenna)
-        self.one_at_a_time = antenna.model.moves_in_turn
+    @property
+    def one_at_a_time(self) -> bool:  # type: ignore[override]
+        """By what is known of it now: it may tell when it is met."""
+        return self._antenna.model.moves_in_turn
 
     @property
     def unplanned(self) -> StopMeans:

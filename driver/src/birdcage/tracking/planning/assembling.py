@@ -82,8 +82,8 @@ def unfollowed(
     day: Day | None = None,
 ) -> Plan:  # fmt: skip
     """Return the plan of what cannot be followed, which says why."""
-    limits = sight.mount.limits
-    notes = (
+    limits, never = sight.mount.limits, sight.mount.model.no_following
+    notes = (never,) if never else (
         *_element_notes(elements), _nothing_note(sight, passing, day), *_border_notes(sight),
         *_notes(Reach((), (), None) if day is not None else reach, sight.mount),
     )  # fmt: skip

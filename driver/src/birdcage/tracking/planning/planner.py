@@ -90,7 +90,7 @@ def _plan(
     now_s = posix_s(now)
     planned = itinerary(sight, now_s, later)
     reach = reached(sight, planned)
-    if not planned.stretches:
+    if not planned.stretches or mount.model.no_following:
         return unfollowed(aim, now, passing, reach, sight, elements, day)
     share = None if mount.model.axes_together else FIRST_SHARE
     return complete(Basis(aim, now, passing, reach, sight, planned.stretches, preposition_s, elements, day), share)
