@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from birdcage.base.errors import PositionUnknown
 from birdcage.station.requests import Goto, Release
+from birdcage.station.stop_words import stop_line
 
 from .conftest import Bench
 
@@ -39,3 +40,31 @@ def test_released_when_enabled_and_the_position_forgotten():
     bench.do(Release("you"))
     with pytest.raises(PositionUnknown):
         bench.do(Goto(200, 45, "you"))
+
+
+def test_what_has_failed_once_is_not_tried_again():
+    """The dish takes new targets at the end of a move only: the second STOP releases the motors at once."""
+    bench = stopped_in_vain()
+    bench.step(30)
+    bench.do(Release("you"))
+    bench.station._antenna.stop_consent = True
+    bench.station.submit(Goto(200, 45, "you"))
+    bench.step(1)
+    before = len(bench.lines())
+    bench.station.stop("you")
+    bench.step(1)
+    assert bench.state.last_stop.means == "release"
+    assert [line for line in bench.lines()[before:] if line == "r" or line.startswith(("a ", "g "))] == ["r"]
+    assert bench.device.truth().released
+
+
+def test_without_consent_the_second_stop_says_that_nothing_stops_it():
+    bench = stopped_in_vain()
+    bench.step(30)
+    bench.do(Release("you"))
+    bench.station.submit(Goto(200, 45, "you"))
+    bench.step(1)
+    assert stop_line(bench.state, bench.clock.monotonic()).startswith("No STOP: it ends by itself in ")
+    bench.station.stop("you")
+    bench.step(1)
+    assert bench.state.last_stop.sentence.startswith("This dish takes new targets only at the end of a move")
