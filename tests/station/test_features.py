@@ -19,7 +19,7 @@ from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.rotator.feature import Cost
 from birdcage.rotator.verdict import Grade
 from birdcage.station.events import ReadingRead
-from birdcage.station.requests import AcquireLease, Goto, Raw, Read, ReleaseLease, Set
+from birdcage.station.requests import AcquireLease, Goto, Raw, Read, Release, ReleaseLease, Set
 from birdcage.station.state import Activity, Link, Search
 
 from .conftest import Bench
@@ -148,3 +148,19 @@ def test_a_watched_signal_is_read_no_sooner_than_its_feature_may_be():
     times = [event.at for event in told(bench, "rssi")]
     assert len(times) > 6
     assert min(later - before for before, later in pairwise(times)) >= 2.0
+
+
+@pytest.mark.parametrize("asked", ["lnb_supply", "rssi"])
+def test_stop_in_the_middle_of_a_question_is_confirmed_and_finds_the_motor_menu(bench, asked):
+    began = bench.clock.monotonic()
+    bench.later(0.08, lambda: bench.station.stop("you"))
+    future = bench.station.submit(Read((asked,)))
+    bench.step(8.0)
+    assert future.done()
+    stop = bench.state.last_stop
+    assert stop.at == pytest.approx(began + 0.08, abs=0.01)
+    assert (stop.confirmed, bench.state.held.reason) == (True, "stop")
+    assert bench.state.menu == "mot"
+    assert bench.state.link.state is Link.UP
+    bench.do(Release("you"))
+    bench.do(Goto(20.0, 45.0, "you"))

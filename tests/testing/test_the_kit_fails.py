@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 from birdcage.base.errors import BirdcageError
 from birdcage.protocol.carryout.protocol import CarryoutProtocol
-from birdcage.rotator.facts import Readback
+from birdcage.rotator.facts import Readback, SearchSwitch
 from birdcage.rotator.feature import Feature, Reading
 from birdcage.rotator.ladder import StopMeans
 from birdcage.rotator.values import Look, Position, Taken
@@ -138,6 +138,10 @@ def calls_a_feature_by_no_id(patch, machine, twin):
     patch.setattr(machine, "facts", replace(machine.facts, features=named))
 
 
+def says_that_it_searches(patch, machine, twin):
+    patch.setattr(machine, "facts", replace(machine.facts, search_switch=SearchSwitch.FOR_GOOD))
+
+
 def tells_what_cannot_be(patch, machine, twin):
     take = twin._take
     patch.setattr(twin, "_take", lambda self, words: (setattr(self, "supply_v", 300.0), take(self, words)))
@@ -230,6 +234,7 @@ def test_a_machine_that_does_not_tell_is_never_vouched_for(monkeypatch, breach, 
     (has_a_console_unseen, "test_a_line_and_its_answer_or_no_console_at_all"),
     (has_a_limit_too_wide, "test_a_go_to_arrives_where_the_truth_is"),
     (calls_a_feature_by_no_id, "test_its_features_are_well_formed"),
+    (says_that_it_searches, "test_its_features_are_well_formed"),
     (tells_what_cannot_be, "test_what_is_read_has_its_unit_and_lies_in_its_range"),
     (tells_in_another_unit, "test_what_is_read_has_its_unit_and_lies_in_its_range"),
     (asks_before_it_refuses, "test_what_it_lacks_is_refused_with_nothing_sent"),

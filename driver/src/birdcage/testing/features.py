@@ -10,7 +10,8 @@ from functools import partial
 from birdcage.base.clock import VirtualClock
 from birdcage.base.errors import BirdcageError, CommandRefused, OutOfRange
 from birdcage.rotator import machines
-from birdcage.rotator.feature import WELL_FORMED, Feature, Kind, Reading, Value, Writer
+from birdcage.rotator.facts import SearchSwitch
+from birdcage.rotator.feature import END_TV_SEARCH, TV_SEARCH, WELL_FORMED, Feature, Kind, Reading, Value, Writer
 from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.rotator import Rotator
 from birdcage.station.requests import Goto, Read
@@ -54,9 +55,15 @@ class Features:
     """A machine without features keeps each of these by refusing what it is asked."""
 
     def test_its_features_are_well_formed(self, bench: Bench) -> None:
-        """They are known before a port is open, each by an id of its own."""
-        told = machines.facts_of(bench.machine).features
+        """They are known before a port is open, each by an id of its own; the facts of its search say the same."""
+        facts = machines.facts_of(bench.machine)
+        told = facts.features
         require(machines.make(bench.machine).features == told, "the machine and its facts have different features")
+        for name, switch in ((TV_SEARCH, SearchSwitch.FOR_GOOD), (END_TV_SEARCH, SearchSwitch.UNTIL_POWER_UP)):
+            switched = facts.search_switch is switch
+            require(
+                (name in told) is switched, f"its search is switched {facts.search_switch.value}, with {list(told)}"
+            )
         for name, each in told.items():
             require(
                 name == each.id and WELL_FORMED.fullmatch(name), f"{name!r} is no id: small letters, digits, _ and ."
