@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import pytest
 from birdcage.antenna import AntennaConfig, BirdcageAntenna
+from birdcage.antenna.leg_sender import LegSender
 from birdcage.base.clock import VirtualClock
-from birdcage.base.errors import CommandRefused
+from birdcage.base.errors import CommandRefused, MotionRefused
 from birdcage.link.link import Link
 from birdcage.protocol import get_protocol
+from birdcage.rotator.values import MOTOR_AZIMUTH
 from birdcage.sim.port import SimPort, open_device
 
 
@@ -48,3 +50,19 @@ def test_a_stop_that_can_do_nothing_says_so_and_sends_nothing():
     rig.antenna.stop()
     rig.antenna.move_to(210.0, 40.0)
     assert rig.moves()[len(before) :] == ["a 0 210.00"]  # the elevation stands where it was sent
+
+
+@pytest.mark.parametrize(("az_deg", "el_deg"), [(4.0, 4.0), (90.0, 0.0)], ids=["in legs", "in one slew"])
+def test_each_leg_is_judged_once_more_just_before_it_goes_out(az_deg, el_deg):
+    """A limit may be set between the plan and its last leg."""
+    rig = Rig()
+    here = rig.antenna.get_position()
+    sender = LegSender(rig.antenna)
+    way = sender.plan(here.azimuth + az_deg, here.elevation + el_deg)
+    rig.antenna.gate.update(el_max_deg=here.elevation - 1.0)
+    before = rig.moves()
+    leg = next(leg for leg in way.legs if leg.motor != MOTOR_AZIMUTH)
+    with pytest.raises(MotionRefused, match="above the limit"):
+        sender.send(leg)
+    assert rig.moves() == before
+    assert rig.antenna.motion is None
