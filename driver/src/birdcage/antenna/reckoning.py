@@ -76,6 +76,10 @@ class Reckoning:
         unseen_deg = 2.0 * apart_deg(before.position, told.position) + UNTOLD_DEG_S * (told.at - before.at)
         return apart_deg(told.position, Position(*motion.rest)) > SHORT_DEG + unseen_deg
 
+    def end(self, now: float) -> None:
+        """A move is over, by its time or by its word."""
+        self.moves_until = min(self.moves_until, now)
+
     def abandon(self, motion: DishMotion, now: float, rate: float) -> None:
         """Something may have ended the move on its way, or not."""
         self._position, self.moves_until = None, max(now, self.moves_until, motion.over_by(rate))
@@ -103,8 +107,6 @@ class Reckoning:
                 self.word = told
                 return told.position
             self._position, self.since = Position(*motion.rest), now
-            if self.is_there(motion):
-                self.moves_until = min(self.moves_until, now)
         elif motion is not None:
             if now < motion.eta(rate) and not motion.start_known:
                 raise self._untold("its first move is not over yet")

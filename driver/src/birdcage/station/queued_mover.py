@@ -193,6 +193,7 @@ class QueuedMover(Mover):
 
     def _leg_over(self, job: Job) -> None:
         self._antenna.motion = None
+        self._antenna.reckoning.end(self._board.clock.monotonic())
         self._go_on(job)
 
     def _go_on(self, job: Job) -> None:

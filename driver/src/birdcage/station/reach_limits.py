@@ -33,7 +33,7 @@ def reach_limits(settings: Settings, model: Facts | None, *, turn_known: bool = 
         floor = model.elevation.min_deg if floor is None else max(floor, model.elevation.min_deg)
         ceiling = model.elevation.max_deg if ceiling is None else min(ceiling, model.elevation.max_deg)
         if model.cable is None:
-            low = high = None
+            low, high = _of_unknown_cable(model)
         else:
             low = model.cable.min_deg if low is None else max(low, model.cable.min_deg)
             high = model.cable.max_deg if high is None else min(high, model.cable.max_deg)
@@ -56,19 +56,30 @@ def reach_limits(settings: Settings, model: Facts | None, *, turn_known: bool = 
 def reach_limits_of(state: StationState, settings: Settings) -> ReachLimits:
     """Return the limits of the dish as the station knows it now; what it does not know limits nothing."""
     model = state.dish
+    low, high = state.cable_min_deg, state.cable_max_deg
+    if model is not None and model.cable is None:
+        low, high = _of_unknown_cable(model)
     return ReachLimits(
         el_floor_deg=max(0.0, state.el_min_deg if state.el_min_deg is not None else 0.0),
         el_ceiling_deg=min(90.0, state.el_max_deg if state.el_max_deg is not None else 90.0),
         horizon=_horizon(settings),
         no_go=_no_go(state.no_go_sectors),
-        cable_min_deg=state.cable_min_deg,
-        cable_max_deg=state.cable_max_deg,
+        cable_min_deg=low,
+        cable_max_deg=high,
         az_offset_deg=state.az_offset_deg,
-        turn_known=state.turn is not Turn.UNKNOWN,
+        turn_known=state.turn is not Turn.UNKNOWN or (model is not None and not model.cable_known),
         az_rate_deg_s=None if model is None else _rate(model.azimuth),
         el_rate_deg_s=None if model is None else _rate(model.elevation),
         tolerance_deg=_tolerance(state.beam),
     )
+
+
+def _of_unknown_cable(model: Facts) -> tuple[float | None, float | None]:
+    """Return what a plan keeps to where no cable is known: if that is no proof that there is none, one circle.
+
+    Across its end the dish may go all the way round, so it is led round there.
+    """
+    return (None, None) if model.cable_known else (model.azimuth.min_deg, model.azimuth.max_deg)
 
 
 def _rate(axis: Axis) -> float:

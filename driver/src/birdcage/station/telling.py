@@ -53,7 +53,8 @@ class Telling:
         """Tell how well the last reading points, which was made at `seen_s`; about once a second (POSIX seconds)."""
         live = self.live
         waits = voyage.helm is not None and seen_s < voyage.helm.from_s  # the target is not in reach yet
-        if live is None or waits or seen_s - self._sampled_s < EVERY_S:
+        here = self._board.state.position
+        if live is None or waits or seen_s - self._sampled_s < EVERY_S or (here is not None and here.modelled):
             return
         sample = sample_of(live.plan, self._board.state, self._antenna.alignment, seen_s)
         if sample is None:

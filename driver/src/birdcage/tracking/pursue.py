@@ -151,6 +151,8 @@ class Pursuer:
                 if isinstance(step, Send) and self._place is not None:
                     az_deg, el_deg = self._place
                     self._place = (az_deg, step.deg) if step.axis == elevation else (step.deg, el_deg)
+                elif isinstance(step, Slew):
+                    self._place = step.waypoints[-1]
                 step = controller.send(answer)
         except StopIteration:
             return

@@ -26,6 +26,9 @@ _LATE_S = 0.16
 """How much later than half an interval on the mean the latest of some hundred moves is; measured with the same."""
 _UNDER_WAY = 0.21
 """What of its interval a dish is off on the mean, where a move takes all of it: it is under way all the while."""
+_RESTS_S = 0.9
+"""The longest from the end of a move of all axes until the next one begins: the proof that it is over, looks that are a
+tenth of a second apart, and two lines."""
 _STEP_S = 0.5
 _ABOUT_S = 0.25
 _MOST = 2000
@@ -117,12 +120,18 @@ def saw_tooth_deg(model: Facts, course: Curve, t: Floats, stretches: tuple[Stret
     (az, el), (before_az, before_el) = course.sample(after), course.sample(before)
     across, up = np.abs(az - before_az) / (after - before), np.abs(el - before_el) / (after - before)
     narrow = np.cos(np.radians(np.clip(el, 0.0, 90.0)))
-    interval = _interval_s(model, across, up)
+    rests_s = 0.0 if model.moves_one_axis else _RESTS_S
+    interval = _interval_s(model, across, up, rests_s)
     rates = Offsets(across * narrow, up)
     steps = Offsets(model.azimuth.step_deg * narrow, np.full(len(t), model.elevation.step_deg))
-    if model.azimuth.times is None:
-        mean_s: Floats = np.hypot(interval / 12.0**0.5, _UNSURE_S[model.moves_in_turn])
-        most_s: Floats = interval / 2.0 + _LATE_S
+    if not model.moves_one_axis:
+        # How fast it is, and whether its axes go at once, is not known: it may have been there all the while.
+        early_s = (interval - rests_s) / 2.0
+        mean_s: Floats = np.hypot(interval / 12.0**0.5, np.hypot(early_s, _UNSURE_S[True]))
+        most_s: Floats = interval / 2.0 + early_s + _LATE_S
+    elif model.azimuth.times is None:
+        mean_s = np.hypot(interval / 12.0**0.5, _UNSURE_S[model.moves_in_turn])
+        most_s = interval / 2.0 + _LATE_S
     else:
         mean_s, most_s = _UNDER_WAY * interval, interval / 2.0
     # An axis comes to rest anywhere up to its overshoot off the command.
@@ -136,8 +145,8 @@ def saw_tooth_deg(model: Facts, course: Curve, t: Floats, stretches: tuple[Stret
     return mean, rates.size_deg * most_s + steps.size_deg / 2.0 + loose.size_deg
 
 
-def _interval_s(model: Facts, across: Floats, up: Floats) -> Floats:
-    """Return how long it takes until an axis is sent again."""
+def _interval_s(model: Facts, across: Floats, up: Floats, rests_s: float) -> Floats:
+    """Return how long it takes until an axis is sent again; `rests_s`: how long the dish stands before."""
     one_s = LATENCY_S + model.bits_s(_LINE_BITS)
     interval = np.full(len(across), 2.0 * one_s)
     if not model.moves_in_turn:
@@ -145,7 +154,7 @@ def _interval_s(model: Facts, across: Floats, up: Floats) -> Floats:
     for _ in range(12):
         interval = np.maximum(
             2.0 * one_s,
-            durations(model.azimuth, across * interval) + durations(model.elevation, up * interval),
+            durations(model.azimuth, across * interval) + durations(model.elevation, up * interval) + rests_s,
         )
     # Where the azimuth has no time to spare it lags on average by what the course has left for it.
     capped: Floats = np.minimum(interval, 8.0)

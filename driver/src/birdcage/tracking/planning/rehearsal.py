@@ -18,6 +18,7 @@ from birdcage.tracking.mount import Mount
 from birdcage.tracking.plan import Forecast, Part, Plan
 from birdcage.tracking.planning.forecast import Offsets, made, offsets_deg
 from birdcage.tracking.planning.sight import Sight
+from birdcage.tracking.steering.whole import RESTS_S
 from birdcage.tracking.steps import Answer, Limit, Look, Send, Step, Wait
 from birdcage.tracking.steps import Slew as SlewStep
 
@@ -124,9 +125,11 @@ class _Stage:
             return Answer(self.now_s)
         self.now_s += self._model.bits_s(_LINE_BITS) + self._chance.uniform(*LATENCY_S)
         seen_s = self.now_s
+        if isinstance(step, SlewStep):
+            return self._slew(step)
         if isinstance(step, Send):
             self._send(step)
-        elif isinstance(step, SlewStep | Limit):
+        elif isinstance(step, Limit):
             raise TypeError(f"a rehearsal has no {type(step).__name__}")
         self.now_s += self._model.bits_s(_REPLY_BITS)
         if isinstance(step, Look):
@@ -141,3 +144,16 @@ class _Stage:
         slew = plan_axis(axis, at, round(step.deg / axis.step_deg) * axis.step_deg, velocity)
         self.axes[step.axis].go(begin_s, slew)
         self._busy_s = begin_s + slew.duration_s
+
+    def _slew(self, step: SlewStep) -> Answer:
+        """Send both axes at once, and wait for the proof that they rest. That they go at once is not known."""
+        to = dict(zip((MOTOR_AZIMUTH, MOTOR_ELEVATION), step.waypoints[-1], strict=True))
+        begin_s = self.now_s
+        for motor, deg in to.items():
+            axis = self._model.axis(motor)
+            slew = plan_axis(axis, self.axes[motor].at(begin_s)[0], round(deg / axis.step_deg) * axis.step_deg)
+            self.axes[motor].go(begin_s, slew)
+            begin_s += slew.duration_s
+        self.now_s = begin_s + RESTS_S
+        az, el = (self.axes[motor].at(self.now_s)[0] for motor in to)
+        return Answer(self.now_s, az_deg=az, el_deg=el, seen_s=self.now_s)
