@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from birdcage.base.geometry import separation
+from birdcage.station.events import StopSent
 from birdcage.station.requests import Goto, Release
 from birdcage.station.state import Activity
 
@@ -125,5 +126,10 @@ def test_told_of_somewhere_else_at_rest_it_moves_unasked():
         bench.step(0.2)
     assert not bench.state.position.modelled
     assert bench.state.fault.reason == "moved"
+    bench.station.stop("you")
+    bench.step(1)
+    sent = [event.report.sentence for event in bench.events if isinstance(event, StopSent)]
+    assert "says that it moves" in sent[-1]
+    assert bench.state.last_stop.confirmed is not True
     bench.step(5)
     assert bench.state.position is None

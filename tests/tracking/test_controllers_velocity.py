@@ -133,7 +133,7 @@ def test_an_axis_that_never_rests_is_sent_as_far_as_its_overshoot_would_carry_it
         replace(axis, mean_overshoot_up_deg=0.03, mean_overshoot_down_deg=0.04)
         for axis in (CARRYOUT_G2.azimuth, CARRYOUT_G2.elevation)
     )
-    model = replace(CARRYOUT_G2, **dict(zip(("azimuth", "elevation"), axes, strict=True)))
+    model = CARRYOUT_G2.with_axes(*axes)
     rig = waiting(straight(1.0, -0.3, seconds=40, el_deg=40.0), model=model).run(velocity)
     times = np.arange(1010.0, 1034.0, 0.1)
     ahead = [np.mean([rig.at(axis, t) - rig.course.at(t)[axis] for t in times]) for axis in (0, 1)]

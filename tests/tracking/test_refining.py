@@ -62,11 +62,8 @@ def test_what_is_forecast_is_what_a_rehearsal_shows(hard):
 @pytest.mark.parametrize("model", [g2(80.0), travler(5.0), TRAVLER], ids=["g2", "travler by speed", "travler by times"])
 def test_a_calm_pass_is_forecast_as_it_will_be_and_rather_worse(model):
     # A rehearsal has exact kinematics: what an axis overshoots only the forecast counts.
-    axes = {
-        "azimuth": replace(model.azimuth, overshoot_deg=0.0),
-        "elevation": replace(model.elevation, overshoot_deg=0.0),
-    }
-    on = mount(replace(model, **axes))
+    exact = (replace(axis, overshoot_deg=0.0) for axis in (model.azimuth, model.elevation))
+    on = mount(model.with_axes(*exact))
     plan = plan_of(6.0, on)
     assert not plan.keyholes
     seen = rehearse(plan, on, controller_for(model)[1])

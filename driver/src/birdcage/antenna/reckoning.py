@@ -63,6 +63,11 @@ class Reckoning:
         told = self._told
         return None if told is None or told.at < max(axis.started for axis in motion.axes) else told
 
+    def tells_of_motion(self, now: float) -> bool:
+        """Return whether it told a moment ago that it moves, though every move that was sent is over."""
+        told = self._told
+        return told is not None and told.at > self.moves_until and now < told.at + FRESH_S
+
     def is_there(self, motion: DishMotion) -> bool:
         """Return whether it was told that it is at the target of a motion."""
         told = self.told_in(motion)

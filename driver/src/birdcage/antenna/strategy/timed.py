@@ -51,6 +51,11 @@ class Timed(Queue):
         if motion is not None and antenna.is_kept:
             return StopAction(StopMeans.NOTHING_MOVED, "The move was not sent yet, and is dropped.")
         until = antenna.reckoning.moves_until if motion is None else motion.over_by(clock.rate)
+        if until <= now and antenna.reckoning.tells_of_motion(now):
+            said = (
+                "The dish says that it moves, and nothing sent it. A bare Enter was sent, which stops relatives of it."
+            )
+            return StopAction(StopMeans.NONE, f"{said} If it goes on, cut its power.", ENTER)
         if until <= now:
             return StopAction(
                 StopMeans.NOTHING_MOVED, "By its time no move is under way. This dish does not tell."
