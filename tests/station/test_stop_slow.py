@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from birdcage.station.events import StopConfirmed
-from birdcage.station.requests import Goto
+from birdcage.station.requests import Goto, Release
 
 from .conftest import Bench
 
@@ -49,3 +49,26 @@ def test_a_speed_that_is_not_known_may_be_the_least_that_can_be_set(speed_deg_s)
     assert True not in moved
     assert moved or speed_deg_s <= 1.0, "it is far from its aim, and goes on"
     assert took_s < 1.0 or speed_deg_s < 5.0, "it was seen to be faster"
+
+
+@pytest.mark.parametrize(("lane", "delay_s"), [("to_host", 1.6), ("to_dish", 0.6), ("to_dish", 1.9)])
+def test_a_line_that_turns_slow_does_not_speak_against_a_rung(lane, delay_s):
+    """The dish takes every new target; its answers, or what it is sent, are late. The next STOP sends one again."""
+    bench = Bench("g2?seed=1&az_speed=60").connect()
+    bench.watch("position")
+    bench.do(Goto(60, 45, "you"))
+    bench.station.submit(Goto(300, 45, "you"))
+    bench.step(1.5)
+    slow = getattr(bench.device.wire, lane)
+    bench.later(0.02, lambda: [setattr(slow, end, delay_s) for end in ("delay_min_s", "delay_max_s")])
+    bench.station.stop("you")
+    bench.step(20)
+    assert bench.state.last_stop.sentence.startswith("Stands still at ")
+    slow.delay_min_s = slow.delay_max_s = 0.0
+    bench.do(Release("you"))
+    bench.station.submit(Goto(60, 45, "you"))
+    bench.step(1)
+    bench.station.stop("you")
+    bench.step(5)
+    assert (bench.state.last_stop.means, bench.state.last_stop.confirmed) == ("retarget", True)
+    assert not bench.device.truth().moving

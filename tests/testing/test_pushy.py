@@ -75,3 +75,17 @@ def test_stop_aims_on_the_cable(bench, twins):
         stage.step(5.0)
         assert -30.0 < stage.twin.motors[0].deg < -10.0
         assert stage.state.last_stop.confirmed is True
+
+
+def test_stop_after_a_step_of_the_clock_does_not_lead_back(bench, twins):
+    """The position is in doubt then: the aim is still ahead of where it goes, and not where it began."""
+    with Stage(bench, lambda clock: twins.PushyTwin(clock, 250.0)) as stage:
+        stage.ready()
+        stage.station.submit(Goto(40.0, 30.0, "you"))
+        stage.step(5.0)
+        before = stage.twin.motors[0].deg
+        stage.clock.step_utc(30.0)
+        stage.step(0.3)
+        assert stage.state.held is not None
+        stage.step(5.0)
+        assert before - 30.0 < stage.twin.motors[0].deg < before

@@ -9,6 +9,7 @@ from typing import Any
 from birdcage.antenna.gate import MotionGate
 from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused, MotionRefused
+from birdcage.base.geometry import shortest_turn
 from birdcage.rotator.axis import TurnBy
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.feature import Feature, Reading, Value
@@ -30,8 +31,6 @@ class AzEl:
 
     def __init__(self, rotator: Rotator, gate: MotionGate) -> None:
         self._rotator, self._gate = rotator, gate
-        self._last_deg = 0.0
-        """The turn of the cable when it was last known: STOP may come when the position is in doubt."""
         self.most_missed_deg = MOST_MISSED_DEG
         """By how much a machine with a mapping may miss a direction that it is sent to."""
 
@@ -175,7 +174,5 @@ class AzEl:
         }
 
     def _on_cable(self, deg: float) -> float:
-        gate = self._gate
-        cable_deg, way = gate.cable_deg, gate.way_to(deg)
-        self._last_deg = self._last_deg if cable_deg is None else cable_deg
-        return self._last_deg + way.deg
+        cable_deg, last_deg = self._gate.cable_deg, self._gate.last_cable_deg
+        return last_deg + shortest_turn(last_deg, deg) if cable_deg is None else cable_deg + self._gate.way_to(deg).deg

@@ -62,6 +62,8 @@ class MotionGate:
         self.position: Position | None = None
         self.unknown_reason = "unread"
         self.cable_deg: float | None = None
+        self.last_cable_deg = 0.0
+        """The turn of the cable when it was last known: STOP may come while the position is in doubt."""
         self.remembers_cable = False
         """Whether the turn of the cable is an earlier program's count, and not from a homing that this one saw."""
         self.released: set[int] = set()
@@ -84,6 +86,7 @@ class MotionGate:
             position = replace(position, azimuth=wrap_360(position.azimuth))
         elif self.cable_deg is not None and self.position is not None:
             self.cable_deg += shortest_turn(self.position.azimuth, position.azimuth)
+        self.last_cable_deg = self.last_cable_deg if self.cable_deg is None else self.cable_deg
         self.position = position
 
     def count_cable(self) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from enum import Enum
 
@@ -40,6 +41,8 @@ class Pending:
     still_from: Pointing | None
     """The first of the readings that agree with the last one."""
     deadline: float
+    still_asked: float = -math.inf
+    """When that was asked for; on a slow line it tells of a moment well before it came."""
     slowest: bool = False
     """Whether it may move more slowly than the speeds that are known: it was not, or not only, sent by this program."""
     action_is_complete: bool = False

@@ -201,13 +201,14 @@ class Stopper:
             released = bool(self._antenna.gate.released)
             self._finish(pending, None, RELEASED if released else self._strategy.unseen)
         elif pending.still_from is None:
-            pending.still_from = pointing
+            pending.still_from, pending.still_asked = pointing, asked
         elif not self._look.is_still(pointing, pending.still_from):
             earlier, pending.still_from = pending.still_from, pointing
-            self._still_moving(pending, earlier, pointing, now)
+            since, pending.still_asked = pending.still_asked, asked
+            self._still_moving(pending, earlier, pointing, since)
         elif self._rests(pending, pending.still_from, asked):
-            if pending.report.means in LEARNT:
-                self._learn(pending.report.means, works=now <= pending.deadline)
+            if pending.report.means in LEARNT and now <= pending.deadline:  # a late answer tells nothing of the dish
+                self._learn(pending.report.means, works=True)
             self._finish(
                 pending, now <= pending.deadline or pending.report.means.is_undecided,
                 f"{pending.note}Stands still at {pointing.az_text}/{pointing.el_deg:.2f}°, "
@@ -309,7 +310,9 @@ class Stopper:
             pending.unsent = None
         self.due = self._board.clock.monotonic()
 
-    def _still_moving(self, pending: Pending, earlier: Pointing, pointing: Pointing, now: float) -> None:
+    def _still_moving(self, pending: Pending, earlier: Pointing, pointing: Pointing, since: float) -> None:
+        """The dish was seen to move at some time `since` the earlier reading was asked for."""
+        now = self._board.clock.monotonic()
         if pending.report.means.is_undecided:
             action = self._strategy.on_sight(earlier.dish, earlier.at, pointing.dish, pointing.at)
             self._antenna.motion = None  # it goes otherwise than it was modelled
@@ -320,7 +323,7 @@ class Stopper:
             self._send(pending, action, action.order, now)
         elif self._strategy.closes_in(earlier.dish, pointing.dish):
             pending.deadline = max(pending.deadline, now + 1.0)  # slower than modelled, but on its way to rest
-        elif now > pending.deadline and pending.report.confirmed is None and not pending.report.means.is_undecided:
+        elif since > pending.deadline and pending.report.confirmed is None:
             self._climb(pending, earlier, pointing, now)
 
     def _climb(self, pending: Pending, earlier: Pointing, pointing: Pointing, now: float) -> None:
