@@ -43,7 +43,7 @@ GUESSES = {
     "records each second": "record_s=1&record_last=0",
     "cable of 455°": "wrap=455",
 }
-"""What nobody knows of this dish: each is as good as any other."""
+"""What is not known of this dish: each is as likely as any other."""
 
 
 @dataclass(frozen=True)

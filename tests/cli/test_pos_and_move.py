@@ -26,7 +26,8 @@ def test_pos_prints_two_lines_and_asks_until_two_answers_agree(run, pty_dish) ->
 
 def test_pos_in_json_says_that_the_dish_is_simulated(run, as_json) -> None:
     assert as_json(run("pos", "--json")) == {
-        "azimuth_deg": 0.0, "elevation_deg": 45.0, "skew_deg": None, "modelled": False, "port": "sim:g2", "demo": True,
+        "azimuth_deg": 0.0, "elevation_deg": 45.0, "skew_deg": None, "modelled": False, "uncertainty_deg": None,
+        "port": "sim:g2", "demo": True,
     }  # fmt: skip
 
 

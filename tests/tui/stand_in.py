@@ -250,7 +250,14 @@ def travler_slew(clock):
             231.0, 25.0, 160.7, 40.21, now - 4.6, now + 7.1, 0.4, StopMeans.ABORT, az_way_deg=-70.3, stop_proven=True
         ),
         position=replace(
-            state.position, az_deg=201.3, el_deg=32.9, dish_az_deg=201.3, at=now, modelled=True, read_at=now - 4.6
+            state.position,
+            az_deg=201.3,
+            el_deg=32.9,
+            dish_az_deg=201.3,
+            at=now,
+            modelled=True,
+            uncertainty_deg=9.8,
+            read_at=now - 4.6,
         ),
         target_az_deg=160.7,
         target_el_deg=40.21,

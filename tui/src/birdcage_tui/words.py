@@ -5,7 +5,7 @@ from __future__ import annotations
 from birdcage.base.config import feed_label
 from birdcage.station.events import End, MoveEnded
 from birdcage.station.pursuit import Phase
-from birdcage.station.state import Activity, Link, Search
+from birdcage.station.state import Activity, Link, Pointing, Search
 
 from birdcage_tui.commands.resume import KEY
 from birdcage_tui.held_words import enter_words, held_words
@@ -54,6 +54,14 @@ def age_text(age_s: float) -> str:
     if age_s < 120:
         return f"{age_s:.0f}s"
     return f"{age_s / 60:.0f}m" if age_s < 7200 else f"{age_s / 3600:.0f}h"
+
+
+def uncertainty_text(position: Pointing) -> str:
+    """Return within how many degrees a modelled position should hold: `±0.4°`; empty of one that was read."""
+    unsure_deg = position.uncertainty_deg
+    if unsure_deg is None:
+        return ""
+    return f"±{unsure_deg:.0f}°" if unsure_deg >= 9.95 else f"±{max(unsure_deg, 0.1):.1f}°"
 
 
 def span_text(span_s: float) -> str:

@@ -49,6 +49,7 @@ def position_values(position: Pointing) -> dict[str, object]:
         "elevation_deg": round(position.el_deg, 3),
         "skew_deg": None if skew_deg is None else round(skew_deg, 3),
         "modelled": position.modelled,
+        "uncertainty_deg": None if position.uncertainty_deg is None else round(position.uncertainty_deg, 3),
     }
 
 

@@ -110,7 +110,8 @@ class Look:
             return self.told(word)
         pointing = Pointing(
             wrap_360(true.azimuth), true.elevation, dish.azimuth, dish.elevation, at, utc, cable_deg=gate.cable_deg,
-            skew_deg=dish.skew, modelled=not told, read_at=None if told else self._antenna.reckoning.since,
+            skew_deg=dish.skew, modelled=not told, read_at=None if told else antenna.reckoning.since,
+            uncertainty_deg=None if told else antenna.strategy.uncertainty_deg(self._board.clock),
         )  # fmt: skip
         homed = True if told else None  # where it should be does not tell that it knows its reference
         self._board.change(position=pointing, position_lost=None, position_text="", homed=homed, turn=self._turn())
@@ -134,6 +135,7 @@ class Look:
             wrap_360(az_deg), el_deg, dish.azimuth, dish.elevation, at, utc,
             skew_deg=before.skew_deg if before is not None and dish.skew is None else dish.skew,
             modelled=True, read_at=motion.azimuth.started if before is None else before.told_at,
+            uncertainty_deg=self._antenna.strategy.uncertainty_deg(clock),
         )  # fmt: skip
         self._board.change(position=pointing)
         return pointing

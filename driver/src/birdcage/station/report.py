@@ -32,6 +32,9 @@ def status_report(state: StationState, now: float) -> dict[str, Value | dict[str
         "elevation_deg": _rounded(pointing.el_deg) if pointing else None,
         "skew_deg": _rounded(pointing.skew_deg) if pointing and pointing.skew_deg is not None else None,
         "modelled": pointing.modelled if pointing else None,
+        "uncertainty_deg": _rounded(pointing.uncertainty_deg)
+        if pointing and pointing.uncertainty_deg is not None
+        else None,
         "age_s": _age(pointing.told_at, now) if pointing else None,
         "position_lost": state.position_lost,
         "target_azimuth_deg": _rounded(motion.to_az_deg) if motion else None,

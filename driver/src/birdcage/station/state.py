@@ -127,6 +127,8 @@ class Pointing:
     `read_at` when the dish last said where it was."""
     read_at: float | None = None
     """Monotonic seconds of the last reading, where `modelled`; None if `at` is that."""
+    uncertainty_deg: float | None = None
+    """Within how many degrees of it the dish should be, where `modelled`; None where it was read."""
 
     @property
     def dish(self) -> Position:

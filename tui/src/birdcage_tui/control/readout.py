@@ -11,7 +11,7 @@ from birdcage_tui.stop_words import stop_text
 from birdcage_tui.track.pursuing import pursuit_of
 from birdcage_tui.track.words import headline, live_words, plain_name
 from birdcage_tui.view import View
-from birdcage_tui.words import age_text, motion_text
+from birdcage_tui.words import age_text, motion_text, uncertainty_text
 
 
 class ReadoutPane(Pane):
@@ -75,8 +75,10 @@ class ReadoutPane(Pane):
     @staticmethod
     def _age(cells: Cells, x: int, y: int, view: View) -> None:
         age_s = view.position_age_s
-        if view.modelled:
-            cells.put(x, y, "~ modelled"[: max(cells.width - x, 0)], "text")
+        position = view.state.position
+        if view.modelled and position is not None:
+            words, room = f"~ modelled {uncertainty_text(position)}".rstrip(), max(cells.width - x, 0)
+            cells.put(x, y, words if len(words) <= room else "~ modelled"[:room], "text")
         elif age_s is not None and view.stale:
             cells.put(x, y, f"{age_text(age_s)} old"[: max(cells.width - x, 0)], "warn")
 

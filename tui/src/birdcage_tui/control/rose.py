@@ -21,6 +21,7 @@ from birdcage_tui.pane import Pane
 from birdcage_tui.panes.sky_ground import STOP_SIGN
 from birdcage_tui.track.pursuing import aimed_at
 from birdcage_tui.view import View
+from birdcage_tui.words import uncertainty_text
 
 STOP_WEDGE_DEG = 7.0
 """How much of the rose beyond a stop of the cable is hatched."""
@@ -184,7 +185,8 @@ class RosePane(Pane, can_focus=True):
         if state.az_offset_deg:
             cells.put(0, compass.height - 1, f"dish {position.dish_az_deg:.1f}°", "dim")
         if position.modelled:
-            cells.put(0, 0, "modelled", "text")
+            words = f"modelled {uncertainty_text(position)}".rstrip()
+            cells.put(0, 0, words if len(words) < compass.width // 3 else "modelled", "text")
         named = next((p.name for p in view.presets if abs(shortest_turn(p.az_deg, position.az_deg)) < 0.5), "")
         if named and cells.free(cells.width - cell_len(named) - 1, 0, cell_len(named) + 1, *QUIET):
             cells.right(cells.width, 0, named, "text")

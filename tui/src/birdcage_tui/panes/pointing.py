@@ -15,7 +15,7 @@ from birdcage_tui.stop_words import stop_text
 from birdcage_tui.track.pursuing import pursuit_of
 from birdcage_tui.track.words import headline, live_words, los_words, next_words
 from birdcage_tui.view import View
-from birdcage_tui.words import age_text, motion_text
+from birdcage_tui.words import age_text, motion_text, uncertainty_text
 
 ROOM_TO_SAY = 52
 """From this width on the gauge says where its figure comes from, unless it was counted from a homing just now."""
@@ -113,6 +113,7 @@ class PointingPane(Pane):
         if position is not None and position.modelled:
             for x in (left, start_el):
                 cells.put(x - 1, 1, "~", "strong")
+        unsure = ""
         if position is None:
             note, note_ink = "unknown", "dim" if view.waiting else "warn"
         elif position.modelled and view.link_up:
@@ -120,6 +121,7 @@ class PointingPane(Pane):
             note, note_ink = f"~ modelled, {told} {age_text(age_s or 0.0)} ago", "text"
             if len(note) >= start_el - left - 9:
                 note = "~ modelled"
+            unsure = uncertainty_text(position)
         elif view.stale and age_s is not None:
             note, note_ink = f"{age_text(age_s)} old", "warn"
         else:
@@ -131,6 +133,7 @@ class PointingPane(Pane):
         cells.put(under, y, "azimuth" if known or note else "azimuth true", "dim")
         cells.put(start_el + width_of(" " * (len(el) - len(el.lstrip(" "))), large=large), y, "elevation", "dim")
         cells.put(left + 9, y, note, note_ink)
+        cells.put(start_el + 10, y, unsure, "text")
         return y + 1
 
     @staticmethod

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import TYPE_CHECKING
 
-from birdcage.antenna.motion import DishMotion, stop_power_s
+from birdcage.antenna.motion import STOP_LATENCY_S, AxisMotion, DishMotion, stop_power_s
 from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused
 from birdcage.base.geometry import shortest_turn
@@ -20,6 +20,10 @@ if TYPE_CHECKING:
 
 GRACE_S = 1.0
 """How much longer than its stopping power a dish may take to rest, before STOP is reported as not working."""
+
+SHAPE = 0.14
+"""How much of its way an axis may be off a model that knows its time alone: an even speed and one that rises and falls
+all the way are an eighth of it apart."""
 
 
 class Unplanned(Enum):
@@ -172,6 +176,29 @@ class MotionStrategy(ABC):
 
     def answered(self, means: StopMeans) -> None:  # noqa: B027 - most dishes need no more
         """Take in that the dish has answered. May raise LinkError, NoReply or CommandRefused."""
+
+    def uncertainty_deg(self, clock: Clock) -> float:
+        """Return within how many degrees the machine should be of where it is modelled now.
+
+        An axis may be ahead of its model, or behind, by its way within one latency; where only times were measured,
+        by a share of its whole way. It comes to rest up to its overshoot, and a step, off its target.
+        """
+        motion, now, rate = self._antenna.motion, clock.monotonic(), clock.rate
+        model = self._antenna.model
+        least_deg = max(axis.overshoot_deg + axis.step_deg for axis in (model.azimuth, model.elevation))
+        if motion is None:
+            return least_deg
+        return least_deg + max(self._off_model_deg(axis, now, rate) for axis in (motion.azimuth, motion.elevation))
+
+    @staticmethod
+    def _off_model_deg(axis: AxisMotion, now: float, rate: float) -> float:
+        here_deg, speed_deg_s = axis.modelled(now, rate)
+        off_deg = abs(speed_deg_s) * STOP_LATENCY_S * rate
+        if axis.axis.times is None:
+            return off_deg
+        begin_deg, end_deg = axis.slew.at(0.0)[0], axis.slew.end_deg
+        furthest_deg = max(abs(here_deg - begin_deg), abs(end_deg - here_deg)) if here_deg != end_deg else 0.0
+        return min(off_deg + SHAPE * abs(end_deg - begin_deg), furthest_deg)
 
     def closes_in(self, earlier: Position, later: Position) -> bool:
         """Return whether the dish is nearer to where it comes to rest by its model than it was a moment ago."""

@@ -6,7 +6,7 @@ from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from birdcage.antenna.gate import UNTOLD
-from birdcage.antenna.motion import DishMotion
+from birdcage.antenna.motion import AxisMotion, DishMotion
 from birdcage.antenna.strategy.queue import ENTER, Queue
 from birdcage.antenna.strategy.strategy import StopAction, StopPower, Unplanned
 from birdcage.base.clock import Clock
@@ -75,6 +75,11 @@ class Timed(Queue):
 
     def answered(self, means: StopMeans) -> None:
         """Nothing else is to be done."""
+
+    @staticmethod
+    def _off_model_deg(axis: AxisMotion, now: float, rate: float) -> float:
+        """It is modelled as slow as such machines are: it may be there already."""
+        return abs(axis.slew.end_deg - axis.modelled(now, rate)[0])
 
     def ends_soon(self, clock: Clock) -> bool:
         """Return whether it does: where it stands is known only then."""
