@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from datetime import UTC, datetime
 
 import pytest
 from birdcage.base.config import rows
 from birdcage.rotator import machines
 from birdcage.rotator.facts import SecondMove
+from birdcage.rotator.ladder import EVERY_MOVE, Rung, StopMeans
 from birdcage.rotator.listed_facts import listed
 from birdcage.rotator.origin import Origin
 from birdcage.rotator.own import OwnFact, OwnFacts, laid_by_owner, with_speeds
@@ -87,6 +89,12 @@ def test_a_dish_that_is_said_to_wait_is_stopped_at_the_end_of_its_move():
     assert wrong == ()
     assert [rung.means for rung in said.stop_ladder] == ["end of move", "release", "power"]
     assert [rung.means for rung in G2.stop_ladder] == ["retarget", "release", "power"]
+
+
+def test_its_own_stop_command_stays_where_it_is_on_the_ladder():
+    command = Rung(means=StopMeans.COMMAND, ends=EVERY_MOVE, proven=True, sentence="it halts")
+    first = OwnFacts().that_waits(UTC_NOW).on(replace(G2, stop_ladder=(command, *G2.stop_ladder)))
+    assert [rung.means for rung in first.stop_ladder] == ["command", "end of move", "release", "power"]
 
 
 def test_the_owner_goes_before_what_was_learnt_and_that_before_the_kind():

@@ -6,9 +6,11 @@ import random
 
 import pytest
 from birdcage.base.errors import Held, Stopped
+from birdcage.rotator.facts import SecondMove
 from birdcage.station.requests import AcknowledgeFault, Goto, Jog, Release, TurnSkew
 from birdcage.station.state import Activity, Search
 from birdcage.station.stop_pending import Reach
+from birdcage.station.stop_words import stop_line
 
 from .queued_bench import QueuedBench, connected
 
@@ -50,6 +52,19 @@ def test_a_slew_ends_where_it_is_and_the_dish_is_held(bench):
     assert isinstance(future.exception(0), Stopped)
     bench.step(60)
     assert bench.device.truth().az_deg == pytest.approx(after.az_deg, abs=0.01)
+
+
+def test_one_whose_shell_waits_with_moves_of_one_axis_is_stopped_in_a_slew_all_the_same():
+    bench = connected(own_facts={"second_same": "block", "second_other": "block"})
+    assert bench.state.dish.second_same is SecondMove.BLOCK
+    slewing(bench)
+    assert stop_line(bench.state, bench.clock.monotonic()).startswith("STOP takes ")
+    since = bench.clock.monotonic()
+    bench.station.stop("you")
+    assert bench.sent_since(since).startswith(b"\r")
+    bench.step(8)
+    assert not bench.device.truth().moving
+    assert (bench.state.last_stop.means, bench.state.last_stop.confirmed) == ("abort", True)
 
 
 @pytest.mark.parametrize("options", ["abort_key=keep", "abort_prompt=at_rest", "prompts=alike", "g_axes=turn"])

@@ -8,8 +8,9 @@ from dataclasses import replace
 import pytest
 from birdcage.base.errors import MotionRefused
 from birdcage.rotator import machines
-from birdcage.rotator.ladder import POWER_SWITCH, MoveKind, Rung, StopBy, StopMeans
-from birdcage.station.requests import Goto, Release
+from birdcage.rotator.facts import SecondMove
+from birdcage.rotator.ladder import EVERY_MOVE, POWER_SWITCH, MoveKind, Rung, StopBy, StopMeans
+from birdcage.station.requests import Goto, Home, Release
 from birdcage.station.state import LimitSource
 from birdcage.station.stop_words import stop_line
 from birdcage.testing import Bench, Contract, Stage, StopScene
@@ -31,6 +32,12 @@ def twins(tmp_path_factory):
 @pytest.fixture
 def bench(twins):
     return Bench("learner", twins.LearnerTwin, stops=(StopScene("command", (80.0, 20.0), 1.0),), follows_deg=1.0)
+
+
+def known(monkeypatch, learner, **facts):
+    facts = replace(learner.FACTS, **facts)
+    monkeypatch.setattr(learner.Learner, "facts", facts)
+    monkeypatch.setattr(learner, "FACTS", facts)
 
 
 class TestLearner(Contract):
@@ -75,10 +82,8 @@ def test_a_stop_command_that_is_ignored_leads_to_the_next_rung(bench, twins, mon
             self._stops += 1
 
     retarget = Rung(means=StopMeans.RETARGET, ends=frozenset({MoveKind.SINGLE}), proven=False, sentence="a new target")
-    facts = replace(learner.FACTS, stop_ladder=(learner.FACTS.stop_ladder[0], retarget, POWER_SWITCH))
+    known(monkeypatch, learner, stop_ladder=(learner.FACTS.stop_ladder[0], retarget, POWER_SWITCH))
     monkeypatch.setattr(learner.Learner, "stop_now", stop_now)
-    monkeypatch.setattr(learner.Learner, "facts", facts)
-    monkeypatch.setattr(learner, "FACTS", facts)
     with Stage(bench, lambda clock: twins.LearnerTwin(clock, speed_deg_s=4.0)) as stage:
         stage.ready()
 
@@ -101,6 +106,76 @@ def test_a_stop_command_that_is_ignored_leads_to_the_next_rung(bench, twins, mon
         said, stop = stopped_in_motion(40.0)
         assert said == "STOP stops it; how fast is unknown", "it was seen to work"
         assert orders == [StopBy.RETARGET]
+
+
+def test_a_dish_that_waits_with_moves_still_obeys_its_stop_command(bench, monkeypatch):
+    from birdcage_toys import learner
+
+    known(monkeypatch, learner, second_same=SecondMove.BLOCK, second_other=SecondMove.BLOCK)
+    with Stage(bench) as stage:
+        stage.ready()
+        stage.station.submit(Goto(200.0, 30.0, "you"))
+        stage.step(1.0)
+        stage.station.stop("you")
+        assert not stage.truth.moving
+        stage.step(5.0)
+        assert (stage.state.last_stop.means, stage.state.last_stop.confirmed) == (StopMeans.COMMAND, True)
+
+
+@pytest.mark.parametrize("proven", [True, False])
+def test_stop_ends_a_homing_where_it_says_so(bench, monkeypatch, proven):
+    """Its command works anywhere, and is known to end that; else nothing is sent, and no line says otherwise."""
+    from birdcage_toys import learner
+
+    rung = replace(learner.FACTS.stop_ladder[0], ends=EVERY_MOVE, proven=proven, anywhere=True)
+    known(monkeypatch, learner, stop_ladder=(rung, POWER_SWITCH), homing_s=30.0)
+    said = []
+
+    def home(self, axis):
+        self._machine.motors[0].go(300.0)
+        self._pause(self.clock.monotonic() + 2.0)
+        said.append(stop_line(stage.state, self.clock.monotonic()))
+        stage.station.stop("you")
+        said.append(stage.truth.moving)
+        self._machine.motors[0].halt()
+
+    monkeypatch.setattr(learner.Learner, "home", home)
+    with Stage(bench) as stage:
+        stage.ready()
+        stage.station.submit(Home("you"))
+        stage.step(6.0)
+        stop = stage.state.last_stop
+        if proven:
+            assert said == ["STOP ends the homing", False], "its other axis is not homed"
+            assert (stop.means, stop.confirmed) == (StopMeans.COMMAND, True)
+        else:
+            assert said == ["Homing has no STOP. In an emergency, switch off its plug.", True]
+            assert stop.means is StopMeans.NONE
+
+
+def test_a_target_that_is_not_answered_leads_to_the_stop_command(bench, monkeypatch):
+    """Nobody can tell whether it stopped: what its ladder has above that is sent, and its answer waited for."""
+    from birdcage_toys import learner
+
+    retarget = Rung(means=StopMeans.RETARGET, ends=frozenset({MoveKind.SINGLE}), proven=False, sentence="a new target")
+    known(monkeypatch, learner, stop_ladder=(retarget, *learner.FACTS.stop_ladder))
+    orders, halt = [], learner.Learner.stop_now
+
+    def stop_now(self, order):
+        orders.append(order.by)
+        if order.by is StopBy.COMMAND:
+            halt(self, order)
+
+    monkeypatch.setattr(learner.Learner, "stop_now", stop_now)
+    with Stage(bench) as stage:
+        stage.ready()
+        stage.station.submit(Goto(300.0, 30.0, "you"))
+        stage.step(1.0)
+        stage.station.stop("you")
+        stage.step(10.0)
+        assert orders == [StopBy.RETARGET] * 5 + [StopBy.COMMAND]
+        assert not stage.truth.moving
+        assert (stage.state.last_stop.means, stage.state.last_stop.confirmed) == (StopMeans.COMMAND, True)
 
 
 @pytest.mark.parametrize("speed_deg_s", [1.5, 9.0, 60.0])

@@ -9,7 +9,7 @@ from enum import Enum
 from birdcage.base.beam import Reflector
 from birdcage.rotator.axis import Axis, CableRange, Role
 from birdcage.rotator.feature import RSSI, Feature, speed_of
-from birdcage.rotator.ladder import MoveKind, Rung, StopMeans
+from birdcage.rotator.ladder import MoveKind, Rung
 from birdcage.rotator.mapping import SkyMapping, mapped_axes
 from birdcage.rotator.origin import Origin
 from birdcage.rotator.wiring import Adapter, Connector
@@ -228,8 +228,8 @@ class Facts:
 
     @property
     def homing_stoppable(self) -> bool:
-        """Whether something else than a person at its switch ends its homing."""
-        return any(MoveKind.HOME in rung.ends and rung.means is not StopMeans.POWER for rung in self.stop_ladder)
+        """Whether STOP is known to end its homing; else only a person at its switch does."""
+        return any(MoveKind.HOME in rung.ends and rung.ends_what_it_is_busy_with for rung in self.stop_ladder)
 
     def bits_s(self, bits: float) -> float:
         """Return how long so many bits take on its line; no time where it has none."""

@@ -77,6 +77,11 @@ class Rung:
     needs_consent: bool = False
     """Used only if the user enabled it in `birdcage.toml`."""
 
+    @property
+    def ends_what_it_is_busy_with(self) -> bool:
+        """Whether it is known to end a motion during which the machine reads nothing else."""
+        return self.proven and self.anywhere and self.means in (StopMeans.COMMAND, StopMeans.ABORT)
+
 
 END_OF_MOVE = Rung(
     means=StopMeans.WAIT, ends=frozenset({MoveKind.SINGLE}), proven=True,

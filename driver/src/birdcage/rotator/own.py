@@ -11,7 +11,7 @@ from datetime import datetime
 from types import MappingProxyType
 
 from birdcage.rotator.facts import Facts, SecondMove
-from birdcage.rotator.ladder import END_OF_MOVE, POWER_SWITCH, StopMeans
+from birdcage.rotator.ladder import END_OF_MOVE, StopMeans
 from birdcage.rotator.origin import Origin
 
 SECOND_MOVES = ("second_same", "second_other")
@@ -95,9 +95,9 @@ def with_speeds(facts: Facts, speeds: Mapping[int, float]) -> Facts:
 def _stopped_as_it_moves(facts: Facts) -> Facts:
     if not facts.moves_in_turn or all(rung.means is not StopMeans.RETARGET for rung in facts.stop_ladder):
         return facts
-    replaced = (StopMeans.RETARGET, StopMeans.WAIT, StopMeans.POWER)
-    kept = tuple(rung for rung in facts.stop_ladder if rung.means not in replaced)
-    return replace(facts, stop_ladder=(END_OF_MOVE, *kept, POWER_SWITCH))
+    kept = (rung for rung in facts.stop_ladder if rung.means is not StopMeans.WAIT)
+    ladder = tuple(END_OF_MOVE if rung.means is StopMeans.RETARGET else rung for rung in kept)
+    return replace(facts, stop_ladder=ladder)
 
 
 def laid_by_owner(facts: Facts, values: Mapping[str, float | str]) -> tuple[Facts, tuple[str, ...]]:

@@ -231,6 +231,8 @@ class Desk:
         self._stopper.homing = True
         try:
             for motor in request.axes or axes:
+                if self._control.latched:
+                    raise Stopped("STOP came while the dish homed: no other axis is homed.")
                 self._mover.activity(Activity.HOMING, rotator.facts.axis(motor).name)
                 self._antenna.maintenance.home(motor)
         finally:

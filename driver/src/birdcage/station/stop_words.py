@@ -110,7 +110,7 @@ def _without_plan(state: StationState) -> tuple[str, ...]:
     match activity:
         case Activity.HOMING:
             none = and_else(dish, "Homing has no STOP. {emergency}.", "Homing: no STOP but the {switch}")
-            return none if _rung(dish, MoveKind.HOME) is None else ("STOP ends the homing",)
+            return ("STOP ends the homing",) if dish is not None and dish.homing_stoppable else none
         case Activity.INITIALIZING:
             return and_else(dish, "There is no STOP at start-up. {emergency}.", "No STOP but the {switch}")
         case Activity.IDLE if state.held is not None:

@@ -10,7 +10,7 @@ from dataclasses import replace
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.strategy.strategy import MotionStrategy, StopAction, Unplanned
 from birdcage.base.errors import BirdcageError, CommandRefused, Held, LinkError, NoReply, PositionUnknown, Stopped
-from birdcage.rotator.ladder import StopMeans, StopOrder
+from birdcage.rotator.ladder import MoveKind, StopMeans
 from birdcage.station.board import Board
 from birdcage.station.control import Control
 from birdcage.station.events import End, StopConfirmed, StopSent
@@ -30,6 +30,7 @@ RELEASED = "The motors are released: nothing drives the dish, and its position i
 
 
 UNPLANNED = {Activity.UNKNOWN: Unplanned.UNKNOWN, Activity.MOVING_UNASKED: Unplanned.SEEN}
+BUSY_WITH = {MoveKind.STOW: "Stowing", MoveKind.HOME: "Homing"}
 LEARNT = (StopMeans.RETARGET, StopMeans.COMMAND, StopMeans.ABORT)
 """What a dish in motion shows to work, or not."""
 OTHERS = (Activity.UNKNOWN, Activity.MOVING_UNASKED, Activity.STOWING)
@@ -92,8 +93,9 @@ class Stopper:
         if not self._antenna.rotator.is_open:
             return StopAction(StopMeans.NO_LINK, "No link to the dish: nothing could be sent. Cut its power.")
         if self.homing:
-            what = "Stowing" if state.activity is Activity.STOWING else "Homing"
-            return StopAction(StopMeans.NONE, f"{what} cannot be stopped from here: cut the power of the dish.")
+            kind = MoveKind.STOW if state.activity is Activity.STOWING else MoveKind.HOME
+            none = f"{BUSY_WITH[kind]} cannot be stopped from here: cut the power of the dish."
+            return self._strategy.while_busy(kind) or StopAction(StopMeans.NONE, none)
         if state.activity is Activity.STOWING:
             # Where it goes is the firmware's own business: only two readings tell where to aim.
             return StopAction(StopMeans.LOOK, "No STOP is documented for stowing: looking where it goes, to aim.")
@@ -300,6 +302,11 @@ class Stopper:
             if rung is not None and rung.means is StopMeans.RELEASE:
                 self._release(pending)
                 return
+            if rung is not None and rung.means is StopMeans.COMMAND:
+                action, now = self._strategy.commanded(), self._board.clock.monotonic()
+                pending.sent, self.due = 0, now
+                self._send(pending, action, now)
+                return
             self._finish(pending, False, "STOP was sent five times and not answered: cut the power of the dish.")
             return
         pending.sent += 1
@@ -320,7 +327,7 @@ class Stopper:
                 self._look_on(pending, action)
                 pending.deadline = now + self._lasts_s(action.means, slowest=pending.slowest)
                 return
-            self._send(pending, action, action.order, now)
+            self._send(pending, action, now)
         elif self._strategy.closes_in(earlier.dish, pointing.dish):
             pending.deadline = max(pending.deadline, now + 1.0)  # slower than modelled, but on its way to rest
         elif since > pending.deadline and pending.report.confirmed is None:
@@ -335,7 +342,7 @@ class Stopper:
             action = self._strategy.on_sight(earlier.dish, earlier.at, pointing.dish, pointing.at)
             self._antenna.motion = None  # it goes otherwise than it was modelled
             if action.order is not None:
-                self._send(pending, action, action.order, now)
+                self._send(pending, action, now)
                 return
         pending.report = replace(
             pending.report, confirmed=False, sentence=f"{pending.note}The dish goes on: cut its power."
@@ -344,11 +351,12 @@ class Stopper:
         if rung is not None and rung.means is StopMeans.RELEASE:
             self._release(pending)
 
-    def _send(self, pending: Pending, action: StopAction, order: StopOrder, now: float) -> None:
+    def _send(self, pending: Pending, action: StopAction, now: float) -> None:
         """Send another thing than what was sent first."""
-        self._antenna.rotator.stop_now(order)
+        pending.order = action.order
+        if pending.order is not None:
+            self._antenna.rotator.stop_now(pending.order)
         self.reach = Reach.SENT
-        pending.order = order
         pending.report = replace(pending.report, means=action.means, sentence=action.sentence)
         pending.deadline = now + self._lasts_s(action.means, slowest=pending.slowest)
         pending.answered = pending.action_is_complete = False

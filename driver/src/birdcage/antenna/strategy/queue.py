@@ -18,7 +18,7 @@ from birdcage.antenna.strategy.strategy import (
 from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused
 from birdcage.rotator.facts import SecondMove
-from birdcage.rotator.ladder import StopBy, StopMeans, StopOrder
+from birdcage.rotator.ladder import MoveKind, Rung, StopBy, StopMeans, StopOrder
 from birdcage.rotator.values import Position
 
 STILL_S = 0.3
@@ -41,11 +41,11 @@ class Queue(MotionStrategy):
 
     def power(self, motion: DishMotion | None, rate: float) -> StopPower:
         """Return braking, or the end of the move under way."""
-        if motion is None:
-            first = self._antenna.model.stop_ladder[0].means
+        kinds = (MoveKind.COMBINED, MoveKind.SINGLE) if motion is None else (self.kind,)
+        ladder = (rung.means for kind in kinds for rung in self.rungs(kind) if rung.means is not StopMeans.POWER)
+        first = next(ladder, StopMeans.WAIT)
+        if motion is None or first in (StopMeans.COMMAND, StopMeans.ABORT):
             return self._power(first)
-        if self.commands or motion.silent:
-            return self._power(StopMeans.COMMAND if self.commands else StopMeans.ABORT)
         rests_at = motion.eta(rate)
         return StopPower(rests_at - motion.azimuth.started, StopMeans.WAIT, True, rests_at)
 
@@ -55,9 +55,15 @@ class Queue(MotionStrategy):
         if motion is not None and self._antenna.is_kept:
             return DROPPED
         if self.commands and (motion is not None or unplanned is not Unplanned.NONE):
-            return self._commanded()
+            return self.commanded()
         if motion is not None and motion.silent:
-            return StopAction(StopMeans.ABORT, "A byte that ends the slew was sent.", ENTER)
+            if StopMeans.ABORT not in self.failed:
+                return StopAction(StopMeans.ABORT, "A byte that ends the slew was sent.", ENTER)
+            return StopAction(
+                StopMeans.WAIT,
+                f"A byte was sent, which did not end a slew before. It ends in {self._left_s(motion, clock):.1f} s; "
+                "nothing follows it. To stop it sooner, cut its power.", ENTER,
+            )  # fmt: skip
         if motion is not None:
             return StopAction(
                 StopMeans.WAIT,
@@ -66,9 +72,9 @@ class Queue(MotionStrategy):
             )
         match unplanned:
             case Unplanned.SEEN:
-                return StopAction(
-                    StopMeans.SEARCH, "A bare Enter was sent, and the TV search is being ended.", ENTER
-                )  # fmt: skip
+                return self._unplanned_ended("A bare Enter was sent, and the TV search is being ended.")
+            case Unplanned.UNKNOWN if self._abort is None:
+                return LOOK
             case Unplanned.UNKNOWN:
                 return StopAction(
                     StopMeans.LOOK,
@@ -77,6 +83,21 @@ class Queue(MotionStrategy):
             case Unplanned.NONE:
                 return NOTHING_MOVED
 
+    @property
+    def _abort(self) -> Rung | None:
+        return next((rung for rung in self._antenna.model.stop_ladder if rung.means is StopMeans.ABORT), None)
+
+    def _unplanned_ended(self, search: str) -> StopAction:
+        """Return what ends a motion that was seen; `search` is what is said of a machine that may search."""
+        rung = self._abort
+        if rung is None:
+            return StopAction(
+                StopMeans.WAIT, "The dish was seen moving, and nothing is known to stop it. Cut its power."
+            )  # fmt: skip
+        if MoveKind.SEARCH in rung.ends:
+            return StopAction(StopMeans.SEARCH, search, ENTER)
+        return StopAction(rung.means, "The dish was seen moving: a byte that ends a slew was sent.", ENTER)
+
     @staticmethod
     def _left_s(motion: DishMotion, clock: Clock) -> float:
         return max(0.0, motion.eta(clock.rate) - clock.monotonic())
@@ -84,10 +105,8 @@ class Queue(MotionStrategy):
     def on_sight(self, earlier: Position, earlier_at: float, later: Position, later_at: float) -> StopAction:  # noqa: ARG002
         """End whatever it is."""
         if self.commands:
-            return self._commanded()
-        return StopAction(
-            StopMeans.SEARCH, "The dish was seen moving: a bare Enter was sent, and the TV search is ended.", ENTER
-        )
+            return self.commanded()
+        return self._unplanned_ended("The dish was seen moving: a bare Enter was sent, and the TV search is ended.")
 
     def answered(self, means: StopMeans) -> None:
         """Take note of how the slew ended."""
@@ -100,22 +119,29 @@ class Queue(MotionStrategy):
         return STILL_S
 
     def lasts_s(self, means: StopMeans, clock: Clock) -> float:
-        """Return the stopping power, or what is left of the move, and some grace."""
+        """Return the stopping power, or what is left of the move, and some grace.
+
+        Of a move that this program did not send, the longest that there is.
+        """
         motion = self._antenna.motion
-        if means is StopMeans.WAIT and motion is not None:
-            return self._left_s(motion, clock) * clock.rate + GRACE_S
-        return super().lasts_s(means, clock)
+        if means is not StopMeans.WAIT:
+            return super().lasts_s(means, clock)
+        left_s = longest_s(self._antenna.model) if motion is None else self._left_s(motion, clock) * clock.rate
+        return left_s + GRACE_S
 
     def is_there(self, clock: Clock) -> bool:
         """Give the move of one axis its time: it may hardly have begun."""
         motion = self._antenna.motion
-        if motion is None or motion.silent:
+        if motion is None or motion.silent or self.commands:
             return True
         return clock.monotonic() >= motion.eta(clock.rate)
 
 
 class Block(Queue):
-    """It takes no command of a move before the motor stands: nothing stops a move, and none follows it."""
+    """It takes no command of a move before the motor stands: none of one axis is stopped by another, or followed by it.
+
+    Its own STOP command, and a byte that ends a silent slew, are no commands of moves.
+    """
 
     answers_in_motion = False
 
@@ -126,14 +152,14 @@ class Block(Queue):
 
     @property
     def anywhere(self) -> bool:
-        """It reads nothing in mid-move."""
-        return False
+        """It reads nothing in mid-move, but for its own STOP command."""
+        return self.commands and super().anywhere
 
     def at_once(self, unplanned: Unplanned, clock: Clock) -> StopAction:
-        """Send nothing: what is sent now would move the dish once it stands."""
+        """Send no new target: it would move the dish once it stands."""
         motion = self._antenna.motion
-        if motion is not None and self._antenna.is_kept:
-            return DROPPED
+        if self.commands or (motion is not None and (motion.silent or self._antenna.is_kept)):
+            return super().at_once(unplanned, clock)
         if motion is None:
             return NOTHING_MOVED if unplanned is Unplanned.NONE else LOOK
         return StopAction(
@@ -142,18 +168,11 @@ class Block(Queue):
             "and nothing follows it. To stop it sooner, cut its power.",
         )
 
-    def on_sight(self, earlier: Position, earlier_at: float, later: Position, later_at: float) -> StopAction:  # noqa: ARG002
-        """Send nothing, as above."""
+    def on_sight(self, earlier: Position, earlier_at: float, later: Position, later_at: float) -> StopAction:
+        """As above."""
+        if self.commands:
+            return super().on_sight(earlier, earlier_at, later, later_at)
         return StopAction(
             StopMeans.WAIT,
             "The dish was seen moving, and takes no command before its motor rests. To stop it sooner, cut its power.",
         )
-
-    def answered(self, means: StopMeans) -> None:
-        """Nothing was sent."""
-
-    def lasts_s(self, means: StopMeans, clock: Clock) -> float:
-        """Return what is left of the move; of one that this program did not send, the longest that there is."""
-        if means is StopMeans.WAIT and self._antenna.motion is None:
-            return longest_s(self._antenna.model) + GRACE_S
-        return super().lasts_s(means, clock)

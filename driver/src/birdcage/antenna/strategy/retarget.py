@@ -72,7 +72,7 @@ class Retarget(MotionStrategy):
         antenna = self._antenna
         motion = antenna.motion
         if self.commands and (motion is not None or unplanned is not Unplanned.NONE):
-            return self._commanded()
+            return self.commanded()
         if (motion is not None or unplanned is not Unplanned.NONE) and self._retargets:
             unsure = motion is not None and not antenna.commands.are_sure
             if antenna.rotator.line.unanswered_s() > LATE_S or unsure:
@@ -100,7 +100,7 @@ class Retarget(MotionStrategy):
     def on_sight(self, earlier: Position, earlier_at: float, later: Position, later_at: float) -> StopAction:
         """Aim ahead of the motion as it was seen."""
         if self.commands:
-            return self._commanded()
+            return self.commanded()
         order = self._antenna.stop_aim.order_seen(earlier, earlier_at, later, later_at)
         return StopAction(StopMeans.RETARGET, "The dish was seen moving: retargeted ahead of it.", order)
 

@@ -26,6 +26,10 @@ SHAPE = 0.14
 all the way are an eighth of it apart."""
 
 
+CLIMBED = frozenset({StopMeans.RETARGET, StopMeans.COMMAND, StopMeans.ABORT, StopMeans.RELEASE})
+"""What a program can do itself."""
+
+
 class Unplanned(Enum):
     """What is known of a motion that this program has not sent."""
 
@@ -116,7 +120,7 @@ class MotionStrategy(ABC):
         first = self.rungs(self.kind)[:1]
         return bool(first) and first[0].means is StopMeans.COMMAND
 
-    def _commanded(self) -> StopAction:
+    def commanded(self) -> StopAction:
         """Return its own STOP command; the motion under way brakes from now on."""
         self._antenna.stop_aim.model_stopped()
         return StopAction(StopMeans.COMMAND, "The machine's own STOP command was sent.", StopOrder(StopBy.COMMAND))
@@ -148,10 +152,23 @@ class MotionStrategy(ABC):
     def on_sight(self, earlier: Position, earlier_at: float, later: Position, later_at: float) -> StopAction:
         """Return what stops an unplanned motion that two readings of dish angles show."""
 
+    def while_busy(self, kind: MoveKind) -> StopAction | None:
+        """Return what ends a motion that the machine is busy with; None if nothing is known to.
+
+        Any thread; sends nothing.
+        """
+        for rung in self.rungs(kind):
+            if rung.ends_what_it_is_busy_with:
+                by = StopBy.COMMAND if rung.means is StopMeans.COMMAND else StopBy.ABORT
+                return StopAction(rung.means, f"What ends it was sent: {rung.sentence}.", StopOrder(by))
+        return None
+
     def next_rung(self, after: StopMeans) -> Rung | None:
         """Return the rung above one that did not stop the dish, as far as a program can climb it."""
-        later = {StopMeans.RETARGET, StopMeans.COMMAND, StopMeans.ABORT, StopMeans.RELEASE} - {after}
-        return next((rung for rung in self.rungs(self.kind) if rung.means in later), None)
+        antenna = self._antenna
+        every = rungs(antenna.model.stop_ladder, self.kind, consent=antenna.stop_consent)
+        above = next((index + 1 for index, rung in enumerate(every) if rung.means is after), 0)
+        return next((rung for rung in every[above:] if rung.means in CLIMBED and rung.means not in self.failed), None)
 
     @abstractmethod
     def still_s(self, *, slowest: bool) -> float:
