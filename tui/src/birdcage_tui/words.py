@@ -84,6 +84,10 @@ def home_hint(view: View) -> str:
     return "H homes it"
 
 
+TOLD_DEG = 0.01
+"""A miss of less is not told: angles are shown in hundredths."""
+
+
 def motion_text(view: View) -> str:
     """Return what the dish is doing, in one short line."""
     state = view.state
@@ -112,6 +116,8 @@ def motion_text(view: View) -> str:
         if state.fault is not None and state.motion is None:
             return "FAULT, at rest"
         rests = "IDLE, at rest" if state.position is not None else "IDLE, position unknown"
+        if state.target_miss_deg >= TOLD_DEG:
+            rests += f", misses by {state.target_miss_deg:.2f}°"
         return rests if state.motion is None else "MOVING"
     if state.activity is Activity.UNKNOWN:
         if state.raw_motion:
@@ -155,6 +161,8 @@ def bad_day(view: View) -> tuple[str, str] | None:
     if state.motion_refused_because:
         accept = enter_words(view, "accept the dish's own limits")
         return "warn-row", f"▲ NO MOTION  {state.motion_refused_because}{accept}"
+    if state.dish is not None and state.dish.no_direction and view.link_up:
+        return "warn-row", f"▲ NO DIRECTION  {state.dish.no_direction}"
     if state.homed is False and state.activity is Activity.HOMING:
         return "warn-row", f"▲ NOT HOMED  Homing: it runs into its end stops. Only the {power_switch(view)} stops it."
     if state.homed is False:
@@ -295,6 +303,8 @@ def next_steps(view: View) -> list[tuple[str, str]]:
         steps += [] if in_pocket else [("text", "2, c: details.")]
     elif pursuit is not None:
         steps.append(("text", f"{'' if in_pocket else '2, c: details. x there: end it. '}Arrows: take over."))
+    elif state.dish is not None and state.dish.no_direction:
+        pass  # the row under the status says what it lacks
     elif not view.moving:
         steps += lack
         lack = []
@@ -383,6 +393,7 @@ def ended_text(event: MoveEnded) -> str:
     if event.end is not End.ARRIVED or position is None:
         return reason
     skew = "" if position.skew_deg is None else f", skew {position.skew_deg:.2f}°"
+    miss = f", {event.miss_deg:.2f}° off" if event.miss_deg >= TOLD_DEG else ""
     if position.modelled:
-        return f"By its time the dish is at {position.az_deg:.2f}°/{position.el_deg:.2f}°. It does not tell."
-    return f"{reason} at {position.az_deg:.2f}°/{position.el_deg:.2f}°{skew}."
+        return f"By its time the dish is at {position.az_deg:.2f}°/{position.el_deg:.2f}°{miss}. It does not tell."
+    return f"{reason} at {position.az_deg:.2f}°/{position.el_deg:.2f}°{skew}{miss}."

@@ -5,7 +5,7 @@ from __future__ import annotations
 from datetime import datetime
 from typing import TYPE_CHECKING
 
-from birdcage.base.errors import Held, PositionUnknown
+from birdcage.base.errors import Held
 from birdcage.cli.autotrack_report import tell_schedule, values_of_schedule
 from birdcage.cli.say import say, tell_json
 from birdcage.cli.track_shown import Shown
@@ -22,8 +22,6 @@ if TYPE_CHECKING:
     from birdcage.station.pursuit import Pursuit
 
 HOLDER = "birdcage autotrack"
-READ_S = 5.0
-"""How long to wait for the first reading of the position."""
 END_S = 10.0
 """How long a pursuit may take to end that was left: the move under way comes to rest."""
 _BETWEEN = frozenset({Phase.WAITING, Phase.COUNTDOWN, Phase.OVER})
@@ -34,9 +32,11 @@ def run_autotrack(dish: Dish, wants: Wanted, observer: Observer, until: datetime
 
     PositionUnknown when the dish does not know where it is; Held when somebody calls STOP.
     """
+    from birdcage.cli.dish import need_position
+
     dish.come_up(15.0)
     dish.survey()
-    _need_position(dish)
+    need_position(dish)
     setup = DeskSetup(
         wants.paths.catalogue, lambda: wants.settings, wants.paths, observer, dish.state.demo, holder=HOLDER,
         takes_up=False,
@@ -48,19 +48,6 @@ def run_autotrack(dish: Dish, wants: Wanted, observer: Observer, until: datetime
         _Watch(dish, desk, wants.settings.autotrack.hours, until, as_json=as_json).run()
     finally:
         desk.close()
-
-
-def _need_position(dish: Dish) -> None:
-    from birdcage.cli.dish import how_to_home
-
-    deadline = dish.now + READ_S
-    while dish.state.position is None and dish.state.homed is not False and dish.now < deadline:
-        dish.look()
-    if dish.state.position is None or dish.state.position_lost is not None:
-        raise PositionUnknown(
-            f"The dish does not know where it points, so nothing is followed. {how_to_home(dish.state)}",
-            reason="unhomed",
-        )
 
 
 class _Watch:

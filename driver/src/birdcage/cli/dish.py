@@ -13,7 +13,7 @@ from contextlib import ExitStack, contextmanager
 import click
 
 from birdcage.base.clock import Clock, RealClock
-from birdcage.base.errors import BirdcageError, ConfigError, LinkError, NoReply
+from birdcage.base.errors import BirdcageError, ConfigError, LinkError, MotionRefused, NoReply, PositionUnknown
 from birdcage.base.signals import SignalListener
 from birdcage.cli import exits
 from birdcage.cli.app import Ended
@@ -42,6 +42,9 @@ LEAVE_S = 12.0
 """How long the end of a command may take after a signal, the confirmation of STOP included; then it is ended hard."""
 SURVEY_S = 10.0
 """Where no mark is echoed the line counts as quiet 4 s after it was opened; a survey takes less than two."""
+
+READ_S = 5.0
+"""How long to wait for the first reading of the position."""
 
 Hear = Callable[[Event], None]
 
@@ -187,11 +190,28 @@ class Dish:
 
 def why_unknown(state: StationState) -> str:
     """Return why it is not known where the dish points, and what helps."""
+    if state.dish is not None and state.dish.no_direction:
+        return state.dish.no_direction
     if state.awaits_first_move:
         return "This dish does not tell where it points. `birdcage move AZ EL` sends it somewhere."
     if state.position_text:
         return f"{state.position_text} {how_to_home(state)}"
     return f"The dish is not homed, so it does not know where it points. {how_to_home(state)}"
+
+
+def need_position(dish: Dish) -> None:
+    """Wait until it is known where the dish points, to follow something. PositionUnknown, and why, where it is not.
+
+    MotionRefused of a machine that follows nothing.
+    """
+    facts = dish.state.dish
+    if facts is not None and facts.no_following:
+        raise MotionRefused(f"{facts.no_following} Nothing was sent.", reason="unsupported")
+    deadline = dish.now + READ_S
+    while dish.state.position is None and dish.state.homed is not False and dish.now < deadline:
+        dish.look()
+    if dish.state.position is None or dish.state.position_lost is not None:
+        raise PositionUnknown(f"Nothing is followed. {why_unknown(dish.state)}", reason="unhomed")
 
 
 def how_to_home(state: StationState) -> str:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from datetime import datetime, timedelta
 from typing import TYPE_CHECKING, Literal
 
-from birdcage.base.errors import BirdcageError, MotionRefused, PositionUnknown
+from birdcage.base.errors import BirdcageError, MotionRefused
 from birdcage.cli.track_shown import Shown
 from birdcage.pursuit.desk import PursuitDesk
 from birdcage.pursuit.desk_setup import DeskSetup
@@ -24,8 +24,6 @@ if TYPE_CHECKING:
     from birdcage.station.pursuit import Pursuit
 
 HOLDER = "birdcage track"
-READ_S = 5.0
-"""How long to wait for the first reading of the position."""
 BEGIN_S = 30.0
 """How long the plan may take, and the station to take it on."""
 EARLY_S = 1.0
@@ -50,9 +48,11 @@ class Order:
 
 def follow(dish: Dish, wants: Wanted, order: Order) -> None:
     """Follow until it is over. PositionUnknown, MotionRefused or BirdcageError when it does not come to its end."""
+    from birdcage.cli.dish import need_position
+
     dish.come_up(15.0)
     dish.survey()
-    _need_position(dish)
+    need_position(dish)
     setup = DeskSetup(
         wants.paths.catalogue, lambda: wants.settings, wants.paths, order.observer, dish.state.demo, order.controller,
         HOLDER, takes_up=False,
@@ -69,19 +69,6 @@ def follow(dish: Dish, wants: Wanted, order: Order) -> None:
         _Watch(dish, desk, order).run()
     finally:
         desk.close()
-
-
-def _need_position(dish: Dish) -> None:
-    from birdcage.cli.dish import how_to_home
-
-    deadline = dish.now + READ_S
-    while dish.state.position is None and dish.state.homed is not False and dish.now < deadline:
-        dish.look()
-    state = dish.state
-    if state.position is None or state.position_lost is not None:
-        raise PositionUnknown(
-            f"The dish does not know where it points, so nothing is followed. {how_to_home(state)}", reason="unhomed"
-        )
 
 
 class _Watch:

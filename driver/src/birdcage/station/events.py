@@ -69,6 +69,9 @@ class MoveEnded(Event):
     end: End
     reason: str
     position: Pointing | None
+    miss_deg: float = 0.0
+    """How far it arrived from the direction that was asked for: of a machine that goes to the nearest that it reaches.
+    """
 
 
 @dataclass(frozen=True, slots=True)

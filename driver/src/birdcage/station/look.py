@@ -277,8 +277,9 @@ class Look:
             el_min_deg=low.deg, el_max_deg=high.deg, cable_min_deg=user.cable_min_deg, cable_max_deg=user.cable_max_deg,
             sectors=tuple(self._antenna.alignment.sector_to_dish(*sector) for sector in user.sectors),
         )  # fmt: skip
+        points = gate.model.points
         self._board.change(
-            el_min_deg=low.deg + offset, el_max_deg=high.deg + offset,
+            el_min_deg=low.deg + offset if points else None, el_max_deg=high.deg + offset if points else None,
             cable_min_deg=limits["cable_min"].deg if cable else None,
             cable_max_deg=limits["cable_max"].deg if cable else None,
             no_go_sectors=tuple(NoGoSector(*sector) for sector in user.sectors),

@@ -35,8 +35,6 @@ UNTAKEN_S = 0.3
 BUSY = "busy with the last move"
 """What is told of a dish that waits for a motor before it takes another command."""
 
-TOLD_DEG = 0.01
-"""A miss of less is not told: angles are shown in hundredths."""
 DAMAGE = ("garbage", "blocked")
 """Reasons of an answer that came, and made no sense."""
 
@@ -252,8 +250,7 @@ class Mover(ABC):
         self._board.change(motion=None)
         self.activity(Activity.IDLE, "")
         try:
-            off = f", {job.miss_deg:.2f}° from the direction asked for" if job.miss_deg >= TOLD_DEG else ""
-            self._board.tell(MoveEnded(*self._board.stamp(), End.ARRIVED, f"arrived{off}", pointing))
+            self._board.tell(MoveEnded(*self._board.stamp(), End.ARRIVED, "arrived", pointing, job.miss_deg))
         finally:
             job.future.set_result(pointing)
 

@@ -51,6 +51,8 @@ def motion_mend(view: View) -> Mend | None:
         return first
     if state.activity is Activity.HOMING:
         return Mend("", "", "homing", "The dish is homing")
+    if state.dish is not None and state.dish.no_direction:
+        return Mend("", "", "no direction", state.dish.no_direction)
     if state.homed is None and not state.position_lost:
         return Mend("", "", "no position yet", "No position has been read yet")
     if state.dish is not None and state.dish.homing_s is None:

@@ -29,6 +29,8 @@ def can_move(view: View) -> str | None:
         return "STOP is latched. Enter releases it."
     if state.motion_refused_because:
         return state.motion_refused_because
+    if state.dish is not None and state.dish.no_direction:
+        return state.dish.no_direction
     if state.awaits_first_move:
         return None
     if state.homed is False or state.position is None:

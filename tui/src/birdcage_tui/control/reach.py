@@ -81,7 +81,12 @@ def refusal_of(request: Request, state: StationState) -> str | None:
 
 
 def forbidden(state: StationState, az_deg: float, el_deg: float) -> str | None:
-    """Return which limit the move would break, by how much, and what would do; None when none is known to."""
+    """Return which limit the move would break, by how much, and what would do; None when none is known to.
+
+    Of a machine with a mapping the station judges: its targets are the nearest that it reaches.
+    """
+    if state.dish is not None and (state.dish.no_direction or state.dish.mapping is not None):
+        return state.dish.no_direction or None
     low, high = state.el_min_deg, state.el_max_deg
     span = "" if low is None or high is None else f" Type {low:.0f} to {high:.0f}."
     if low is not None and el_deg < low - TOUCH_DEG:

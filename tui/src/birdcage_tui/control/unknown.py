@@ -28,6 +28,8 @@ def why_unknown(view: View) -> tuple[str, ...]:
         return "SILENT", "the dish is silent"
     if state.activity is Activity.HOMING:
         return "HOMING", "keep its swing clear"
+    if state.dish is not None and state.dish.no_direction:
+        return "NO DIRECTION", "no azimuth and elevation"
     if state.awaits_first_move:
         moves = state.motion is not None or state.activity is Activity.UNKNOWN
         return "NOT TOLD", "on its way" if moves else "send it somewhere first"

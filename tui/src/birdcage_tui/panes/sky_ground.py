@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from typing import TYPE_CHECKING
 
 from birdcage.sky.geostationary import arc
@@ -21,6 +22,7 @@ LINES = (*QUIET, "text", "target", "accent")
 LABELS_DEG = (0.0, 20.0, -20.0, 270.0, 290.0, 250.0)
 """Where along a circle its elevation is written, off the usual place: the first that lies on nothing."""
 MASK_STEP_DEG = 2
+ARC_STEPS = 60
 LONGEST_TARGET = 18
 """Columns of the target's name on a map."""
 STOP_SIGN = "║"
@@ -67,7 +69,11 @@ class Ground:
         """Return a copy of the layer, to draw on."""
         state = view.state
         mask = None if view.sky is None else view.sky.mask
-        key = (polar, state.el_min_deg, state.el_max_deg, sector(view), state.no_go_sectors, mask, view.settings.place)
+        mapping = None if state.dish is None else state.dish.mapping
+        key = (
+            polar, state.el_min_deg, state.el_max_deg, sector(view), state.no_go_sectors, mask, view.settings.place,
+            id(mapping), state.alignment,
+        )  # fmt: skip
         if self._kept is None or self._kept[0] != key:
             self._kept = (key, self._layer(polar, view, mask))
         return self._kept[1].copy()
@@ -83,6 +89,9 @@ class Ground:
         closed = sector(view)
         if closed is not None:
             polar.hatch(canvas, "faint", low or 0.0, high or 90.0, *closed)
+        own_arc = _own_arc(view)
+        if own_arc:
+            polar.hatch(canvas, "faint", low or 0.0, high or 90.0)
         for az_from, az_to, below, _ in state.no_go_sectors:
             if below > (low or 0.0):
                 polar.hatch(canvas, "faint", low or 0.0, min(below, 90.0), az_from, (az_to - az_from) % 360.0)
@@ -95,6 +104,8 @@ class Ground:
             if edge is not None:
                 polar.ring(canvas, edge, "line")
         polar.ring(canvas, 0.0, "dim")
+        for here, there in itertools.pairwise(own_arc):
+            canvas.line(*polar.dot(*here), *polar.dot(*there), "text")
         if mask:
             self._mask(canvas, polar, mask)
         place = view.settings.place
@@ -115,6 +126,17 @@ class Ground:
             if el_deg > 1:
                 canvas.line(*polar.dot(az_deg, 0.0), *here, "faint", every=3)
             before = (*here, el_deg)
+
+
+def _own_arc(view: View) -> list[tuple[float, float]]:
+    """Return the true directions of a machine that turns a single axis: all that it reaches. Empty for any other."""
+    dish = view.state.dish
+    if dish is None or dish.mapping is None or len(dish.axes) > 1:
+        return []
+    (axis,) = dish.axes
+    span_deg = axis.max_deg - axis.min_deg
+    angles = (axis.min_deg + span_deg * k / ARC_STEPS for k in range(ARC_STEPS + 1))
+    return [view.state.alignment.to_true(*dish.mapping.to_sky({axis.name: deg})) for deg in angles]
 
 
 def sector(view: View) -> tuple[float, float] | None:

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from birdcage.station.events import Event
     from birdcage.station.requests import Goto
 
+TOLD_DEG = 0.01
+"""A miss of less is not told: angles are shown in hundredths."""
 HOLDER = "birdcage move"
 
 
@@ -59,11 +61,14 @@ def command(
             _begin(dish, request, timeout_s)
             return
         arrived = dish.ask(request, timeout_s, Shown(dish))
+        miss_deg = dish.state.target_miss_deg
     assert isinstance(arrived, Pointing), "a go-to resolves with the position at arrival"
     if flags().json:
-        tell_json({**position_values(arrived), "demo": dish.state.demo})
+        tell_json({**position_values(arrived), "miss_deg": round(miss_deg, 3), "demo": dish.state.demo})
     else:
         tell(position_lines(arrived))
+    if miss_deg >= TOLD_DEG:
+        say(f"That is the nearest it reaches: {miss_deg:.2f}° from the direction asked for.")
     if arrived.modelled:
         say("By its time the dish is there. It does not tell.")
 
