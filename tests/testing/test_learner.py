@@ -17,8 +17,7 @@ from birdcage.testing import Bench, Contract, Stage, StopScene
 from birdcage_tui.settings import AppSettings
 from birdcage_tui.view import View
 from birdcage_tui.words import motion_text
-
-from .installed import installed
+from installed_toys import installed
 
 
 @pytest.fixture(scope="module")

@@ -9,8 +9,7 @@ from birdcage.rotator.facts import Turn
 from birdcage.station.requests import Goto, SetSearch
 from birdcage.station.state import Activity, Search
 from birdcage.testing import Bench, Contract, Stage, StopScene
-
-from .installed import installed
+from installed_toys import installed
 
 
 @pytest.fixture(scope="module")

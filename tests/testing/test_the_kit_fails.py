@@ -15,8 +15,8 @@ from birdcage.rotator.values import Look, Position, Taken
 from birdcage.station import look as dish_look
 from birdcage.station.stopper import Stopper
 from birdcage.testing import Bench, ConsoleScene, Contract, StopScene
+from installed_toys import installed
 
-from .installed import installed
 from .simulated import sim
 
 
