@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from types import SimpleNamespace
 
+import numpy as np
 import pytest
 from birdcage.base.beam import Beam
 from birdcage.base.config.feeds import FeedProfile
 from birdcage.base.config.sections import AlignmentSettings, HorizonPoint, MotionSettings, NoGoSector, PlaceSettings
 from birdcage.base.config.settings import Settings
+from birdcage.rotator.axis import Axis, Role
+from birdcage.rotator.mapping import Arc
+from birdcage.sky.reach import reach
 from birdcage.sky.reach_limits import NoGo, ReachLimits
 from birdcage.station.known import list_models
 from birdcage.station.reach_limits import reach_limits, reach_limits_of
@@ -29,6 +34,19 @@ def test_the_model_limits_what_settings_leave_open():
     assert (limits.az_rate_deg_s, limits.el_rate_deg_s) == (65.0, 45.0)
     slow = reach_limits(Settings(), MODELS["hal205"])
     assert slow.az_rate_deg_s == pytest.approx(90.0 / 13.5, rel=0.02)  # the measured times, not the greatest speed
+
+
+def test_a_machine_that_follows_nothing_has_no_pass_in_reach():
+    hour = Axis("hour", Role.ARC, -60.0, 60.0, 2.0, 8.0, 0.1)
+    point = Arc("hour", -60.0, 60.0, lambda deg: (180.0 + deg, 30.0)).point
+    bare = replace(MODELS["g2"], axes=(hour,), mapping_lacks="Say where it stands.")
+    for model in (bare, replace(bare, mapping=Arc("hour", -60.0, 60.0, point))):
+        for limits in (reach_limits(Settings(), model), reach_limits_of(StationState(dish=model), Settings())):
+            track = SimpleNamespace(
+                t_s=1.8e9 + np.arange(0.0, 600.0, 10.0), az_deg=np.linspace(120.0, 240.0, 60), el_deg=np.full(60, 30.0)
+            )
+            found = reach(track, limits)
+            assert (found.intervals, found.reasons) == ((), ("no tracking",))
 
 
 def test_settings_narrow_the_model_and_never_widen_it():

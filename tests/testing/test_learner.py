@@ -153,7 +153,7 @@ def test_stop_ends_a_homing_where_it_says_so(bench, monkeypatch, proven):
 
 
 def test_a_target_that_is_not_answered_leads_to_the_stop_command(bench, monkeypatch):
-    """Nobody can tell whether it stopped: what its ladder has above that is sent, and its answer waited for."""
+    """Nothing tells whether it stopped: what its ladder has above that is sent, and its answer waited for."""
     from birdcage_toys import learner
 
     retarget = Rung(means=StopMeans.RETARGET, ends=frozenset({MoveKind.SINGLE}), proven=False, sentence="a new target")

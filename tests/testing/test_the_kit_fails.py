@@ -6,11 +6,16 @@ import re
 from dataclasses import replace
 
 import pytest
+from birdcage.antenna import legs
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.az_el import AzEl
+from birdcage.antenna.motion import start_motion
 from birdcage.base.errors import BirdcageError
 from birdcage.protocol.carryout.protocol import CarryoutProtocol
-from birdcage.rotator.facts import Readback, SearchSwitch
+from birdcage.rotator.facts import Facts, Readback, SearchSwitch
 from birdcage.rotator.feature import Feature, Reading
 from birdcage.rotator.ladder import StopMeans
+from birdcage.rotator.mapping import Site
 from birdcage.rotator.values import Look, Position, Taken
 from birdcage.station import look as dish_look
 from birdcage.station.stopper import Stopper
@@ -216,6 +221,52 @@ def test_a_machine_that_does_not_tell_is_never_vouched_for(monkeypatch, breach, 
     getattr(Contract(), case)(bench)
     breach(monkeypatch)
     with pytest.raises(AssertionError):
+        getattr(Contract(), case)(bench)
+
+
+def goes_straight(patch):
+    """It models a straight way between two directions, as if both were axes of its own."""
+    patch.setattr(legs, "mapped_motion", lambda model, start, az, el, now, *, start_known: start_motion(
+        replace(model, mapping=None), start, az - start.azimuth, el, now
+    ))  # fmt: skip
+
+
+def keeps_the_miss_to_itself(patch):
+    patch.setattr(BirdcageAntenna, "miss_deg", lambda *_: 0.0)
+
+
+def goes_to_the_nearest_however_far(patch):
+    nearest = AzEl.nearest_allowed
+    patch.setattr(AzEl, "nearest_allowed", lambda *given, any_miss: nearest(*given, any_miss=True))
+
+
+def sets_out_on_a_pass(patch):
+    patch.setattr(Facts, "no_following", "")
+
+
+def never_halts(patch):
+    from birdcage_toys import swing_twin
+
+    patch.setattr(swing_twin.SwingTwin, "halt", lambda self: None)
+
+
+@pytest.mark.parametrize(("breach", "case"), [
+    (goes_straight, "test_on_its_way_it_is_shown_where_its_axes_point"),
+    (keeps_the_miss_to_itself, "test_a_step_moves_one_axis_and_names_only_that"),
+    (goes_to_the_nearest_however_far, "test_what_it_cannot_reach_is_refused_with_the_nearest"),
+    (sets_out_on_a_pass, "test_a_pass_is_followed_as_foreseen"),
+    (never_halts, "test_stop_in_motion_by_each_rung"),
+])  # fmt: skip
+def test_a_breach_along_an_arc_is_seen(toys, monkeypatch, breach, case):
+    from birdcage_toys import swing_twin
+
+    bench = Bench(
+        "swing", swing_twin.SwingTwin, stops=(StopScene("command", (60.0, 0.0), 4.0),), near_deg=0.15,
+        settings={"site": Site(48.0, 11.0)},
+    )  # fmt: skip
+    getattr(Contract(), case)(bench)
+    breach(monkeypatch)
+    with pytest.raises((AssertionError, BirdcageError)):
         getattr(Contract(), case)(bench)
 
 

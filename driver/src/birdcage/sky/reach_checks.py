@@ -69,6 +69,10 @@ class SkyPath:
         return at
 
 
+NO_TRACKING = "no tracking"
+"""Why a dish that follows nothing has no pass in reach."""
+
+
 @dataclass(frozen=True, slots=True)
 class Check:
     """One limit. Both functions take unrolled azimuth and elevation and return how far inside it they are."""
@@ -85,6 +89,8 @@ def checks_of(limits: ReachLimits) -> list[Check]:
         Check("floor", lambda _az, el: el - floor, lambda _az, el: el - floor),
         Check("ceiling", lambda _az, el: ceiling - el, lambda _az, el: ceiling - el),
     ]
+    if not limits.follows:
+        checks = [Check(NO_TRACKING, lambda az, _el: np.full_like(az, -1.0), lambda _az, _el: -1.0)]
     if limits.horizon is not None:
         checks.append(_horizon_check(limits.horizon))
     checks.extend(_sector_check(sector) for sector in limits.no_go)

@@ -53,6 +53,8 @@ class ReachLimits:
     el_rate_deg_s: float | None = None
     tolerance_deg: float = DEFAULT_TOLERANCE_DEG
     """How far off the dish may be while it cannot turn fast enough: half a beam, the narrower way."""
+    follows: bool = True
+    """Whether the dish follows anything at all: a motor along an arc does not."""
 
     @property
     def cable(self) -> tuple[float, float] | None:

@@ -28,7 +28,7 @@ class Lost:
     start: datetime
     end: datetime
     reason: str
-    """`floor`, `ceiling`, `horizon`, `no-go: mast`, `cable` or `keyhole`."""
+    """`floor`, `ceiling`, `horizon`, `no-go: mast`, `cable`, `keyhole`, or `no tracking`."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -39,6 +39,7 @@ def reach_limits(settings: Settings, model: Facts | None, *, turn_known: bool = 
             high = model.cable.max_deg if high is None else min(high, model.cable.max_deg)
     plus = rules.alignment.el_offset_deg
     return ReachLimits(
+        follows=model is None or not model.no_following,
         el_floor_deg=max(0.0, 0.0 if floor is None else floor + plus),
         el_ceiling_deg=min(90.0, 90.0 if ceiling is None else ceiling + plus),
         horizon=_horizon(settings),
@@ -60,6 +61,7 @@ def reach_limits_of(state: StationState, settings: Settings) -> ReachLimits:
     if model is not None and model.cable is None:
         low, high = _of_unknown_cable(model)
     return ReachLimits(
+        follows=model is None or not model.no_following,
         el_floor_deg=max(0.0, state.el_min_deg if state.el_min_deg is not None else 0.0),
         el_ceiling_deg=min(90.0, state.el_max_deg if state.el_max_deg is not None else 90.0),
         horizon=_horizon(settings),
