@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import replace
 
 import pytest
@@ -10,6 +11,7 @@ from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.g2.protocol import CarryoutG2Protocol
 from birdcage.protocol.g2.system import System
 from birdcage.rotator.facts import SearchSwitch
+from birdcage.station import ring
 
 
 @pytest.fixture(autouse=True)
@@ -40,9 +42,18 @@ def test_the_port_is_asked_where_no_firmware_is_named(run):
     result = run("features", port="sim:hal205", firmware="")
     assert result.exit_code == 0, result.stderr
     assert "at once" in rows(result.stdout)["end_tv_search"]
-    silent = run("features", port="/dev/ttyUSB99", firmware="")
+    missing = run("features", port="/dev/ttyUSB99", firmware="")
+    assert (missing.exit_code, missing.stdout) == (3, "")
+    assert missing.stderr.startswith("/dev/ttyUSB99 does not exist")
+
+
+def test_a_port_where_nothing_answers_needs_the_firmware_named(run):
+    main, line = os.openpty()
+    silent = run("features", port=os.ttyname(line), firmware="")
     assert (silent.exit_code, silent.stdout) == (2, "")
     assert "Name the firmware with --firmware" in silent.stderr
+    os.close(main)
+    os.close(line)
 
 
 def test_features_are_read(run, as_json):
@@ -80,6 +91,9 @@ def test_a_feature_is_set_and_read_back(run, pty_dish):
 
 @pytest.mark.parametrize(("words", "code", "sentence"), [
     (("speed.azimuth", "70"), 4, "5 deg/s beyond its limit of 65 deg/s. Nothing was sent. Give 0.009 to 65"),
+    (("speed.azimuth", "2000"), 4, "2000 deg/s is 1935 deg/s beyond"),
+    (("speed.azimuth", "-5"), 4, "-5 deg/s is 5.009 deg/s beyond its limit of 0.009 deg/s"),
+    (("speed.azimuth", "--fast"), 2, "No such option"),
     (("speed.azimuth", "fast"), 2, "Give a number, in deg/s"),
     (("speed.azimuth",), 2, "Give a value"),
     (("tv_search", "maybe"), 2, "Give on or off"),
@@ -91,6 +105,12 @@ def test_what_is_not_set_says_why_and_sends_nothing(run, pty_dish, words, code, 
     assert (result.exit_code, result.stdout) == (code, "")
     assert sentence in result.stderr
     assert not [line for line in pty_dish.lines() if line.startswith(("e ", "mv "))]
+
+
+def test_what_is_done_and_over_is_said_to_be_done(run):
+    result = run("set", "end_tv_search", port="sim:hal205", firmware="hal205")
+    assert result.exit_code == 0, result.stderr
+    assert result.stdout.split() == ["end_tv_search", "done"]
 
 
 def test_a_hazard_is_named_and_agreed_to(run, pty_dish):
@@ -138,3 +158,26 @@ def test_what_that_program_refuses_is_said_with_its_own_code(run, pty_dish, owne
     search = run("set", "tv_search", "on", "--yes", port=pty_dish.path)
     assert search.exit_code == 0, search.stderr
     assert owner.station.state.holder is None, "control is not left with a command that has ended"
+
+
+def test_a_program_that_has_not_met_its_dish_lists_nothing(run, pty_dish, owner):
+    owner.station._board.change(dish=None)
+    for words in (("features",), ("set", "speed.azimuth", "5")):
+        result = run(*words, port=pty_dish.path)
+        assert (result.exit_code, result.stdout) == (3, "")
+        assert "does not know yet which dish it is" in result.stderr
+
+
+def test_who_is_interrupted_is_not_told_that_nothing_was_done(run, pty_dish, owner, monkeypatch):
+    asked = ring.ring
+
+    def interrupted(owner, do, by, **more):
+        told = asked(owner, do, by, **more)
+        if do == "set":
+            raise KeyboardInterrupt
+        return told
+
+    monkeypatch.setattr(ring, "ring", interrupted)
+    result = run("set", "speed.elevation", "5", port=pty_dish.path)
+    assert (result.exit_code, result.stderr) == (130, "Whether speed.elevation was set is not known.\n")
+    assert owner.station.state.readings["speed.elevation"].value == pytest.approx(5.0, abs=0.02)

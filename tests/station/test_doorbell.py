@@ -5,11 +5,15 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import re
 import socket
+from concurrent.futures import Future
 from dataclasses import replace
 
 import pytest
 from birdcage.base.clock import VirtualClock
+from birdcage.base.errors import CommandRefused
+from birdcage.station import doorbell
 from birdcage.station.board import Board
 from birdcage.station.doorbell import Doorbell
 from birdcage.station.events import LinkChanged, StopConfirmed
@@ -102,6 +106,38 @@ def test_a_caller_that_says_nothing_does_not_keep_a_stop_waiting(owner, folder) 
     with socket.create_connection(("127.0.0.1", found.tcp_port), 2):
         ring(found, "stop", "you")
     assert owner.stops == ["you"]
+
+
+@pytest.mark.parametrize(("asked", "said"), [
+    ({"do": "sing"}, "can't do that: cannot do 'sing'"),
+    ({"do": "set", "value": None}, "can't do that: no value: None"),
+    ({"do": "get", "ids": ["x" * 5000]}, "ask for less"),
+])  # fmt: skip
+def test_what_a_living_owner_does_not_take_leaves_it_reachable_for_stop(owner, folder, asked, said) -> None:
+    owner.link(Link.UP)
+    with pytest.raises(CommandRefused, match=re.escape(said)):
+        ring(find_owner(folder, owner.state.port), **{"by": "you", **asked})
+    ring(find_owner(folder, owner.state.port), "stop", "you")
+    assert owner.stops == ["you"]
+
+
+@pytest.mark.parametrize(
+    ("begun", "said"), [(False, "Nothing was sent."), (True, "Whether lamp was set is not known.")]
+)
+def test_who_waits_no_longer_is_told_whether_it_may_still_be_set(owner, folder, monkeypatch, begun, said) -> None:
+    asked = []
+
+    def submit(request):
+        asked.append(Future())
+        assert not begun or asked[-1].set_running_or_notify_cancel()
+        return asked[-1]
+
+    owner.submit = submit
+    monkeypatch.setattr(doorbell, "FEATURE_S", 0.01)
+    owner.link(Link.UP)
+    told = ring(find_owner(folder, owner.state.port), "set", "you", id="lamp", value=5.0)
+    assert told["error"]["sentence"].endswith(said)
+    assert asked[0].cancelled() is not begun
 
 
 def test_only_this_machine_is_listened_to(owner, folder) -> None:

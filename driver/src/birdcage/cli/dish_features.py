@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -16,17 +17,22 @@ TAKES_S = 60.0
 
 
 def list_features(dish: Wanted) -> dict[str, Any]:
-    """Return port, firmware and the rows of the table. ConfigError where nothing tells which firmware it is."""
-    from birdcage.base.errors import ConfigError
+    """Return port, firmware and the rows of the table. ConfigError where nothing tells which firmware it is.
+
+    LinkError for a port that has to be asked, and can't be opened.
+    """
+    from birdcage.base.errors import ConfigError, NoReply
     from birdcage.cli.owners import ask_owner
     from birdcage.cli.which import with_firmware
     from birdcage.station.feature_report import feature_values
     from birdcage.station.known import list_firmwares
 
     told = ask_owner(dish, "features", "birdcage features")
+    if told is not None and told["firmware"] is None:
+        raise NoReply(f"The program that has {told['port']} does not know yet which dish it is. Try again in a moment.")
     if told is not None:
         return {"port": told["port"], "firmware": told["firmware"], "features": told["features"]}
-    dish = with_firmware(dish)
+    dish = with_firmware(dish, must_open=True)
     if not dish.firmware_given:
         raise ConfigError(f"Nothing answers at {dish.port}. Name the firmware with --firmware.")
     if (model := dish.model) is None:
@@ -47,12 +53,21 @@ def read_features(dish: Wanted, ids: tuple[str, ...]) -> dict[str, Any]:
 def set_feature(dish: Wanted, feature: str, value: bool | float | str) -> dict[str, Any]:
     """Set a feature, with a person's consent, and return what was read back, as `read_features`."""
     from birdcage.base.held import user_name
+    from birdcage.cli.app import Ended
     from birdcage.cli.owners import ask_owner
+    from birdcage.station.feature_report import may_be_set
     from birdcage.station.requests import Set
 
     by = f"{user_name()} (birdcage set)"
-    told = ask_owner(dish, "set", by, id=feature, value=value, agreed=True)
-    return told or _ask(dish, Set(feature, value, by, agreed=True), (feature,))
+    try:
+        told = ask_owner(dish, "set", by, id=feature, value=value, agreed=True)
+        return told or _ask(dish, Set(feature, value, by, agreed=True), (feature,))
+    except KeyboardInterrupt:
+        ended = Ended(signal.SIGINT)
+    except Ended as signalled:
+        ended = signalled
+    ended.add_note(may_be_set(feature))
+    raise ended
 
 
 def _ask(wanted: Wanted, request: Read | Set, ids: tuple[str, ...]) -> dict[str, Any]:

@@ -15,13 +15,15 @@ if TYPE_CHECKING:
     from birdcage.detection.detecting import Detection
 
 
-def with_firmware(dish: Wanted, *, clock: Clock | None = None, patience_s: float = 0.0) -> Wanted:
+def with_firmware(
+    dish: Wanted, *, clock: Clock | None = None, patience_s: float = 0.0, must_open: bool = False
+) -> Wanted:
     """Return the dish with its firmware: as it was named, or as the port tells.
 
     A port that stays silent is left to the default, which is then tried; so is one that can't be opened, for the
-    session to say so. With `patience_s` a dish that starts is asked again for so long instead. NoReply
-    (`wrong_firmware`) for what talks and is no firmware that is known, ConfigError where two cannot be told apart: both
-    say to name it.
+    session to say so, unless `must_open`: LinkError then. With `patience_s` a dish that starts is asked again for so
+    long instead. NoReply (`wrong_firmware`) for what talks and is no firmware that is known, ConfigError where two
+    cannot be told apart: both say to name it.
     """
     if dish.firmware_given:
         return dish
@@ -38,6 +40,8 @@ def with_firmware(dish: Wanted, *, clock: Clock | None = None, patience_s: float
         raise NoReply(found.sentence, reason="wrong_firmware")
     if patience_s and found.trouble is None:
         raise NoReply(found.sentence)
+    if must_open and found.trouble is not None:
+        raise found.trouble
     return dish
 
 

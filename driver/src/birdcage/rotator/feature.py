@@ -124,6 +124,8 @@ class Feature:
                 raise OutOfRange(f"{self.label}: {value!r} is neither on nor off. Nothing was sent.")
         elif self.kind is Kind.NUMBER:
             self._check_number(value)
+        elif self.kind is Kind.TEXT and not (isinstance(value, str) and value.isprintable()):
+            raise OutOfRange(f"{self.label}: {value!r} is no line of plain text. Nothing was sent.")
 
     def _check_number(self, value: Value) -> None:
         if isinstance(value, bool | str) or not math.isfinite(value):
@@ -132,7 +134,7 @@ class Feature:
             return
         limit = self.range.low if value < self.range.low else self.range.high
         raise OutOfRange(
-            f"{self.label}: {value:g}{self._unit} is {abs(value - limit):.3g}{self._unit} beyond its limit of "
+            f"{self.label}: {value:g}{self._unit} is {abs(value - limit):.6g}{self._unit} beyond its limit of "
             f"{limit:g}{self._unit}. Nothing was sent. Give {self.range}{self._unit}."
         )
 

@@ -32,14 +32,13 @@ from birdcage.base.errors import BirdcageError, NoReply
 from birdcage.base.wake import Wake
 from birdcage.rotator.feature import Reading
 from birdcage.station.events import Event, LinkChanged, StopConfirmed
-from birdcage.station.feature_report import error_values, feature_values, reading_values
+from birdcage.station.feature_report import error_values, feature_values, may_be_set, reading_values
 from birdcage.station.report import release_report, status_report, stop_report
 from birdcage.station.requests import Read, Release, Set
-from birdcage.station.ring import owner_file
+from birdcage.station.ring import LONGEST_LINE, WRONG_TOKEN, owner_file
 from birdcage.station.state import Link
 from birdcage.station.station import Station
 
-LONGEST_LINE = 4096
 LINE_S = 2.0
 """How long a caller may take to say what it wants."""
 CONFIRM_S = 6.0
@@ -156,7 +155,7 @@ class Doorbell:
         except ValueError:
             return {"ok": False, "error": "not a JSON line"}
         if not isinstance(asked, dict) or not hmac.compare_digest(str(asked.get("token")), self._token):
-            return {"ok": False, "error": "wrong token"}
+            return {"ok": False, "error": WRONG_TOKEN}
         by = "".join(filter(str.isprintable, str(asked.get("by") or "another program")))
         match asked.get("do"):
             case "stop" | "hold" as do:
@@ -203,11 +202,16 @@ class Doorbell:
 
     def _feature(self, request: Read | Set, ids: tuple[str, ...]) -> dict[str, object]:
         """Read or set features, and return what was read, or why not."""
+        future = self._station.submit(request)
         try:
-            told = self._station.submit(request).result(FEATURE_S)
+            told = future.result(FEATURE_S)
         except TimeoutError:
-            late = NoReply(f"The program that has the port did not answer within {FEATURE_S:.0f} s.")
-            return {"error": error_values(late)}
+            late = f"The program that has the port did not answer within {FEATURE_S:.0f} s."
+            if future.cancel():
+                late += " Nothing was sent."
+            elif isinstance(request, Set):
+                late += f" {may_be_set(request.feature)}"
+            return {"error": error_values(NoReply(late))}
         except BirdcageError as error:
             return {"error": error_values(error)}
         readings = {ids[0]: told} if isinstance(told, Reading) else told

@@ -42,6 +42,11 @@ def _told(feature: Feature | None, reading: Reading | None) -> Values | None:
     return {"value": value, "unit": reading.unit or None, "utc": reading.utc.isoformat(timespec="milliseconds")}
 
 
+def may_be_set(feature: str) -> str:
+    """Return what is said where nobody waited for a feature to be set."""
+    return f"Whether {feature} was set is not known."
+
+
 def error_values(error: BirdcageError) -> Values:
     """Return an error, for another process to raise."""
     return {"kind": type(error).__name__, "reason": error.reason, "sentence": str(error)}

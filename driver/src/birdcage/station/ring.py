@@ -12,11 +12,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from birdcage.base.errors import CommandRefused
 from birdcage.base.paths import Paths
 from birdcage.base.text import clean_all
 from birdcage.base.user_file import read_user_file
 
 CONNECT_S = 1.0
+LONGEST_LINE = 4096
+"""Bytes of what is asked."""
+WRONG_TOKEN = "wrong token"  # noqa: S105 - what an owner says of one
 ANSWER_S = 10.0
 """Longer than the owner waits for the dish to confirm a STOP."""
 
@@ -78,9 +82,11 @@ def ring(owner: Owner, do: str, by: str, **more: object) -> dict[str, Any]:
     `more` goes with it: of which features, and what to set (`doorbell`).
 
     NobodyThere when it has ended, or ends before it answers; a file left behind by it is then removed. NoAnswer when
-    it lives and keeps silent.
+    it lives and keeps silent. CommandRefused when it does not know what is asked, or that is too long.
     """
     asked = json.dumps({"token": owner.token, "do": do, "by": by, **more}).encode() + b"\n"
+    if len(asked) > LONGEST_LINE:
+        raise CommandRefused("That is more than another program can be asked at once. Nothing was sent: ask for less.")
     try:
         with socket.create_connection(("127.0.0.1", owner.tcp_port), CONNECT_S) as line:
             line.settimeout(ANSWER_S)
@@ -92,10 +98,16 @@ def ring(owner: Owner, do: str, by: str, **more: object) -> dict[str, Any]:
     except (OSError, ValueError):
         _forget(owner)
         raise NobodyThere(f"process {owner.pid} has ended") from None
-    if not isinstance(reply, dict) or not reply.get("ok"):
+    refusal = reply.get("error") if isinstance(reply, dict) else None
+    if not isinstance(reply, dict) or refusal == WRONG_TOKEN:
         # The system gave its TCP port to another program.
         _forget(owner)
         raise NobodyThere(f"process {owner.pid} has ended")
+    if not reply.get("ok"):
+        raise CommandRefused(
+            f"The program that has {owner.port} (process {owner.pid}) can't do that: {refusal}. Nothing was sent. "
+            "Is it an older birdcage?"
+        )
     told = reply.get(do)
     return told if isinstance(told, dict) else {}
 

@@ -9,11 +9,12 @@ import click
 
 from birdcage.cli import exits
 from birdcage.cli.options import flags, global_options, wanted
+from birdcage.cli.sky_options import NEGATIVE_NUMBERS, no_options_among
 
 ON, OFF = ("on", "yes", "true", "1"), ("off", "no", "false", "0")
 
 
-@click.command("set", epilog=exits.EPILOG)
+@click.command("set", epilog=exits.EPILOG, context_settings=NEGATIVE_NUMBERS)
 @click.argument("name")
 @click.argument("value", required=False)
 @click.option("--yes", is_flag=True, help="Agree to what it does, without being asked.")
@@ -29,6 +30,7 @@ def command(name: str, value: str | None, yes: bool) -> None:
     from birdcage.cli.dish_features import list_features, set_feature
     from birdcage.cli.say import tell, tell_json
 
+    no_options_among([name] if value is None else [name, value])
     dish = wanted()
     rows = {row["id"]: row for row in list_features(dish)["features"]}
     row = rows.get(name)
@@ -44,6 +46,9 @@ def command(name: str, value: str | None, yes: bool) -> None:
     told = set_feature(dish, name, meant)
     if flags().json:
         tell_json(told)
+        return
+    if row["kind"] == "momentary":
+        tell(f"{name:24} done")
         return
     for line in lines_of(name, told["readings"][name]):
         tell(line)
