@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import threading
 import time
 from concurrent.futures import Future
@@ -10,6 +11,7 @@ from pathlib import Path
 
 from birdcage.base.errors import Held
 from birdcage.base.paths import Paths
+from birdcage.station import ring
 from birdcage.station.requests import Goto
 from birdcage.station.ring import owners_folder
 
@@ -52,6 +54,22 @@ def test_stop_without_a_port_reaches_every_owner(run, pty_dish, owner) -> None:
     assert result.exit_code == 0, result.stderr
     assert pty_dish.path in result.stdout
     assert "HELD until a person releases it: `birdcage release`." in result.stdout
+    assert owner.station.state.held is not None
+
+
+def test_who_waits_no_longer_for_a_stop_is_not_told_that_nothing_was_done(run, pty_dish, owner, monkeypatch) -> None:
+    asked = ring.ring
+
+    def interrupted(*given):
+        asked(*given)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(ring, "ring", interrupted)
+    result = run("stop", port=pty_dish.path)
+    assert result.exit_code == 130
+    assert re.fullmatch(
+        r"Process \d+ was told to stop the dish. What came of it is not known: look at the dish.\n", result.stderr
+    )
     assert owner.station.state.held is not None
 
 

@@ -97,8 +97,11 @@ class Birdcage(click.Group):
         except Ended as ended:
             _say_notes(ended)
             ctx.exit(exits.SIGNAL + ended.number)
-        except (click.Abort, KeyboardInterrupt):
+        except click.Abort:
             say("Cancelled: nothing was done.")
+            ctx.exit(exits.SIGNAL + 2)
+        except KeyboardInterrupt:
+            say("Cancelled.")
             ctx.exit(exits.SIGNAL + 2)
         except BirdcageError as error:
             say(str(error))

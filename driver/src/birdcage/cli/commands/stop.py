@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -83,6 +84,7 @@ def _owners(dish: Wanted) -> list[Owner]:
 
 
 def _ring_one(owner: Owner) -> dict[str, Any] | None:
+    from birdcage.cli.app import Ended
     from birdcage.station.ring import NoAnswer, NobodyThere, ring
 
     try:
@@ -91,6 +93,12 @@ def _ring_one(owner: Owner) -> dict[str, Any] | None:
         return {"by": BY, "means": "none", "confirmed": False, "sentence": f"{error}: cut the power of the dish."}
     except NobodyThere:
         return None
+    except KeyboardInterrupt:
+        ended = Ended(signal.SIGINT)
+        ended.add_note(
+            f"Process {owner.pid} was told to stop the dish. What came of it is not known: look at the dish."
+        )
+        raise ended from None
 
 
 def _stop_ourselves(wanted: Wanted) -> dict[str, Any]:
