@@ -71,3 +71,13 @@ def test_the_machine_is_spoken_to_by_the_names_of_its_axes():
     antenna.point(120.0, 40.0)
     assert machine.sent == [{"pan": 120.0}, {"tilt": 30.0}, {"tilt": 40.0}]
     assert antenna.stop_aim.order().aim_deg.keys() == {"pan", "tilt"}
+
+
+def test_one_call_names_all_axes_that_change_where_a_machine_takes_them_so():
+    machine = PanTilt()
+    machine.facts = replace(PanTilt.facts, sends_together=True)
+    antenna = BirdcageAntenna(machine)
+    antenna.rotator.open("somewhere", None, VirtualClock(), Hooks())
+    antenna.point(120.0, 40.0)
+    antenna.point(120.0, 45.0)
+    assert machine.sent == [{"pan": 120.0, "tilt": 40.0}, {"tilt": 45.0}]

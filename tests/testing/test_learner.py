@@ -77,7 +77,7 @@ def test_a_stop_command_that_is_ignored_leads_to_the_next_rung(bench, twins, mon
         with self._writing:
             orders.append(order.by)
             for axis, deg in order.aim_deg.items():
-                self._machine.go(learner.AXES.index(axis), deg)
+                self._machine.go({learner.AXES.index(axis): deg})
             self._stops += 1
 
     retarget = Rung(means=StopMeans.RETARGET, ends=frozenset({MoveKind.SINGLE}), proven=False, sentence="a new target")
@@ -192,3 +192,12 @@ def test_no_time_of_arrival_is_invented(bench, twins, speed_deg_s):
         assert move.exception(0) is None
         assert stage.stands_at(180.0, 50.0)
         assert stage.state.fault is None
+
+
+def test_one_call_takes_all_axes_that_change_and_no_others(bench):
+    with Stage(bench) as stage:
+        stage.ready()
+        stage.do(Goto(140.0, 40.0, "you"))
+        stage.do(Goto(150.0, 40.0, "you"))
+        stage.do(Goto(160.0, 45.0, "you"))
+        assert [set(each.motors) for each in stage.twin.taken()] == [{0, 1}, {0}, {0, 1}]

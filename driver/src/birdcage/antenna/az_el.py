@@ -102,9 +102,9 @@ class AzEl:
         skew = None if facts.skew is None else angles.get(facts.skew.name)
         return Position(angles[facts.azimuth.name], angles[facts.elevation.name], skew)
 
-    def send(self, motor: int, deg: float, *, hurry: bool = False, busy_s: float = 0.0) -> Taken:
+    def send(self, to: Mapping[int, float], *, hurry: bool = False, busy_s: float = 0.0) -> Taken:
         """See `Rotator`."""
-        return self._rotator.send(self._named({motor: deg}), hurry=hurry, busy_s=busy_s)
+        return self._rotator.send(self._named(to), hurry=hurry, busy_s=busy_s)
 
     def begin_slew(self, az_deg: float, el_deg: float, skew_deg: float | None) -> None:
         """See `Rotator`."""

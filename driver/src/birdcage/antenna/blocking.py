@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -67,17 +67,20 @@ class MoveCommands:
         """Where the axes were sent no longer tells where they are, or go."""
         self._aims.clear()
 
-    def send(self, motor: int, dish_deg: float, runs: tuple[AxisMotion, ...], *, known: bool, without: Without) -> None:
-        """Send one axis to its dish angle; raises as `Rotator.send`.
+    def send(
+        self, to: Mapping[int, float], runs: tuple[AxisMotion, ...], *, known: bool, without: Mapping[int, Without]
+    ) -> None:
+        """Send axes to their dish angles in one call; raises as `Rotator.send`.
 
         `runs` are the axes that this program has sent, and that may be on their way; `known`: whether the dish was
-        seen at rest before that. Else somebody else may have sent it anywhere. `without` is what the axis does if the
+        seen at rest before that. Else somebody else may have sent it anywhere. `without` is what each axis does if the
         dish does not take the command.
         """
         antenna = self._antenna
         rotator, clock = antenna.rotator, antenna.rotator.clock
         now, rate = clock.monotonic(), clock.rate
-        self._open.pop(motor, None)
+        for motor in to:
+            self._open.pop(motor, None)
         usual_s, runs_s = (
             rotator.line.round_trip_s or 0.0,
             max((axis.eta(rate) - now for axis in runs), default=0.0),
@@ -87,18 +90,22 @@ class MoveCommands:
             busy_s = longest_s(antenna.model) / rate
         if antenna.model.has_speeds and not antenna.speeds_deg_s:
             busy_s *= SLOWER  # it may have been set to less than such dishes can do
-        self.overshoots.sent(motor)
-        self._aims.pop(motor, None)
-        antenna.gate.check_axis(motor, dish_deg)
-        answer = self.answers[motor] = rotator.send(motor, dish_deg, busy_s=max(0.0, busy_s))
-        if answer.sure:
-            self._aims[motor] = dish_deg
-            self.overshoots.taken(motor, antenna.motion)
-        if not answer.sure and abs(shortest_turn(without.deg, dish_deg)) > SEEN_DEG:
-            self._open[motor] = without
+        for motor, dish_deg in to.items():
+            self.overshoots.sent(motor)
+            self._aims.pop(motor, None)
+            antenna.gate.check_axis(motor, dish_deg)
+        answer = rotator.send(to, busy_s=max(0.0, busy_s))
+        for motor, dish_deg in to.items():
+            self.answers[motor] = answer
+            if answer.sure:
+                self._aims[motor] = dish_deg
+                self.overshoots.taken(motor, antenna.motion)
+            if not answer.sure and abs(shortest_turn(without[motor].deg, dish_deg)) > SEEN_DEG:
+                self._open[motor] = without[motor]
         if not has_waited(answer.took_s, usual_s, runs_s):
             return
-        antenna.begins_now(motor)
+        for motor in to:
+            antenna.begins_now(motor)
         if not antenna.strategy.one_at_a_time:
             antenna.remember_blocking()
             self.on_blocking()
@@ -108,7 +115,7 @@ class MoveCommands:
         self.overshoots.sent(motor)
         self._aims.pop(motor, None)
         self._antenna.gate.check_axis(motor, dish_deg)
-        answer = self.answers[motor] = self._antenna.rotator.send(motor, dish_deg, hurry=True)
+        answer = self.answers[motor] = self._antenna.rotator.send({motor: dish_deg}, hurry=True)
         if answer.sure:
             self.overshoots.taken(motor, self._antenna.motion)
 

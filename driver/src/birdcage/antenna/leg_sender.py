@@ -68,14 +68,15 @@ class LegSender:
                 self._turn_skew(leg.motor, leg.skew_deg)
             else:
                 stands = self._start.azimuth if leg.motor == MOTOR_AZIMUTH else self._start.elevation
-                antenna.commands.send(leg.motor, leg.target_deg, (), known=True, without=Without(stands, moving=False))
+                rests = {leg.motor: Without(stands, moving=False)}
+                antenna.commands.send({leg.motor: leg.target_deg}, (), known=True, without=rests)
             antenna.taken += 1
 
     def _turn_skew(self, motor: int, deg: float) -> None:
         antenna, clock = self._antenna, self._antenna.rotator.clock
         antenna.gate.check_skew(deg)
         antenna.skew.forget()  # until it is taken: a slew must not turn the skew to where STOP kept it from going
-        antenna.rotator.send(motor, deg)
+        antenna.rotator.send({motor: deg})
         antenna.skew.taken(antenna.model.axis(motor), deg, clock.monotonic(), clock.rate)
 
     @property

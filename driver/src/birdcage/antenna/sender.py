@@ -53,20 +53,23 @@ class Sender:
             antenna.model, start, turn, dish_el, now, velocity, first=first, rate=rate, turn_known=known is not None
         )
         stands = (start.azimuth, start.elevation) if under_way is None else under_way.rest
-        without = [Without(deg, under_way is not None) for deg in stands]
+        without = {motor: Without(deg, under_way is not None) for motor, deg in enumerate(stands)}
         from_rest = under_way is not None or antenna.rest.rests
         changes = [each for each in order if not antenna.commands.leads_to(*each, under_way, start)]
         if under_way is not None:
             planned = planned.keeping(under_way, {motor for motor, _ in changes})
         with antenna.begun(planned):
             taken, sent = antenna.taken, list[int]()
-            for motor, angle in sorted(changes, key=lambda each: each[0] != first):
+            in_turn = sorted(changes, key=lambda each: each[0] != first)
+            calls = [dict(in_turn)] if antenna.model.sends_together and changes else [{m: deg} for m, deg in in_turn]
+            for call in calls:
                 runs = running(under_way, antenna.motion or planned, sent)
-                antenna.commands.send(motor, angle, runs, known=from_rest, without=without[motor])
-                sent.append(motor)
-                antenna.taken, self.begun_by[motor] = taken + 1, antenna.rotator.clock.monotonic()
-                if len(sent) == 1:
+                antenna.commands.send(call, runs, known=from_rest, without=without)
+                antenna.taken, now = taken + 1, antenna.rotator.clock.monotonic()
+                self.begun_by |= dict.fromkeys(call, now)
+                if not sent:
                     on_begun()
+                sent.extend(call)
             if not sent:
                 on_begun()
         self.moves += 1
@@ -101,8 +104,8 @@ class Sender:
             try:
                 if antenna.strategy.one_at_a_time:
                     antenna.commands.send(
-                        motor, dish_deg, () if before is None else before.axes, known=True,
-                        without=Without(dish_deg, moving=True),
+                        {motor: dish_deg}, () if before is None else before.axes, known=True,
+                        without={motor: Without(dish_deg, moving=True)},
                     )  # fmt: skip
                 else:
                     antenna.commands.steer(motor, dish_deg)

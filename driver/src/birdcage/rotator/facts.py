@@ -165,6 +165,8 @@ class Facts:
     """Whether that is known; without a `cable` then, nothing winds up."""
     moves_one_axis: bool = True
     """Whether azimuth and elevation can each be sent by itself; else both are, by a slew or by a mapping."""
+    sends_together: bool = False
+    """Whether azimuth and elevation are sent in one call where both change; else in two, one after the other."""
     mapping: SkyMapping | None = None
     """How its axes point to the sky, where it has no azimuth and elevation of its own; None where it is not known."""
     mapping_lacks: str = ""

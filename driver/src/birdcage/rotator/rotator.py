@@ -121,7 +121,7 @@ class Rotator(Protocol):
     def send(self, to: Mapping[str, float], *, hurry: bool = False, busy_s: float = 0.0) -> Taken:
         """Send the axes that are to change, and only those; returns when that was answered.
 
-        The gate has let it through.
+        The gate has let it through. More than one at a time only where `Facts.sends_together`, or by a mapping.
 
         In a `hurry`, as one of a stream of which each makes the one before it void: NoReply (`late`) when the answer
         was not there as soon as others were, and it may have been taken or not. `busy_s`: how long a motor may still

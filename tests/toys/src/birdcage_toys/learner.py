@@ -1,4 +1,4 @@
-"""A machine that is no line of bytes, tells its limits only when it is met, and its speeds never.
+"""A machine that is no line of bytes, takes both axes at once, tells its limits when it is met, and its speeds never.
 
 It stands for one behind a library: a call brings an answer, or an error. Its end of that is in `MACHINES`, by address.
 """
@@ -35,6 +35,7 @@ FACTS = Facts(
         POWER_SWITCH,
     ),
     slew=None,
+    sends_together=True,
     search_switch=SearchSwitch.NEVER_SEARCHES,
     homing_s=None,
     boot_s=1.0,
@@ -109,8 +110,8 @@ class Learner(PlainRotator):
         return Look(dict(zip(AXES, self._call(self._machine.angles), strict=True)))
 
     def send(self, to, *, hurry=False, busy_s=0.0):
-        ((axis, deg),) = to.items()
-        self._call(self._machine.go, AXES.index(axis), deg, permit=self._hooks.permit)
+        sent = {AXES.index(axis): deg for axis, deg in to.items()}
+        self._call(self._machine.go, sent, permit=self._hooks.permit)
         return Taken(True, "", self.line.took_s)
 
     def stop_now(self, order):

@@ -57,10 +57,11 @@ class LearnerTwin(Twin):
         self._answer()
         return tuple(round(motor.deg, 2) for motor in self.motors)
 
-    def go(self, motor, deg):
+    def go(self, sent):
         self._answer()
-        self.motors[motor].go(deg)
-        self.heard.append(Taken(self.clock.monotonic(), frozenset({motor})))
+        for motor, deg in sent.items():
+            self.motors[motor].go(deg)
+        self.heard.append(Taken(self.clock.monotonic(), frozenset(sent)))
 
     def halt(self):
         """Tells whether it was heard."""
