@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import pytest
 from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.mapped_way import mapped_motion, mapped_s
 from birdcage.base.clock import VirtualClock
 from birdcage.base.errors import MotionRefused, PositionUnknown
 from birdcage.base.geometry import separation
@@ -16,7 +18,7 @@ from birdcage.rotator.listed_facts import listed
 from birdcage.rotator.mapping import Arc
 from birdcage.rotator.own import laid_by_owner, with_speeds
 from birdcage.rotator.plain import PlainLine, PlainRotator
-from birdcage.rotator.values import Look, Taken
+from birdcage.rotator.values import Look, Position, Taken
 
 SLIDE = Axis("slide", Role.ARC, -50.0, 50.0, 5.0, 10.0, 0.1)
 
@@ -137,3 +139,30 @@ def test_without_a_mapping_there_is_no_direction():
         assert unknown.value.reason == "no_direction"
     with pytest.raises(MotionRefused, match=said):
         antenna.steer(0, 190.0)
+
+
+class TwoArcs:
+    """An X-Y mount near the zenith: x leans it to the east, y to the north."""
+
+    def to_axes(self, az_deg, el_deg):
+        off, az = 90.0 - el_deg, math.radians(az_deg)
+        wanted = {"x": off * math.sin(az), "y": off * math.cos(az)}
+        angles = {name: max(-40.0, min(40.0, deg)) for name, deg in wanted.items()}
+        return angles, separation(az_deg, el_deg, *self.to_sky(angles))
+
+    def to_sky(self, angles):
+        x, y = angles["x"], angles["y"]
+        return math.degrees(math.atan2(x, y)) % 360.0, 90.0 - math.hypot(x, y)
+
+
+def test_two_axes_turn_at_once_and_what_need_not_turn_rests():
+    axes = (Axis("x", Role.ARC, -40.0, 40.0, 2.0, 8.0, 0.1), Axis("y", Role.ARC, -40.0, 40.0, 4.0, 8.0, 0.1))
+    facts = replace(FACTS, axes=axes, mapping=TwoArcs())
+    assert (facts.azimuth.min_deg, facts.azimuth.max_deg) == (0.0, 360.0)
+    assert facts.elevation.min_deg == pytest.approx(90.0 - 40.0 * math.sqrt(2.0), abs=0.1)
+    start, end = Position(90.0, 60.0), (270.0, 60.0)
+    assert mapped_s(facts, start, *end) == pytest.approx(60.0 / 2.0 + 2.0 / 8.0)
+    motion = mapped_motion(facts, start, *end, 0.0)
+    # Through the zenith, and not round about it.
+    assert motion.at(mapped_s(facts, start, *end) / 2.0, 1.0).elevation == pytest.approx(90.0, abs=0.5)
+    assert mapped_s(facts, start, 90.0, 59.97) == 0.0

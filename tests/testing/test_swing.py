@@ -11,8 +11,10 @@ from birdcage.base.config.feeds import FeedSettings
 from birdcage.base.config.sections import MotionSettings, NoGoSector
 from birdcage.base.errors import MotionRefused, NoReply
 from birdcage.base.geometry import separation
+from birdcage.rotator.facts import Readback
 from birdcage.rotator.ladder import StopBy, StopOrder
 from birdcage.rotator.mapping import Site
+from birdcage.rotator.values import Look
 from birdcage.station.events import MoveEnded
 from birdcage.station.requests import ApplySettings, Goto, Jog, Release, Watch
 from birdcage.station.state import Link
@@ -41,6 +43,22 @@ def bench(twins):
 
 class TestSwing(Contract):
     pass
+
+
+class TestSwingThatTells(Contract):
+    """The same motor with an encoder: its angle is read, at rest and mapped."""
+
+    @pytest.fixture
+    def bench(self, bench, monkeypatch):
+        from birdcage_toys.swing import FACTS, HOUR, Swing
+
+        def look(self, *, hurry=False, busy_s=0.0):
+            self._call(self._machine.ping)
+            return Look({HOUR.name: round(self._machine.motor.deg, 2)})
+
+        monkeypatch.setattr(Swing, "facts", replace(FACTS, readback=Readback.ALWAYS))
+        monkeypatch.setattr(Swing, "look", look)
+        return bench
 
 
 def test_a_small_miss_is_gone_to_and_told(bench):

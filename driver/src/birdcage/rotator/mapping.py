@@ -19,6 +19,8 @@ _SPAN_STEPS = {1: 720, 2: 60, 3: 12}
 """Into how many steps each axis is cut to see how far the machine reaches, by the number of axes."""
 _BEYOND_DEG = 0.05
 """How much wider the reach counts than the steps showed."""
+_NORTH_DEG = 10.0
+"""A field that comes so near to north from both sides counts as lying across it."""
 _LEAST_SHARE = 0.01
 
 
@@ -84,6 +86,8 @@ def mapped_axes(axes: Sequence[Axis], mapping: SkyMapping) -> tuple[Axis, Axis]:
     sky = list(_directions(own, mapping))
     azimuths, elevations = [az for az, _ in sky], [el for _, el in sky]
     crosses = any(abs(one - other) > 180.0 for one, other in itertools.pairwise(azimuths))
+    if len(own) > 1:  # from one step to the next then other axes may jump back
+        crosses = min(azimuths) < _NORTH_DEG and max(azimuths) > 360.0 - _NORTH_DEG
     low_az, high_az = (0.0, 360.0) if crosses else (min(azimuths), max(azimuths))
     az_span = max(0.0, low_az - _BEYOND_DEG), min(360.0, high_az + _BEYOND_DEG)
     el_span = max(-90.0, min(elevations) - _BEYOND_DEG), min(90.0, max(elevations) + _BEYOND_DEG)
