@@ -156,3 +156,17 @@ def test_stop_returns_at_once_though_the_library_blocks(bench):
         assert machine.settle(5.0) == (None,)
         (own,) = [thread for thread in threading.enumerate() if thread.name == "swing-halter"]
     assert not own.is_alive()
+
+
+def test_stop_halts_what_somebody_else_set_in_motion(bench):
+    """Nothing tells of it, and by its time nothing moves: its own command goes out all the same."""
+    with Stage(bench) as stage:
+        stage.found()
+        stage.step(5.0)
+        stage.twin.motor.go(-60.0)
+        stage.step(2.0)
+        stage.station.stop("you")
+        stage.step(3.0)
+        assert not stage.truth.moving
+        stop = stage.state.last_stop
+        assert (stop.means, stop.confirmed) == ("command", None)

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     pass
 
 SOON_S = 5.0
+UNPROVEN = "It does not tell whether it has stopped."
 
 
 class Timed(Queue):
@@ -51,27 +52,29 @@ class Timed(Queue):
         if motion is not None and antenna.is_kept:
             return StopAction(StopMeans.NOTHING_MOVED, "The move was not sent yet, and is dropped.")
         until = antenna.reckoning.moves_until if motion is None else motion.over_by(clock.rate)
+        means, (said, order) = self.unplanned, self._sent()
         if until <= now and antenna.reckoning.tells_of_motion(now):
-            said = (
-                "The dish says that it moves, and nothing sent it. A bare Enter was sent, which stops relatives of it."
-            )
-            return StopAction(StopMeans.NONE, f"{said} If it goes on, cut its power.", ENTER)
-        if until <= now:
             return StopAction(
-                StopMeans.NOTHING_MOVED, "By its time no move is under way. This dish does not tell."
+                means, f"The dish says that it moves, and nothing sent it. {said} If it goes on, cut its power.", order
             )  # fmt: skip
-        means, ends = self.unplanned, f"ends within {until - now:.0f} s. To stop it sooner, cut its power."
-        match means:
+        if until <= now:
+            rests = "By its time no move is under way, and this dish does not tell."
+            done = means if means.is_sent else StopMeans.NOTHING_MOVED
+            return StopAction(done, rests if order is None else f"{rests} {said}", order)
+        goes_on = "Its move" if order is None else "If it goes on, it"
+        ends = f"ends within {until - now:.0f} s. To stop it sooner, cut its power."
+        return StopAction(means, f"{said} {goes_on} {ends}", order)
+
+    def _sent(self) -> tuple[str, StopOrder | None]:
+        """Return what is sent to stop it, wherever it may do good, and a sentence: somebody else may have sent it."""
+        match self.unplanned:
             case StopMeans.COMMAND:
-                said = "Its own STOP command was sent. It does not tell whether it has stopped. If it goes on, it"
-                return StopAction(means, f"{said} {ends}", StopOrder(StopBy.COMMAND))
+                return f"Its own STOP command was sent. {UNPROVEN}", StopOrder(StopBy.COMMAND)
             case StopMeans.ABORT:
-                said = "What ends a combined move was sent. It does not tell whether it has stopped. If it goes on, it"
-                return StopAction(means, f"{said} {ends}", ENTER)
+                return f"What ends a combined move was sent. {UNPROVEN}", ENTER
         if any(rung.means is StopMeans.ABORT for rung in self.rungs(MoveKind.COMBINED)):
-            said = "No STOP is known for this dish. A bare Enter was sent, which stops relatives of it."
-            return StopAction(means, f"{said} If it goes on, it {ends}", ENTER)
-        return StopAction(means, f"No STOP is known for this dish. Its move {ends}")
+            return "No STOP is known for this dish. A bare Enter was sent, which stops relatives of it.", ENTER
+        return "No STOP is known for this dish.", None
 
     def answered(self, means: StopMeans) -> None:
         """Nothing else is to be done."""
