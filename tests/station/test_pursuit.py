@@ -57,7 +57,7 @@ def test_steering_without_readings_says_so_and_reads_nothing():
     bench.pursue(plan_of(at(bench) + 30.0), controller="modelled", **PARK)
     bench.until(Phase.FOLLOWING).step(2)
     assert bench.pursuit.controller == "modelled"
-    assert "The dish's position is not read" in bench.pursuit.why
+    assert "The dish does not tell where it rests" in bench.pursuit.why
     since = bench.clock.monotonic()
     bench.step(20)
     assert not [line for when, line in bench.received() if when > since and line.strip() == "a"]

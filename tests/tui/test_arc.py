@@ -75,7 +75,7 @@ def test_its_arrival_is_told_with_the_miss(twins):
         return [ended_text(event) for event in stage.events if isinstance(event, MoveEnded)]
 
     told_on_arrival = shown(twins, told, Goto(200.0, 33.4, "you"))
-    assert told_on_arrival == ["By its time the dish is at 199.87°/32.94°, 0.48° off. It does not tell."]
+    assert told_on_arrival == ["It should have arrived at 199.87°/32.94°, 0.48° off. At rest the dish does not tell."]
 
 
 def test_on_its_way_an_arrow_adds_a_step_along_the_arc(twins):

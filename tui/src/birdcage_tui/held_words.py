@@ -32,7 +32,7 @@ def held_words(view: View) -> str:
     words += _ignored(view, held)
     stopped = view.state.last_stop
     if held.reason == "stop" and stopped is not None:
-        awaited = f"  {awaited_words(stopped)}"
+        awaited = f"  {awaited_words(view.state, stopped)}"
         words += {True: "", False: "  STOP NOT CONFIRMED", None: awaited}[stopped.confirmed]
     kept = "  NOT KEPT on disk" if view.state.held_trouble else ""
     resume = "" if view.typing else resume_words(view)  # a field takes its letter
@@ -49,12 +49,13 @@ def after_release(view: View) -> str:
         return "it starts up, and moves by itself"
     if state.position_lost == "released":
         return "its motors stay off"
-    unproven = held is not None and held.reason == "stop" and _unproven(state.last_stop)
+    by_time = state.dish is not None and not state.dish.tells_at_rest and state.activity is Activity.IDLE
+    unproven = held is not None and held.reason == "stop" and _unproven(state.last_stop) and not by_time
     if view.moving or unproven:
         return "it may still be moving"
     if (words := _next_mover(view)) is not None:
         return words
-    seen_at_rest = state.activity is Activity.IDLE and state.position is not None
+    seen_at_rest = state.activity is Activity.IDLE and state.position is not None and not by_time
     return "nothing moves then" if seen_at_rest else "birdcage sends no motion then"
 
 

@@ -150,9 +150,9 @@ class View:
 
     @property
     def on_an_untold_way(self) -> bool:
-        """Whether the dish moves, and is one that is asked nothing meanwhile and tells nothing of where it is."""
-        dish, motion = self.state.dish, self.state.motion
-        return dish is not None and not dish.tells_at_rest and motion is not None
+        """Whether the dish moves, or may, and is one that is asked nothing meanwhile."""
+        dish, may_move = self.state.dish, self.state.motion is not None or self.state.activity is Activity.UNKNOWN
+        return dish is not None and not dish.tells_at_rest and may_move
 
     @property
     def late(self) -> bool:

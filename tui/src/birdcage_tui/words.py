@@ -76,6 +76,11 @@ def angle(value_deg: float | None, places: int = 2) -> str:
     return ("-" * places + ".--") if value_deg is None else f"{value_deg:.2f}"
 
 
+def tells_at_rest(view: View) -> bool:
+    """Return whether the dish itself tells where it stands; taken for granted of one that is not known."""
+    return view.state.dish is None or view.state.dish.tells_at_rest
+
+
 def home_hint(view: View) -> str:
     """Return how a dish comes to know where it points, in a few words."""
     dish = view.state.dish
@@ -108,22 +113,26 @@ def motion_text(view: View) -> str:
             return f"{word}  direction shows in a moment"
         if not state.motion.eta_known:
             return f"{word}{going.rstrip(',')}"
+        if left_s <= 0 and not tells_at_rest(view):
+            return f"{word}{going.rstrip(',')}"  # it is over by its time, and only the proof of that is due
         return f"{word}{going} {left_s:.1f} s" if left_s > 0 else f"{word}{going} overdue {-left_s:.1f} s"
     word = ACTIVITY[state.activity]
     if view.crash:
         return "UNKNOWN: birdcage has failed"
     if state.activity is Activity.IDLE:
         if state.fault is not None and state.motion is None:
-            return "FAULT, at rest"
+            return "FAULT, at rest" if tells_at_rest(view) else "FAULT: it does not tell if it rests"
         rests = "IDLE, at rest" if state.position is not None else "IDLE, position unknown"
-        if state.target_miss_deg >= TOLD_DEG:
-            rests += f", misses by {state.target_miss_deg:.2f}°"
+        misses = f", misses by {state.target_miss_deg:.2f}°" if state.target_miss_deg >= TOLD_DEG else ""
+        if state.position is not None and state.position.modelled:
+            rests = f"IDLE{misses}" if misses else "IDLE, should be at rest"
+        else:
+            rests += misses
         return rests if state.motion is None else "MOVING"
     if state.activity is Activity.UNKNOWN:
         if state.raw_motion:
             return "UNKNOWN since a raw line"
-        told = state.dish is None or state.dish.tells_at_rest
-        return "UNKNOWN: nothing read yet" if told else "UNKNOWN: it may still move"
+        return "UNKNOWN: nothing read yet" if tells_at_rest(view) else "UNKNOWN: it may still move"
     return f"{word} {state.activity_text}".rstrip()
 
 
@@ -308,7 +317,8 @@ def next_steps(view: View) -> list[tuple[str, str]]:
     elif not view.moving:
         steps += lack
         lack = []
-        steps.append(("text", f"Next: g goes to a direction, arrows step {view.step_deg:g}°."))
+        arrows = "" if state.awaits_first_move else f", arrows step {view.step_deg:g}°"
+        steps.append(("text", f"Next: g goes to a direction{arrows}."))
     steps += lack
     if view.clock is not None and view.clock.ink == "warn":
         steps.append((view.clock.ink, f"{view.clock.glyph} {view.clock.doubt}"))
@@ -355,9 +365,12 @@ def _doing(view: View) -> tuple[str, str]:
     plain = _unplanned(view)
     if plain is not None:
         return "warn-strong", plain
+    rests = "At rest."
+    if not tells_at_rest(view):
+        rests = "It does not tell if it moves." if state.position is None else "It should be at rest."
     if state.holder is None:
-        return "strong", "At rest."
-    return "strong", f"At rest. {state.holder.capitalize()} {'have' if state.holder == 'you' else 'has'} control."
+        return "strong", rests
+    return "strong", f"{rests} {state.holder.capitalize()} {'have' if state.holder == 'you' else 'has'} control."
 
 
 def _unplanned(view: View) -> str | None:
@@ -395,5 +408,6 @@ def ended_text(event: MoveEnded) -> str:
     skew = "" if position.skew_deg is None else f", skew {position.skew_deg:.2f}°"
     miss = f", {event.miss_deg:.2f}° off" if event.miss_deg >= TOLD_DEG else ""
     if position.modelled:
-        return f"By its time the dish is at {position.az_deg:.2f}°/{position.el_deg:.2f}°{miss}. It does not tell."
+        there = f"{position.az_deg:.2f}°/{position.el_deg:.2f}°"
+        return f"It should have arrived at {there}{miss}. At rest the dish does not tell."
     return f"{reason} at {position.az_deg:.2f}°/{position.el_deg:.2f}°{skew}{miss}."

@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass
 
 from birdcage.antenna.gate import UNTOLD, MotionGate
-from birdcage.antenna.motion import DishMotion
+from birdcage.antenna.motion import DishMotion, plan_axis
 from birdcage.base.errors import MotionRefused, PositionUnknown
 from birdcage.base.geometry import shortest_turn
 from birdcage.rotator.facts import Facts
@@ -68,6 +68,16 @@ class Reckoning:
         told = self._told
         return told is not None and told.at > self.moves_until and now < told.at + FRESH_S
 
+    def over_by(self, motion: DishMotion, rate: float) -> float:
+        """Return when a motion is over at the latest: from where it was told to be last, and in turn."""
+        told, latest = self.told_in(motion), motion.over_by(rate)
+        if told is None or any(axis.longest_s > axis.slew.duration_s for axis in motion.axes):
+            return latest
+        (az_deg, el_deg), here = motion.rest, told.position
+        azimuth = plan_axis(motion.azimuth.axis, here.azimuth, az_deg)
+        elevation = plan_axis(motion.elevation.axis, here.elevation, el_deg)
+        return min(latest, told.at + (azimuth.duration_s + elevation.duration_s) / rate)
+
     def is_there(self, motion: DishMotion) -> bool:
         """Return whether it was told that it is at the target of a motion."""
         told = self.told_in(motion)
@@ -87,7 +97,7 @@ class Reckoning:
 
     def abandon(self, motion: DishMotion, now: float, rate: float) -> None:
         """Something may have ended the move on its way, or not."""
-        self._position, self.moves_until = None, max(now, self.moves_until, motion.over_by(rate))
+        self._position, self.moves_until = None, max(now, self.over_by(motion, rate))
 
     def tell(self, gate: MotionGate, motion: DishMotion | None, now: float, rate: float) -> Position:
         """Tell the gate where it should be, and return that; see `at`."""

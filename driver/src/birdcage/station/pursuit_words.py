@@ -8,7 +8,7 @@ from birdcage.station.state import Fault, HeldState
 
 REPLACED = "Another pursuit replaced it."
 DONE = "The pass is over."
-UNREAD = "The dish's position is not read. birdcage assumes it is where it was sent."
+UNREAD = "The dish does not tell where it rests. birdcage assumes it is where it was sent."
 
 
 def ended_by(by: str) -> str:

@@ -128,6 +128,8 @@ class QueuedMover(Mover):
             return False
         pointing = self._look.modelled()
         if pointing is not None:
+            if not pointing.modelled:
+                self._show(job)
             self._tell_progress(job, pointing, self._eta(job) - pointing.at)
         return False
 
@@ -248,9 +250,13 @@ class QueuedMover(Mover):
         """Return when the dish should be there: the leg under way and all that are to come."""
         clock, motion = self._board.clock, self._antenna.motion
         now = clock.monotonic()
-        if motion is not None and not motion.start_known:
+        reckoning = self._antenna.reckoning
+        told = None if motion is None else reckoning.told_in(motion)
+        if motion is not None and told is None and not motion.start_known:
             return max(now, motion.over_by(clock.rate))
-        rests_at = now if motion is None else max(now, motion.eta(clock.rate))
+        rests_at = now
+        if motion is not None:
+            rests_at = max(now, motion.eta(clock.rate) if told is None else reckoning.over_by(motion, clock.rate))
         if self._legs is not None:
             return rests_at + sum(leg.seconds for leg in self._legs) / clock.rate
         if motion is None or job.skew_deg is not None:

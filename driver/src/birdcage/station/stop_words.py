@@ -5,6 +5,8 @@ Each line is exact in every state, or hedged; it has a form of at most `SHORT` c
 
 from __future__ import annotations
 
+import math
+
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.ladder import MoveKind, Rung, StopMeans, rungs
 from birdcage.station.state import Activity, Link, Motion, Search, StationState, StopReport
@@ -37,8 +39,12 @@ def is_stopping(state: StationState) -> bool:
     return state.motion is None and state.activity is Activity.STOPPING
 
 
-def awaited_words(stopped: StopReport) -> str:
+def awaited_words(state: StationState, stopped: StopReport) -> str:
     """Return what a STOP that is not confirmed yet has done, in a few words."""
+    dish = state.dish
+    if dish is not None and not dish.tells_at_rest and stopped.means is not StopMeans.NO_LINK:
+        may = state.activity is not Activity.IDLE
+        return "STOP can't be confirmed: it may still move" if may else "STOP can't be confirmed; over by its time"
     return _AWAITED.get(stopped.means, "STOP sent")
 
 
@@ -93,7 +99,10 @@ def _in_motion(dish: Facts | None, motion: Motion, now: float) -> tuple[str, ...
         rests = motion.eta if motion.rests_at is None else motion.rests_at
         return (f"STOP at end of move, {max(0.0, rests - now):.0f} s",)
     if motion.stop_means is StopMeans.NONE or motion.stop_power_s is None:
-        ends = f"No STOP: it ends by itself in {max(0.0, motion.eta - now):.0f} s"
+        if motion.rests_at is None:
+            ends = f"No STOP: it ends by itself in {max(0.0, motion.eta - now):.0f} s"
+        else:  # at the latest
+            ends = f"No STOP: it ends within {max(1, math.ceil(motion.rests_at - now))} s"
         return and_else(dish, f"{ends}. {{emergency}}.", ends)
     stops, takes = ("stops it", "takes") if motion.stop_proven else ("should stop it", "should take")
     if not motion.eta_known:

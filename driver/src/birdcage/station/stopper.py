@@ -134,7 +134,9 @@ class Stopper:
             report, action, reason = self._calls.popleft()
             order = action.order
             self._control.hold(report.by, reason, keep=False)  # the call has done that
-            self._mover.fail(End.STOPPED, f"STOP by {report.by}", Stopped(f"STOP by {report.by} ended the motion."))
+            self._mover.fail(
+                End.STOPPED, f"STOP by {report.by}", Stopped(f"STOP by {report.by}: the motion was given up.")
+            )
             self._publish(report, sent=True)
             self._strategy.lose_track(self._board.clock)
             if report.means is StopMeans.NO_LINK:

@@ -38,11 +38,12 @@ class Timed(Queue):
         rungs = self.rungs(MoveKind.COMBINED) + self.rungs(MoveKind.SINGLE)
         return next((rung.means for rung in rungs if rung.proven and rung.means in can), StopMeans.NONE)
 
-    def power(self, motion: DishMotion | None, rate: float) -> StopPower:  # noqa: ARG002 - whichever it is
+    def power(self, motion: DishMotion | None, rate: float) -> StopPower:
         """Return what is proven to stop it, if anything is."""
         means = self.unplanned
         if means is StopMeans.NONE:
-            return StopPower(0.0, means, proven=True)
+            ends_at = None if motion is None else self._antenna.reckoning.over_by(motion, rate)
+            return StopPower(0.0, means, proven=True, rests_at=ends_at)
         return self._power(means)
 
     def at_once(self, unplanned: Unplanned, clock: Clock) -> StopAction:  # noqa: ARG002 - nothing shows one
@@ -51,7 +52,7 @@ class Timed(Queue):
         motion, now = antenna.motion, clock.monotonic()
         if motion is not None and antenna.is_kept:
             return StopAction(StopMeans.NOTHING_MOVED, "The move was not sent yet, and is dropped.")
-        until = antenna.reckoning.moves_until if motion is None else motion.over_by(clock.rate)
+        until = antenna.reckoning.moves_until if motion is None else antenna.reckoning.over_by(motion, clock.rate)
         means, (said, order) = self.unplanned, self._sent()
         if until <= now and antenna.reckoning.tells_of_motion(now):
             return StopAction(

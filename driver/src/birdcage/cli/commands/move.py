@@ -70,7 +70,7 @@ def command(
     if miss_deg >= TOLD_DEG:
         say(f"That is the nearest it reaches: {miss_deg:.2f}° from the direction asked for.")
     if arrived.modelled:
-        say("By its time the dish is there. It does not tell.")
+        say("It should have arrived. At rest the dish does not tell.")
 
 
 def _direction(
