@@ -7,11 +7,13 @@ import re
 
 import pytest
 import stand_in
+from birdcage.base.errors import MotionRefused
 from birdcage.rotator.mapping import Site
 from birdcage.station.events import MoveEnded
-from birdcage.station.requests import Goto
+from birdcage.station.requests import Goto, Home
 from birdcage.testing import Bench, Stage
 from birdcage_tui.app import BirdcageApp
+from birdcage_tui.commands.table import can_home
 from birdcage_tui.settings import AppSettings
 from birdcage_tui.words import ended_text
 from installed_toys import installed
@@ -67,6 +69,7 @@ def test_where_it_went_and_what_that_misses(twins, size):
         assert "AZ~199.87°" in text
         assert "EL~32.94°" in text
     assert "misses by 0.48°" in dashboard
+    assert "never: it has no homing" in dashboard or size[0] < 120
     assert "10.8° to 34.9°" in dashboard or size[0] < 120
 
 
@@ -123,3 +126,12 @@ def test_the_go_to_line_lets_the_station_say_what_a_direction_misses(twins):
     text, taken = shown(twins, ask)
     assert "misses this direction by 25.13°" in " ".join(text.split())
     assert not taken
+
+
+def test_what_it_has_not_is_said_by_the_key_that_would_do_it(twins):
+    async def ask(app, _pilot, stage):
+        return can_home(app.view()), stage.refused(Home("you"), MotionRefused)
+
+    reason, refusal = shown(twins, ask)
+    assert reason == "The Swing has no homing."
+    assert str(refusal) == "The Swing has no homing. Nothing was sent."

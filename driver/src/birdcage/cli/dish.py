@@ -216,6 +216,8 @@ def need_position(dish: Dish) -> None:
 
 def how_to_home(state: StationState) -> str:
     """Return what makes a dish know where it is, in a sentence."""
+    if state.dish is not None and state.dish.never_homes:
+        return "It has no homing."
     if state.dish is not None and state.dish.homing_s is None:
         return "It homes only at power-up. Switch it off and on, and wait with `birdcage init`."
     return "`birdcage home` homes it."

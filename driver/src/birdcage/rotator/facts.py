@@ -150,7 +150,9 @@ class Facts:
     """How long ways are gone; None if each axis is always sent by itself."""
     search_switch: SearchSwitch
     homing_s: float | None
-    """The longest that homing one axis takes; None when it homes only by itself."""
+    """The longest that homing one axis takes; None when it homes only by itself, or never."""
+    never_homes: bool = False
+    """Whether it has no homing at all: it knows where it is as soon as it has power, or tells nothing."""
     boot_s: float
     """The longest that a boot takes; waiting for it never lasts longer unless asked."""
     has_motor_power: bool = False
@@ -256,6 +258,15 @@ class Facts:
     def points(self) -> bool:
         """Whether it can be sent to an azimuth and an elevation; else those two axes only stand for what it lacks."""
         return self.mapping is not None or {Role.AZ, Role.EL} <= {axis.role for axis in self.axes}
+
+    @property
+    def no_homing(self) -> str:
+        """Why it is not homed by command, and what to do instead; empty if it can be."""
+        if self.homing_s is not None:
+            return ""
+        if self.never_homes:
+            return f"The {self.name} has no homing."
+        return f"The {self.name} homes only at power-up. Switch it off and on."
 
     @property
     def no_direction(self) -> str:

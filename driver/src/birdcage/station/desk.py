@@ -216,10 +216,8 @@ class Desk:
 
     def _home(self, request: ask.Home) -> None:
         rotator = self._antenna.rotator
-        if rotator.facts.homing_s is None:
-            raise MotionRefused(
-                f"The {rotator.facts.name} homes only by itself, at power-up. Nothing was sent.", reason="unsupported"
-            )
+        if rotator.facts.no_homing:
+            raise MotionRefused(f"{rotator.facts.no_homing} Nothing was sent.", reason="unsupported")
         axes = (rotator.facts.azimuth.index, rotator.facts.elevation.index)
         if not set(request.axes) <= set(axes):
             raise MotionRefused(f"This dish has the axes {axes} only. Nothing was sent.", reason="unsupported")

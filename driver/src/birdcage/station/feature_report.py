@@ -43,7 +43,7 @@ def _told(feature: Feature | None, reading: Reading | None) -> Values | None:
 
 
 def may_be_set(feature: str) -> str:
-    """Return what is said where nobody waited for a feature to be set."""
+    """Return what is said of a feature that may have been set after its command had ended."""
     return f"Whether {feature} was set is not known."
 
 

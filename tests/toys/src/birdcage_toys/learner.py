@@ -38,6 +38,7 @@ FACTS = Facts(
     sends_together=True,
     search_switch=SearchSwitch.NEVER_SEARCHES,
     homing_s=None,
+    never_homes=True,
     boot_s=1.0,
     readback=Readback.ALWAYS,
     power_switch="plug",

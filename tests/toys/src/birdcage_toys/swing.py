@@ -42,6 +42,7 @@ FACTS = Facts(
     slew=None,
     search_switch=SearchSwitch.NEVER_SEARCHES,
     homing_s=None,
+    never_homes=True,
     boot_s=1.0,
     readback=Readback.NEVER,
     moves_one_axis=False,

@@ -34,6 +34,8 @@ def can_move(view: View) -> str | None:
     if state.awaits_first_move:
         return None
     if state.homed is False or state.position is None:
+        if state.dish is not None and state.dish.never_homes:
+            return "No position has been read yet."
         if state.dish is not None and state.dish.homing_s is None:
             return "The dish does not know where it points. Switch it off and on: it homes by itself."
         return "The dish does not know where it points. Home it first."
@@ -55,8 +57,8 @@ def can_home(view: View) -> str | None:
         return "A fault waits. Enter acknowledges it."
     if not view.link_up:
         return "The dish does not answer."
-    if state.dish is not None and state.dish.homing_s is None:
-        return f"The {state.dish.name} homes only at power-up. Switch it off and on."
+    if state.dish is not None and state.dish.no_homing:
+        return state.dish.no_homing
     if state.held is not None:
         return "STOP is latched. Enter releases it."
     return "The dish is already homing." if state.activity is Activity.HOMING else None

@@ -75,7 +75,10 @@ class HealthPane(Pane):
             offset += f"  {lean}"
         homed = {True: "yes", False: "NO", None: "--"}[state.homed]
         by_itself = state.dish is not None and state.dish.homing_s is None
-        homed += ", at power-up" if by_itself else ""
+        if state.dish is not None and state.dish.never_homes:
+            homed = "never: it has no homing"
+        elif by_itself:
+            homed += ", at power-up"
         search = SEARCH[state.search].removeprefix("TV search ")
         clock = view.clock
         told = (_UNKNOWN, "clock", "--") if clock is None else ((clock.glyph, clock.ink), "clock", clock.words)

@@ -64,6 +64,8 @@ def _refuse_if_by_itself(dish: Wanted) -> None:
     from birdcage.base.errors import MotionRefused
 
     model = dish.model
+    if model is not None and model.never_homes:
+        raise MotionRefused(model.no_homing, reason="unsupported")
     if model is not None and model.homing_s is None:
         raise MotionRefused(
             f"The {model.name} homes only at power-up. Switch it off and on, and wait with "

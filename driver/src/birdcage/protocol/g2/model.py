@@ -77,7 +77,8 @@ CARRYOUT_G2 = Facts(
             azimuth.step_deg elevation.min_deg elevation.max_deg elevation.speed_deg_s
             elevation.acceleration_deg_s2 elevation.step_deg cable.min_deg cable.max_deg
             has_motor_power has_stow readback tells_version
-            type_field settings_name cable_known moves_one_axis sends_together reflector.width_m reflector.height_m
+            type_field settings_name cable_known moves_one_axis sends_together never_homes
+            reflector.width_m reflector.height_m
         """,
         measured="""
             azimuth.overshoot_deg elevation.overshoot_deg

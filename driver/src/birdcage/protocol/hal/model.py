@@ -85,7 +85,7 @@ TRAVLER = Facts(
             azimuth.min_deg azimuth.max_deg azimuth.step_deg
             elevation.min_deg elevation.max_deg elevation.step_deg skew.step_deg
             cable.min_deg cable.max_deg second_same second_other stop_ladder
-            has_stow readback settings_name cable_known moves_one_axis sends_together
+            has_stow readback settings_name cable_known moves_one_axis sends_together never_homes
             reflector.width_m reflector.height_m
         """,
         measured="azimuth.times elevation.times",
