@@ -6,9 +6,12 @@ import re
 from dataclasses import replace
 
 import pytest
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.base.clock import VirtualClock
 from birdcage.base.errors import MotionRefused
 from birdcage.rotator import machines
 from birdcage.rotator.facts import SecondMove
+from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.ladder import EVERY_MOVE, POWER_SWITCH, MoveKind, Rung, StopBy, StopMeans
 from birdcage.station.requests import Goto, Home, Release
 from birdcage.station.state import LimitSource
@@ -105,6 +108,28 @@ def test_a_stop_command_that_is_ignored_leads_to_the_next_rung(bench, twins, mon
         said, stop = stopped_in_motion(40.0)
         assert said == "STOP stops it; how fast is unknown", "it was seen to work"
         assert orders == [StopBy.RETARGET]
+
+
+def test_a_script_stops_it_by_its_own_command(twins, monkeypatch):
+    from birdcage_toys import learner
+
+    orders, halt, clock = [], learner.Learner.stop_now, VirtualClock()
+
+    def stop_now(self, order):
+        orders.append(order.by)
+        halt(self, order)
+
+    monkeypatch.setattr(learner.Learner, "stop_now", stop_now)
+    twin, machine = twins.LearnerTwin(clock), learner.Learner()
+    machine.open(twin.address, None, clock, Hooks())
+    machine.meet()
+    antenna = BirdcageAntenna(machine)
+    antenna.move_to(300.0, 40.0)
+    machine.listen(clock.monotonic() + 1.0)
+    assert twin.truth().moving
+    antenna.stop()
+    assert orders == [StopBy.COMMAND]
+    assert not twin.truth().moving
 
 
 def test_a_dish_that_waits_with_moves_still_obeys_its_stop_command(bench, monkeypatch):

@@ -12,7 +12,7 @@ from birdcage.base.config.sections import MotionSettings, NoGoSector
 from birdcage.base.errors import MotionRefused, NoReply
 from birdcage.base.geometry import separation
 from birdcage.rotator.facts import Readback
-from birdcage.rotator.ladder import StopBy, StopOrder
+from birdcage.rotator.ladder import END_OF_MOVE, POWER_SWITCH, MoveKind, StopBy, StopOrder
 from birdcage.rotator.mapping import Site
 from birdcage.rotator.values import Look
 from birdcage.station.events import MoveEnded
@@ -45,20 +45,40 @@ class TestSwing(Contract):
     pass
 
 
-class TestSwingThatTells(Contract):
+@pytest.fixture
+def telling(bench, monkeypatch):
     """The same motor with an encoder: its angle is read, at rest and mapped."""
+    from birdcage_toys.swing import FACTS, HOUR, Swing
+
+    def look(self, *, hurry=False, busy_s=0.0):
+        self._call(self._machine.ping)
+        return Look({HOUR.name: round(self._machine.motor.deg, 2)})
+
+    monkeypatch.setattr(Swing, "facts", replace(FACTS, readback=Readback.ALWAYS))
+    monkeypatch.setattr(Swing, "look", look)
+    return bench
+
+
+class TestSwingThatTells(Contract):
+    @pytest.fixture
+    def bench(self, telling):
+        return telling
+
+
+class TestSwingWithoutStop(Contract):
+    """And one that nothing stops: STOP sends nothing that it does not know, and a newer target waits."""
 
     @pytest.fixture
-    def bench(self, bench, monkeypatch):
-        from birdcage_toys.swing import FACTS, HOUR, Swing
+    def bench(self, telling, monkeypatch):
+        from birdcage_toys.swing import Swing
 
-        def look(self, *, hurry=False, busy_s=0.0):
-            self._call(self._machine.ping)
-            return Look({HOUR.name: round(self._machine.motor.deg, 2)})
+        def stop_now(self, order):
+            raise ValueError(f"it has nothing for {order.by}")
 
-        monkeypatch.setattr(Swing, "facts", replace(FACTS, readback=Readback.ALWAYS))
-        monkeypatch.setattr(Swing, "look", look)
-        return bench
+        waits = replace(END_OF_MOVE, ends=frozenset({MoveKind.COMBINED}))
+        monkeypatch.setattr(Swing, "facts", replace(Swing.facts, stop_ladder=(waits, POWER_SWITCH)))
+        monkeypatch.setattr(Swing, "stop_now", stop_now)
+        return replace(telling, stops=(StopScene("end of move", (60.0, 0.0), 4.0, reaches_target=True),))
 
 
 def test_a_small_miss_is_gone_to_and_told(bench):

@@ -376,9 +376,9 @@ class BirdcageAntenna:
         order, left_s = self.stop_aim.order(), self.motion.eta(self._clock.rate) - self._clock.monotonic()
         if order is None and self.strategy.one_at_a_time:
             if left_s > 0:
+                what = "its move" if self.motion.silent else "a move of one axis"
                 raise CommandRefused(
-                    f"The {self.model.name} can't call back a move of one axis: it ends in {left_s:.0f} s, at its "
-                    "target.",
+                    f"The {self.model.name} can't call back {what}: it ends in {left_s:.0f} s, at its target.",
                     reason="queued",
                 )
             self.motion = None

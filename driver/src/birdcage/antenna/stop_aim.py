@@ -28,8 +28,11 @@ class StopAim:
         with antenna.modelling:
             if antenna.motion is None:
                 return None
+            if antenna.strategy.commands:
+                self.model_stopped()
+                return StopOrder(StopBy.COMMAND)
             if antenna.motion.silent:
-                return StopOrder(StopBy.ABORT)
+                return antenna.strategy.ends_slew
             if antenna.strategy.one_at_a_time:
                 return None
             self.model_stopped()

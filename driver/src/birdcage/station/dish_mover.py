@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 
 from birdcage.base.errors import CommandRefused, PositionUnknown, Superseded
 from birdcage.base.geometry import shortest_turn
@@ -88,13 +87,7 @@ class DishMover(QueuedMover):
         if shown is None or motion is None:
             return clock.monotonic() if shown is None else shown.eta
         eta, power = motion.eta(clock.rate), self._antenna.strategy.power(motion, clock.rate)
-        way_deg = self._seen_way(shown)
-        if abs(eta - shown.eta) > POLL_S or power.means != shown.stop_means or way_deg != shown.az_way_deg:
-            self._board.change(
-                motion=replace(
-                    shown, eta=eta, stop_power_s=power.seconds, stop_means=power.means, stop_proven=power.proven,
-                    rests_at=power.rests_at,
-                    az_way_deg=way_deg,
-                )
-            )  # fmt: skip
+        same = power.means == shown.stop_means and self._seen_way(shown) == shown.az_way_deg
+        if abs(eta - shown.eta) > POLL_S or not same:
+            self._update_shown(shown, eta, power)
         return eta

@@ -217,6 +217,15 @@ class Mover(ABC):
         way = self._antenna.gate.way_to(self._antenna.alignment.to_dish(*commanded)[0])
         return way.deg if way.other_deg is None else None
 
+    def _update_shown(self, shown: Motion, eta: float, power: StopPower) -> None:
+        """Show when it should be there, which way it turns, and what stops it."""
+        self._board.change(
+            motion=replace(
+                shown, eta=eta, stop_power_s=power.seconds, stop_means=power.means, stop_proven=power.proven,
+                rests_at=power.rests_at, az_way_deg=self._seen_way(shown),
+            )
+        )  # fmt: skip
+
     def _seen_way(self, shown: Motion) -> float | None:
         """Return how far the azimuth turns, by the readings where they tell another way round than was thought."""
         motion = self._antenna.motion

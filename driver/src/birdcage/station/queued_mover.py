@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections import deque
-from dataclasses import replace
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.leg_sender import LegSender
@@ -269,17 +268,9 @@ class QueuedMover(Mover):
         if shown is None:
             return
         power, eta = self._antenna.strategy.power(self._antenna.motion, clock.rate), self._eta(job)
-        way_deg = self._seen_way(shown)
-        same = power.means == shown.stop_means is StopMeans.ABORT and way_deg == shown.az_way_deg
-        if abs(eta - shown.eta) <= POLL_S and same:
-            return
-        self._board.change(
-            motion=replace(
-                shown, eta=eta, stop_power_s=power.seconds, stop_means=power.means, stop_proven=power.proven,
-                    rests_at=power.rests_at,
-                az_way_deg=way_deg,
-            )
-        )  # fmt: skip
+        same = power.means == shown.stop_means is StopMeans.ABORT and self._seen_way(shown) == shown.az_way_deg
+        if abs(eta - shown.eta) > POLL_S or not same:
+            self._update_shown(shown, eta, power)
 
 
 def _off_deg(pointing: Pointing, az_deg: float, el_deg: float) -> float:

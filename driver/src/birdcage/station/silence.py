@@ -6,7 +6,6 @@ from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import DishMotion
 from birdcage.antenna.reckoning import FRESH_S
 from birdcage.base.errors import NoReply
-from birdcage.rotator.ladder import StopBy, StopOrder
 from birdcage.station.board import Board
 
 MARGIN_S = 0.5
@@ -34,13 +33,15 @@ class Silence:
         self._prompt_at, self._sent, self._over = None, 0, False
 
     def end(self) -> None:
-        """End it where it is: any byte does. Nothing is sent when it is over, or was told to end before."""
-        if not self._over and not self._sent:
+        """End it where it is, if anything does. Nothing is sent when it is over, or was told to end before."""
+        if not self._over and not self._sent and self._antenna.strategy.ends_slew is not None:
             self._ask()
 
     def _ask(self) -> None:
         self._sent += 1
-        self._antenna.rotator.stop_now(StopOrder(StopBy.ABORT))
+        order = self._antenna.strategy.ends_slew
+        if order is not None:
+            self._antenna.rotator.stop_now(order)
 
     def lasts(self, motion: DishMotion) -> bool:
         """Return whether nothing may be sent yet. A prompt that never came is asked for from then on."""

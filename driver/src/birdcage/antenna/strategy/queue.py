@@ -56,7 +56,7 @@ class Queue(MotionStrategy):
             return DROPPED
         if self.commands and (motion is not None or unplanned is not Unplanned.NONE):
             return self.commanded()
-        if motion is not None and motion.silent:
+        if motion is not None and motion.silent and self._abort is not None:
             if StopMeans.ABORT not in self.failed:
                 return StopAction(StopMeans.ABORT, "A byte that ends the slew was sent.", ENTER)
             return StopAction(
@@ -65,10 +65,10 @@ class Queue(MotionStrategy):
                 "nothing follows it. To stop it sooner, cut its power.", ENTER,
             )  # fmt: skip
         if motion is not None:
+            what = "This move" if motion.silent else "A move of one axis"
             return StopAction(
                 StopMeans.WAIT,
-                f"A move of one axis can't be recalled: it ends in {self._left_s(motion, clock):.1f} s, and nothing "
-                "follows it.",
+                f"{what} can't be recalled: it ends in {self._left_s(motion, clock):.1f} s, and nothing follows it.",
             )
         match unplanned:
             case Unplanned.SEEN:

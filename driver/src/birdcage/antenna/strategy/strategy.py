@@ -152,6 +152,14 @@ class MotionStrategy(ABC):
     def on_sight(self, earlier: Position, earlier_at: float, later: Position, later_at: float) -> StopAction:
         """Return what stops an unplanned motion that two readings of dish angles show."""
 
+    @property
+    def ends_slew(self) -> StopOrder | None:
+        """What ends a slew before its time, and may be sent while it lasts; None if nothing is known to."""
+        means = {rung.means for rung in self._antenna.model.stop_ladder if MoveKind.COMBINED in rung.ends}
+        if StopMeans.ABORT in means:
+            return StopOrder(StopBy.ABORT)
+        return StopOrder(StopBy.COMMAND) if StopMeans.COMMAND in means else None
+
     def while_busy(self, kind: MoveKind) -> StopAction | None:
         """Return what ends a motion that the machine is busy with; None if nothing is known to.
 

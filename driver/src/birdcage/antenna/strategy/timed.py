@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from contextlib import suppress
-from typing import TYPE_CHECKING
 
 from birdcage.antenna.gate import UNTOLD
 from birdcage.antenna.motion import AxisMotion, DishMotion
@@ -12,9 +11,6 @@ from birdcage.antenna.strategy.strategy import StopAction, StopPower, Unplanned
 from birdcage.base.clock import Clock
 from birdcage.base.errors import NoReply
 from birdcage.rotator.ladder import MoveKind, StopBy, StopMeans, StopOrder
-
-if TYPE_CHECKING:
-    pass
 
 SOON_S = 5.0
 UNPROVEN = "It does not tell whether it has stopped."
