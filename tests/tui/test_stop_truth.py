@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from datetime import UTC, datetime
 from itertools import product
 
 import pytest
@@ -17,6 +18,7 @@ from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.generic import GENERIC_FACTS
 from birdcage.protocol.hal.model import TRAVLER
 from birdcage.rotator.ladder import EVERY_MOVE, POWER_SWITCH, MoveKind, Rung, StopMeans
+from birdcage.rotator.own import OwnFacts
 from birdcage.station.raw import Grade
 from birdcage.station.requests import Goto, Home, Jog, Pursue, Stow
 from birdcage.station.state import Activity, HeldState, Link, LinkState, Motion, Search, StopReport
@@ -216,10 +218,12 @@ MEANS = (StopMeans.RETARGET, StopMeans.ABORT, StopMeans.COMMAND, StopMeans.WAIT,
 UNPLANNED = (StopMeans.RETARGET, StopMeans.COMMAND, StopMeans.WAIT, StopMeans.NONE)
 REPORTED = tuple(means for means in StopMeans if means is not StopMeans.POWER)
 """A rung that a person climbs is none that STOP can report."""
-STOPPABLE = Rung(means=StopMeans.COMMAND, ends=EVERY_MOVE, proven=True, sentence="it halts")
+STOPPABLE = Rung(means=StopMeans.COMMAND, ends=EVERY_MOVE, proven=True, sentence="it halts", anywhere=True)
 MACHINES = {
     "g2": CARRYOUT_G2, "hal205": TRAVLER, "carryout": CARRYOUT_2003, "generic": GENERIC_FACTS,
     "stoppable": replace(CARRYOUT_G2, stop_ladder=(STOPPABLE, POWER_SWITCH)),
+    "mute": replace(CARRYOUT_2003, stop_ladder=(STOPPABLE, POWER_SWITCH)),
+    "waiting": OwnFacts().that_waits(datetime(2026, 3, 20, tzinfo=UTC)).on(CARRYOUT_G2),
     "unproven": replace(CARRYOUT_G2, stop_ladder=(replace(STOPPABLE, proven=False), POWER_SWITCH)),
 }  # fmt: skip
 
@@ -267,6 +271,13 @@ def _check(view: View) -> None:
         assert state.activity is not Activity.HOMING or MoveKind.HOME in proven, said
         assert state.activity is not Activity.MOVING_UNASKED or MoveKind.SEARCH in proven, said
         assert state.unplanned_stop is not StopMeans.NONE or said == "STOP ends the homing", said
+    else:
+        ladder = state.dish.stop_ladder
+        assert "looks" not in said or state.activity is Activity.STOPPING or any(rung.means.is_sent for rung in ladder)
+        assert state.dish.tells_at_rest or "looks and" not in said, said
+        assert state.dish.tells_at_rest or "holds it" not in said, said
+        known = any(rung.means is state.unplanned_stop and rung.proven for rung in ladder)
+        assert "brings it" not in said or known, said
     if plans:
         assert state.motion.stop_proven or "STOP takes" not in said, said
     if said == "STOP holds it where it is":

@@ -25,7 +25,7 @@ _STOPPING = {
     StopMeans.WAIT: "STOP waits for the end of this move",
     StopMeans.LOOK: "STOP looks where the dish goes",
     StopMeans.NOTHING_MOVED: "STOP checks that it is at rest",
-    StopMeans.RELEASE: "Motors released: position unknown",
+    StopMeans.RELEASE: "STOP releases the motors",
 }
 
 
@@ -126,15 +126,25 @@ def _without_plan(state: StationState) -> tuple[str, ...]:
             return latched
         case _ if by is StopMeans.NONE:
             return unknown
-        case Activity.UNKNOWN:
+        case Activity.UNKNOWN | Activity.IDLE if dish is not None and not dish.tells_at_rest:
+            return ("STOP is sent; nothing confirms it",)
+        case Activity.UNKNOWN if _acts(dish):
             return ("Motion unknown: STOP looks and acts",)
         case Activity.MOVING_UNASKED if state.search is Search.RUNNING and _rung(dish, MoveKind.SEARCH) is not None:
             return ("STOP ends the TV search",)
-        case Activity.STOWING | Activity.MOVING_UNASKED:
+        case Activity.STOWING | Activity.MOVING_UNASKED | Activity.UNKNOWN:
             return _unsure(dish, "STOP may not hold the dish.")
         case Activity.SLEWING | Activity.FOLLOWING:
-            return ("STOP at end of move" if by is StopMeans.WAIT else "STOP brings it to rest",)
+            if by is StopMeans.WAIT:
+                return ("STOP at end of move",)
+            proven = dish is not None and any(rung.means is by and rung.proven for rung in dish.stop_ladder)
+            return ("STOP brings it to rest" if proven else "STOP should bring it to rest",)
     return latched if state.held is not None else ("STOP holds it where it is",)
+
+
+def _acts(dish: Facts | None) -> bool:
+    """Return whether a STOP that sees the dish move has something to send."""
+    return dish is not None and any(rung.means.is_sent for rung in dish.stop_ladder)
 
 
 def _rung(dish: Facts | None, kind: MoveKind) -> Rung | None:
