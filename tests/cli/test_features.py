@@ -10,7 +10,9 @@ from birdcage.base.paths import Paths
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.g2.protocol import CarryoutG2Protocol
 from birdcage.protocol.g2.system import System
+from birdcage.protocol.menu_rotator import MenuRotator
 from birdcage.rotator.facts import SearchSwitch
+from birdcage.rotator.feature import Feature, Kind, Reading, Writer
 from birdcage.station import ring
 
 
@@ -181,3 +183,17 @@ def test_who_is_interrupted_is_not_told_that_nothing_was_done(run, pty_dish, own
     result = run("set", "speed.elevation", "5", port=pty_dish.path)
     assert (result.exit_code, result.stderr) == (130, "Whether speed.elevation was set is not known.\n")
     assert owner.station.state.readings["speed.elevation"].value == pytest.approx(5.0, abs=0.02)
+
+
+def test_what_can_only_be_set_is_shown_as_that(run, monkeypatch):
+    """The dish has taken it, and can't be asked again."""
+    lamp = Feature("lamp", "Lamp", kind=Kind.SWITCH, writer=Writer.UNTIL_RESTART, told=False)
+    model = replace(CARRYOUT_G2, features={**CARRYOUT_G2.features, "lamp": lamp})
+    monkeypatch.setattr(CarryoutG2Protocol, "model", model)
+    monkeypatch.setattr(MenuRotator, "write", lambda dish, _id, on: Reading(on, "", 0.0, dish.clock.utc()))
+    assert rows(run("features").stdout)["lamp"].split()[-4:] == ["until", "restart,", "not", "told"]
+    result = run("set", "lamp", "on")
+    assert result.stdout.split(None, 1) == ["lamp", "on: the dish took it, and can't be asked for it\n"]
+    asked = run("get", "lamp")
+    assert (asked.exit_code, asked.stdout) == (1, "")
+    assert "has no feature lamp that can be read. Nothing was sent." in asked.stderr

@@ -121,3 +121,22 @@ def test_a_limit_on_one_side_is_told_as_such():
     low = Feature("level", "Level", "V", Kind.NUMBER, Range(2.0), Writer.AT_ONCE)
     with pytest.raises(OutOfRange, match=r"1 V is 1 V beyond its limit of 2 V. Nothing was sent. Give from 2 V"):
         low.check(1.0)
+
+
+@pytest.mark.parametrize(("row", "said"), [
+    (Row(Feature("lamp", "Lamp")), "has no `read`.*`told=False`"),
+    (Row(Feature("lamp", "Lamp", writer=Writer.UNTIL_RESTART), read=lambda _: {}), "both a `Writer` and a `write`"),
+    (Row(Feature("lamp", "Lamp"), read=lambda _: {}, write=lambda _, value: {}), "both a `Writer` and a `write`"),
+])  # fmt: skip
+def test_a_row_without_the_call_that_it_needs_is_refused_at_once(row, said):
+    with pytest.raises(ValueError, match=said):
+        FeatureTable(row)
+
+
+def test_what_a_machine_never_tells_can_be_set_alone():
+    lamp = Feature("lamp", "Lamp", kind=Kind.SWITCH, writer=Writer.UNTIL_RESTART, told=False)
+    table = FeatureTable(Row(lamp, write=lambda _machine, on: {"lamp": on}))
+    assert (lamp.is_readable, lamp.is_writable) == (False, True)
+    assert table.write(None, "head", "lamp", True, lambda value, unit: (value, unit)) == (True, "")
+    with pytest.raises(CommandRefused, match="can be read"):
+        table.read(None, "head", ["lamp"], lambda value, unit: (value, unit))

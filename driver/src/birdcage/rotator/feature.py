@@ -103,11 +103,13 @@ class Feature:
     hazard: str = ""
     """The consequence of writing it, which a person has to agree to; empty if none is asked."""
     cost: Cost = field(default_factory=Cost)
+    told: bool = True
+    """Whether the machine tells it when asked. If not, it can only be set; its answer to that is all that it tells."""
 
     @property
     def is_readable(self) -> bool:
         """Whether the machine can be asked for it."""
-        return self.kind is not Kind.MOMENTARY
+        return self.told and self.kind is not Kind.MOMENTARY
 
     @property
     def is_writable(self) -> bool:

@@ -27,11 +27,13 @@ class Row:
 
 
 class FeatureTable:
-    """All rows of a machine. ValueError where two have the same id."""
+    """All rows of a machine. ValueError where two have the same id, or one lacks the call for what it can do."""
 
     def __init__(self, *rows: Row) -> None:
         self.features = by_id(row.feature for row in rows)
         self._rows = {row.feature.id: row for row in rows}
+        for name, row in self._rows.items():
+            _check_calls(name, row)
 
     def read(self, machine: object, name: str, ids: Iterable[str], stamp: Stamp) -> dict[str, Reading]:
         """Ask a machine (called `name`) for some features; what it did not tell is left out.
@@ -62,6 +64,15 @@ class FeatureTable:
 
     def _reading(self, feature: str, value: Value, stamp: Stamp) -> Reading:
         return stamp(value, self._rows[feature].feature.unit)
+
+
+def _check_calls(name: str, row: Row) -> None:
+    """Raise ValueError where a row can't be asked for, or written, as its feature says."""
+    feature = row.feature
+    if feature.is_readable and row.read is None:
+        raise ValueError(f"the row of {name!r} has no `read`: give it one, or say `told=False` if it can only be set")
+    if feature.is_writable is not (row.write is not None):
+        raise ValueError(f"the row of {name!r} has to have both a `Writer` and a `write`, or neither")
 
 
 Stamp = Callable[[Value, str], Reading]

@@ -19,7 +19,7 @@ def feature_values(feature: Feature) -> Values:
         "id": feature.id, "label": feature.label, "unit": feature.unit or None, "kind": feature.kind.value,
         "low": limits.low if math.isfinite(limits.low) else None,
         "high": limits.high if math.isfinite(limits.high) else None,
-        "writer": feature.writer.value, "hazard": feature.hazard or None,
+        "writer": feature.writer.value, "told": feature.is_readable, "hazard": feature.hazard or None,
         "cost": {
             "lines": cost.lines, "menu": cost.menu, "min_interval_s": cost.min_interval_s,
             "while_moving": cost.while_moving,

@@ -70,7 +70,10 @@ class Features:
             )
             require(each.label, f"{name} has no label")
             once = each.writer is Writer.AT_ONCE
-            require(each.is_readable or once, f"{name} is momentary, and is not written at once")
+            require(
+                once is (each.kind is Kind.MOMENTARY), f"{name} is {each.kind.value}, and written {each.writer.value}"
+            )
+            require(each.is_readable or each.is_writable, f"{name} can neither be read nor set")
             require(each.range is None or each.range.low < each.range.high, f"{name}: {each.range} is no range")
             require(each.range is None or each.kind is Kind.NUMBER, f"{name} is no number, and has a range")
             require(each.cost.lines > 0 and each.cost.min_interval_s >= 0.0, f"{name} costs {each.cost}")
@@ -129,15 +132,14 @@ class Features:
         with opened(bench) as (rotator, twin):
             before = twin.truth()
             for each in rotator.features.values():
-                if each.is_writable:
+                if each.is_readable and each.is_writable:
                     self._is_taken(rotator, each)
+                elif each.is_writable:
+                    self._is_sent(rotator, twin, each)
             require(twin.truth() == before and not twin.taken(), "writing has moved it")
 
     def _is_taken(self, rotator: Rotator, feature: Feature) -> None:
         name = feature.id
-        if feature.kind is Kind.MOMENTARY:
-            self._is_sound(feature, rotator.write(name, True))
-            return
         was = rotator.read([name])[name].value
         for value in (self._other(feature, was), was):
             told = rotator.write(name, value)
@@ -145,6 +147,21 @@ class Features:
             require(self._same(feature, told.value, value), f"{name}: {value!r} was written, and {told.value!r} told")
             again = rotator.read([name])[name].value
             require(self._same(feature, again, value), f"{name}: {value!r} was written, and {again!r} is read")
+
+    def _is_sent(self, rotator: Rotator, twin: Twin, feature: Feature) -> None:
+        """What can't be asked for reaches the machine, and its answer says that it was taken."""
+        limits = feature.range
+        values: tuple[Value, ...] = (True,) if feature.kind is Kind.MOMENTARY else ()
+        if feature.kind is Kind.SWITCH:
+            values = True, False
+        elif limits is not None and math.isfinite(limits.high - limits.low):
+            values = limits.low, limits.high
+        for value in values:
+            before = twin.received()
+            told = rotator.write(feature.id, value)
+            require(twin.received() > before, f"{feature.id}: {value!r} was written, and nothing reached the machine")
+            self._is_sound(feature, told)
+            require(self._same(feature, told.value, value), f"{feature.id}: {value!r} was written, {told.value!r} told")
 
     @staticmethod
     def _other(feature: Feature, was: Value) -> Value:

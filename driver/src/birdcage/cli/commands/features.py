@@ -33,7 +33,13 @@ def command() -> None:
         say("This dish tells its position only.")
     else:
         head = ("name", "what", "unit", "range", "set")
-        tell_table(head, [(row["id"], row["label"], row["unit"] or "-", _range(row), row["writer"]) for row in rows])
+        tell_table(head, [(row["id"], row["label"], row["unit"] or "-", _range(row), _set(row)) for row in rows])
+
+
+def _set(row: dict[str, Any]) -> str:
+    """Return how it is set; what is neither told nor done at once can be set alone."""
+    only = not row["told"] and row["kind"] != "momentary"
+    return f"{row['writer']}, not told" if only else str(row["writer"])
 
 
 def _range(row: dict[str, Any]) -> str:

@@ -51,7 +51,7 @@ def command(name: str, value: str | None, yes: bool) -> None:
         tell(f"{name:24} done")
         return
     for line in lines_of(name, told["readings"][name]):
-        tell(line)
+        tell(line if row["told"] else f"{line}: the dish took it, and can't be asked for it")
 
 
 def _value(row: dict[str, Any], text: str | None) -> bool | float | str:
