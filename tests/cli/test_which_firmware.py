@@ -8,6 +8,7 @@ import threading
 
 import pytest
 from birdcage.base.geometry import shortest_turn
+from installed_toys import installed
 
 pytest.importorskip("termios", reason="a pseudo terminal is needed")
 import termios
@@ -168,3 +169,12 @@ def test_detect_of_a_port_that_is_not_there(run) -> None:
     result = run("detect", port="/dev/none", firmware="")
     assert result.exit_code == 3
     assert "/dev/none" in result.stdout
+
+
+def test_stop_sends_no_enter_to_a_named_machine_that_has_no_console(run, foreign, monkeypatch, tmp_path) -> None:
+    monkeypatch.setenv("BIRDCAGE_LINK_DELAY_S", "0.2")
+    port, heard = foreign(b"K")
+    with installed(tmp_path):
+        result = run("stop", port=port, firmware="pushy")
+    assert "Pushy says nothing" in result.stderr, "a machine that only pushes is heard as what it was named"
+    assert heard == []

@@ -106,7 +106,10 @@ def _stop_ourselves(wanted: Wanted) -> dict[str, Any]:
     from birdcage.base.errors import NoReply
     from birdcage.cli.say import say
     from birdcage.cli.which import take
+    from birdcage.rotator.machines import MACHINES, names_in
 
+    if wanted.firmware_given and wanted.firmware in names_in(MACHINES):
+        return _stop_it(wanted)  # asking who answers begins with an Enter, which only a console is known to bear
     found = _find(wanted)
     tries = [take(wanted, found, each) for each in found.candidates]
     if not tries and (wanted.firmware_given or found.trouble is not None):
