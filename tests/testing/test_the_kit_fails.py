@@ -10,10 +10,11 @@ from birdcage.antenna import legs
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.az_el import AzEl
 from birdcage.antenna.motion import start_motion
-from birdcage.base.errors import BirdcageError
+from birdcage.base.errors import BirdcageError, CommandRefused
 from birdcage.protocol.carryout.protocol import CarryoutProtocol
 from birdcage.rotator.facts import Facts, Readback, SearchSwitch
-from birdcage.rotator.feature import Feature, Reading
+from birdcage.rotator.feature import Feature, Kind, Reading, Writer
+from birdcage.rotator.feature_table import FeatureTable, Row
 from birdcage.rotator.ladder import StopMeans
 from birdcage.rotator.mapping import Site
 from birdcage.rotator.values import Look, Position, Taken
@@ -136,6 +137,25 @@ def has_a_limit_too_wide(patch, machine, twin):
         take(self, [*words[:2], str(min(float(words[2]), 35.0))] if words[0] == "G" and words[1] == "1" else words)
 
     patch.setattr(twin, "_take", clipped)
+
+
+def takes_half_the_circle(patch, machine, twin):
+    """It counts from -180 to 180, and its facts say nothing of that."""
+    send = machine.send
+
+    def refused_beyond(self, to, **more):
+        if to.get("pan", 0.0) > 180.0:
+            raise CommandRefused("K 2", reason="bad_parameter")
+        return send(self, to, **more)
+
+    patch.setattr(machine, "send", refused_beyond)
+
+
+def has_a_lamp_that_is_never_lit(patch, machine, twin):
+    lamp = Feature("lamp", "Lamp", kind=Kind.SWITCH, writer=Writer.UNTIL_RESTART, told=False)
+    table = FeatureTable(Row(lamp, write=lambda _machine, on: {"lamp": on}))
+    patch.setattr(machine, "feature_table", table)
+    patch.setattr(machine, "facts", replace(machine.facts, features=table.features))
 
 
 def calls_a_feature_by_no_id(patch, machine, twin):
@@ -284,6 +304,8 @@ def test_a_breach_along_an_arc_is_seen(toys, monkeypatch, breach, case):
     (has_another_rung, "test_every_rung_has_a_scene"),
     (has_a_console_unseen, "test_a_line_and_its_answer_or_no_console_at_all"),
     (has_a_limit_too_wide, "test_a_go_to_arrives_where_the_truth_is"),
+    (takes_half_the_circle, "test_it_goes_all_round_its_circle"),
+    (has_a_lamp_that_is_never_lit, "test_what_is_written_is_read_back"),
     (calls_a_feature_by_no_id, "test_its_features_are_well_formed"),
     (says_that_it_searches, "test_its_features_are_well_formed"),
     (tells_what_cannot_be, "test_what_is_read_has_its_unit_and_lies_in_its_range"),

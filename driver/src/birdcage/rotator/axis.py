@@ -75,10 +75,14 @@ class Axis:
     """How the seam calls it."""
     role: Role
     min_deg: float
+    """Of an azimuth on the circle, 0 to 360, also where the machine counts otherwise (`turn_by`)."""
     max_deg: float
     speed_deg_s: float
+    """The greatest; also of a machine that can be set slower."""
     acceleration_deg_s2: float
+    """And braking. Where it is not known: one that is too small makes waits longer and STOP aim further ahead."""
     step_deg: float
+    """The least way that a command can turn it."""
     overshoot_deg: float = 0.0
     """How far the rest position may lie from the command."""
     times: MeasuredTimes | None = None

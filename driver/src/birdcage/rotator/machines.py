@@ -1,7 +1,7 @@
 """Which machines there are: found by entry point, ours and those of other packages.
 
-`birdcage.dialects` names classes of `FirmwareProtocol` by their firmware; `birdcage.machines` whole `Rotator` classes,
-by the scheme of their addresses. Each class tells its facts: as `model`, or as `facts`.
+`birdcage.dialects` names classes of `FirmwareProtocol`; `birdcage.machines` whole `Rotator` classes. The name is what
+`--firmware` takes. Each class tells its facts: as `model`, or as `facts`.
 """
 
 from __future__ import annotations

@@ -12,6 +12,8 @@ from birdcage.station.state import Activity
 from birdcage.testing.stage import STEP_S, Stage, require
 from birdcage.testing.twin import Bench
 
+QUARTERS_DEG = (45.0, 135.0, 225.0, 315.0)
+
 
 class Motion:
     """Arrival is what the mechanics do, never what was sent."""
@@ -24,6 +26,22 @@ class Motion:
             require(stage.shows_truth(), f"shown: {stage.state.position}, true: {stage.truth}")
             require(stage.state.activity is Activity.IDLE, f"it still shows {stage.state.activity}")
             require(stage.state.motion is None, "a motion is still shown")
+
+    def test_it_goes_all_round_its_circle(self, bench: Bench) -> None:
+        """Each quarter that axis and cable allow is reached and shown, however the machine itself counts."""
+        with Stage(bench) as stage:
+            facts = stage.found().facts
+            if facts.mapping is not None:
+                return
+            for az_deg in QUARTERS_DEG:
+                turns = [az_deg + 360.0 * turn for turn in (-2, -1, 0, 1, 2)]
+                on_axis = facts.azimuth.min_deg <= az_deg <= facts.azimuth.max_deg
+                cable = facts.cable
+                if on_axis and (cable is None or any(cable.min_deg <= each <= cable.max_deg for each in turns)):
+                    target = az_deg, stage.target(0.0, 2.0)[1]
+                    stage.do(Goto(*target, "contract"))
+                    require(stage.stands_at(*target), f"sent to {target}, and is at {stage.truth}")
+                    require(stage.shows_truth(), f"shown: {stage.state.position}, true: {stage.truth}")
 
     def test_a_newer_target_wins(self, bench: Bench) -> None:
         """Of two go-tos the second one counts, and whoever asked for the first is told."""
