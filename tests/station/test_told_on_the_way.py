@@ -133,3 +133,17 @@ def test_told_of_somewhere_else_at_rest_it_moves_unasked():
     assert bench.state.last_stop.confirmed is not True
     bench.step(5)
     assert bench.state.position is None
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_what_it_tells_on_its_way_is_no_noise(form):
+    bench = at_rest_somewhere(form)
+    before = bench.state.link.stray_bytes
+    bench.station.submit(Goto(40, 70, "you"))
+    bench.step(2)
+    bench.station.stop("you")
+    bench.step(60)
+    assert bench.state.link.stray_bytes == before
+    bench.device.say("mouse 17 in the dish\n")
+    bench.step(3)
+    assert bench.state.link.stray_bytes > before

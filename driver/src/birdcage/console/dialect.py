@@ -33,6 +33,8 @@ class ConsoleDialect:
     echo: bool = True
     refusals: tuple[tuple[re.Pattern[str], str], ...] = ()
     """Reply lines that mean that nothing was done, each with the `CommandRefused` reason it stands for."""
+    live: re.Pattern[str] | None = None
+    """What it prints by itself while its motors run: unasked, but no noise. None if it prints nothing then."""
     troubles: tuple[tuple[re.Pattern[str], bool], ...] = ()
     """Lines that tell of a motor in trouble: the group `axis` names it, and whether it failed to find its reference."""
     axis_names: Mapping[str, str] = field(default_factory=dict)

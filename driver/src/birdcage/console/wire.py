@@ -277,7 +277,8 @@ class Wire:
                     self.busy_until = self.last_sent
                     self.doubt(now + 2 * self.delay_s)
                 case Stray():
-                    self.stray_bytes += len(event.text)
+                    if self.dialect.live is None or not self.dialect.live.search(event.text):
+                        self.stray_bytes += len(event.text)
                     self.menu = None if self.dialect.learnt else self.menu
                     self.doubt(now + 2 * self.delay_s)
                     continue

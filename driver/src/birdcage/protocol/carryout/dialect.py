@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from birdcage.console.dialect import UNKNOWN_TOKEN, ConsoleDialect
+from birdcage.protocol.carryout.records import LIVE
 
 BAUD = 57600
 TARGET, MOTOR, DVB, OS, NVS = "target", "motor", "dvb", "os", "nvs"
@@ -19,6 +20,7 @@ DIALECT = ConsoleDialect(
         "This dish answers like a Carryout G2 or a Trav'ler (prompt `{prompt}`), not like a Carryout of 2003. "
         "Nothing was moved."
     ),
+    live=LIVE,
     # No source has a text of this firmware. These are words that any console may use.
     refusals=(
         (re.compile(r"\b(invalid|unknown|unrecognized|bad) command\b", re.IGNORECASE), "unknown_command"),

@@ -10,7 +10,10 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-_RECORD = re.compile(r"(?<=[ \r\n])(\d{1,5})[\r\n]* [^ ]{0,24} [^ ]{0,24} el [^ ]{0,24} (\d{4})(?=\D)")
+_WORDS = r" [^ ]{0,24} [^ ]{0,24} el [^ ]{0,24} "
+LIVE = re.compile(rf"(?<![^ ])\d{{1,5}}{_WORDS}\d{{4}}(?!\d)")
+"""A record in a line that a console has cut off."""
+_RECORD = re.compile(rf"(?<=[ \r\n])(\d{{1,5}})[\r\n]*{_WORDS}(\d{{4}})(?=\D)")
 """The azimuth must be seen to begin, and the elevation to end: a number that is cut is another number. Every elevation
 that the dish takes has four digits."""
 _LONGEST = 128
