@@ -37,7 +37,7 @@ GUESSES = {
     "no records": "record=moving",
     "prompt at once": "prompt_when=at_once",
     "axes in turn": "g_axes=turn",
-    "takes a new target": "second_move=retarget",
+    "a second move waits": "second_move=queue",
     "as slow as taken": "speed=5&accel=5",
     "slow and no records": "speed=5&accel=5&record=moving",
     "records each second": "record_s=1&record_last=0",
