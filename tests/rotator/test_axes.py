@@ -25,7 +25,6 @@ TILT = Axis("tilt", Role.EL, 0.0, 90.0, 5.0, 5.0, 0.1)
         ((PAN, replace(TILT, name="pan")), "a name of its own"),
         ((PAN, TILT, replace(PAN, name="second pan")), "the same role"),
         ((*TRAVLER.axes, replace(PAN, name="fourth")), "one to three axes"),
-        ((replace(PAN, min_deg=-180.0, max_deg=180.0), TILT), "on the circle, 0 to 360.*is its `cable`"),
     ],
 )
 def test_axes_that_nothing_could_go_by_are_no_facts(axes, said):

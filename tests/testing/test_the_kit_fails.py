@@ -151,6 +151,11 @@ def takes_half_the_circle(patch, machine, twin):
     patch.setattr(machine, "send", refused_beyond)
 
 
+def counts_an_azimuth_otherwise(patch, machine, twin):
+    around = replace(machine.facts.azimuth, min_deg=-180.0, max_deg=180.0)
+    patch.setattr(machine, "facts", machine.facts.with_axes(around))
+
+
 def has_a_lamp_that_is_never_lit(patch, machine, twin):
     lamp = Feature("lamp", "Lamp", kind=Kind.SWITCH, writer=Writer.UNTIL_RESTART, told=False)
     table = FeatureTable(Row(lamp, write=lambda _machine, on: {"lamp": on}))
@@ -305,6 +310,7 @@ def test_a_breach_along_an_arc_is_seen(toys, monkeypatch, breach, case):
     (has_a_console_unseen, "test_a_line_and_its_answer_or_no_console_at_all"),
     (has_a_limit_too_wide, "test_a_go_to_arrives_where_the_truth_is"),
     (takes_half_the_circle, "test_it_goes_all_round_its_circle"),
+    (counts_an_azimuth_otherwise, "test_it_is_found_by_its_name_and_tells_its_facts"),
     (has_a_lamp_that_is_never_lit, "test_what_is_written_is_read_back"),
     (calls_a_feature_by_no_id, "test_its_features_are_well_formed"),
     (says_that_it_searches, "test_its_features_are_well_formed"),

@@ -204,13 +204,6 @@ class Facts:
         roles = [axis.role for axis in self.axes if axis.role is not Role.ARC]
         if len(set(roles)) < len(roles):
             raise ValueError(f"Two axes of the {self.name} have the same role.")
-        around = by_role.get(Role.AZ)
-        if around is not None and not 0.0 <= around.min_deg < around.max_deg <= 360.0:
-            raise ValueError(
-                f"The azimuth of the {self.name} goes from {around.min_deg:g} to {around.max_deg:g}: its range counts "
-                "on the circle, 0 to 360. What the machine takes beyond that is its `cable`, with turn=Turn.REPORTED "
-                "and turn_by=TurnBy.HOST of that axis."
-            )
         if self.mapping is not None:
             sky = mapped_axes(self.axes, self.mapping)
         else:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from birdcage.base.errors import MotionRefused
 from birdcage.rotator import machines
+from birdcage.rotator.axis import Role
 from birdcage.station.requests import Goto, Jog, ReleaseLease
 from birdcage.station.state import Link
 from birdcage.testing.stage import FIRST_DEG, STEP_S, Stage, require
@@ -22,6 +23,11 @@ class Meeting:
         for axis in facts.axes:
             require(axis.min_deg < axis.max_deg, f"{axis.name}: {axis.min_deg} to {axis.max_deg} is no range")
             require(axis.step_deg > 0.0, f"{axis.name} has no step")
+            require(
+                axis.role is not Role.AZ or (axis.min_deg >= 0.0 and axis.max_deg <= 360.0),
+                f"{axis.name}: {axis.min_deg:g} to {axis.max_deg:g}; an azimuth counts on the circle, 0 to 360. What "
+                "the machine takes beyond is its `cable`, with turn=Turn.REPORTED and turn_by=TurnBy.HOST of the axis",
+            )
 
     def test_it_is_met_without_moving(self, bench: Bench) -> None:
         """Plugging in must never set a machine in motion."""
