@@ -271,7 +271,7 @@ def _check(view: View) -> None:
         assert state.activity is not Activity.HOMING or MoveKind.HOME in proven, said
         assert state.activity is not Activity.MOVING_UNASKED or MoveKind.SEARCH in proven, said
         assert state.unplanned_stop is not StopMeans.NONE or said == "STOP ends the homing", said
-    else:
+    if not plans:
         ladder = state.dish.stop_ladder
         assert "looks" not in said or state.activity is Activity.STOPPING or any(rung.means.is_sent for rung in ladder)
         assert state.dish.tells_at_rest or "looks and" not in said, said
