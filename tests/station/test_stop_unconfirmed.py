@@ -10,9 +10,9 @@ from birdcage.station.report import status_report
 from birdcage.station.requests import Goto, Home, Release
 from birdcage.station.state import Activity
 from birdcage.station.stop_pending import Reach
+from birdcage_tui.next_steps import next_steps
 from birdcage_tui.settings import AppSettings
 from birdcage_tui.view import View
-from birdcage_tui.words import next_steps
 
 from .conftest import Bench
 

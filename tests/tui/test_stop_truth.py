@@ -22,10 +22,11 @@ from birdcage.rotator.own import OwnFacts
 from birdcage.station.raw import Grade
 from birdcage.station.requests import Goto, Home, Jog, Pursue, Stow
 from birdcage.station.state import Activity, HeldState, Link, LinkState, Motion, Search, StopReport
+from birdcage_tui.next_steps import next_steps
 from birdcage_tui.settings import AppSettings
 from birdcage_tui.stop_words import stop_text
 from birdcage_tui.view import View
-from birdcage_tui.words import bad_day, calm, motion_text, next_steps
+from birdcage_tui.words import bad_day, calm, motion_text
 from stand_in import STATES
 
 from tests.station.conftest import Bench

@@ -10,10 +10,11 @@ from birdcage.station.requests import Goto, Release
 from birdcage.station.state import Activity
 from birdcage_tui.control.last import _hint
 from birdcage_tui.held_words import held_words
+from birdcage_tui.next_steps import next_steps
 from birdcage_tui.settings import AppSettings
 from birdcage_tui.stop_words import stop_text
 from birdcage_tui.view import View
-from birdcage_tui.words import ended_text, motion_text, next_steps
+from birdcage_tui.words import ended_text, motion_text
 
 from tests.station.conftest import Bench
 
