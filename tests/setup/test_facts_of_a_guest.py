@@ -11,9 +11,11 @@ from birdcage.rotator.facts import SearchSetting, SearchSwitch, Setting
 from birdcage.rotator.wiring import Connector, Drawing
 from birdcage.setup import wiring
 from birdcage.setup.steps.dish import DishStep
+from birdcage.setup.steps.home import HomeStep
 from birdcage.setup.steps.limits import LimitsStep
+from birdcage.setup.steps.link import LinkStep
 from birdcage.setup.steps.search import SearchStep
-from birdcage.station.state import Search
+from birdcage.station.state import Activity, Link, Search
 
 PLUG = Connector(
     "din", "Guest dish", "DIN, 5 pins", Drawing.USB, "RS-232, 9600 baud 8N1", (), "Its maker.", ("Note.",), 20
@@ -78,3 +80,32 @@ def test_its_plug_is_drawn_and_how_long_it_starts_is_told(monkeypatch):
     assert [each.key for each in wiring.connectors()] == ["g2", "din"]
     assert wiring.spoken_behind(PLUG) == ("guest",)
     assert "(Guest dish: 20)" in wiring.symptoms()[0].remedy
+
+
+NETWORKED = replace(GUEST, firmware="networked", baud=0, connectors=(), homing_s=None, never_homes=True)
+
+
+def test_a_machine_without_homing_is_not_said_to_have_homed():
+    step = HomeStep(bench(NETWORKED))
+    assert step.proven is True
+    assert step.evidence() == "this dish has no homing"
+    assert step.words() == ("The Guest dish has no homing.",)
+
+
+def test_a_machine_on_no_serial_line_is_shown_no_other_dish_s_plugs(monkeypatch):
+    monkeypatch.setattr(wiring, "model_of", {"networked": NETWORKED, "guest": replace(GUEST, connectors=())}.get)
+    assert wiring.connectors_of("networked") == ()
+    assert wiring.connectors_of("guest") == wiring.connectors()
+
+
+def test_a_machine_on_no_serial_line_has_no_speed_to_show_or_keep():
+    kept = {}
+    link = SimpleNamespace(state=Link.UP, round_trip_s=0.004, reason=None, detail="")
+    state = SimpleNamespace(dish=NETWORKED, port="socket://192.0.2.9:4000", link=link, activity=Activity.IDLE)
+    step = LinkStep(SimpleNamespace(
+        state=state, settings=SimpleNamespace(dish=SimpleNamespace(baud=None)), kept=lambda _name: None, ports=list,
+        now=0.0, overridden=lambda *_: "", done=lambda _name, _evidence, keys: kept.update(keys),
+    ))  # fmt: skip
+    assert step.evidence() == "socket://192.0.2.9:4000, answers in 4 ms"
+    step._keep()
+    assert kept["dish.baud"] is None, "0 is no speed that the file may hold"

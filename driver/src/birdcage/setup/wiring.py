@@ -77,8 +77,10 @@ def connectors() -> tuple[Connector, ...]:
 
 
 def connectors_of(firmware: str | None) -> tuple[Connector, ...]:
-    """Return those of one machine; all where it has none, or is not known."""
+    """Return those of one machine, none where it is on no serial line; all where it has none, or is not known."""
     facts = model_of(firmware)
+    if facts is not None and not facts.baud:
+        return facts.connectors
     return (facts.connectors if facts is not None else ()) or connectors()
 
 

@@ -8,6 +8,7 @@ from typing import cast
 
 from birdcage.setup.case import Cause
 from birdcage.setup.step import Choice, Mark, StepView
+from birdcage.setup.wiring import connectors_of
 from textual.app import ComposeResult
 from textual.containers import Container, Vertical, VerticalScroll
 from textual.widgets import Input
@@ -212,8 +213,9 @@ class SetupBody(SetupLayout):
             self._busy = None
         elif self._busy is None or self._busy[0] != step.name:
             self._busy = (step.name, view.now)
-        kind = kind_for(step.name, mute=bool(self.causes), wiring_asked=self.wiring, wide=self.wide,
-                        simulated=view.state.port.startswith("sim:"))  # fmt: skip
+        dish = view.state.dish
+        wired = not view.state.port.startswith("sim:") and (dish is None or bool(connectors_of(dish.firmware)))
+        kind = kind_for(step.name, mute=bool(self.causes), wiring_asked=self.wiring, wide=self.wide, wired=wired)
         extra = self.query_one("#setup-extra", ExtraPane)
         told = step
         if kind is not Kind.CAUSES:

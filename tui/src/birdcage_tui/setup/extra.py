@@ -95,14 +95,14 @@ class ExtraPane(Pane):
         return told
 
 
-def kind_for(step: str, *, mute: bool, wiring_asked: bool, wide: bool, simulated: bool) -> Kind:
-    """Return what stands under a step; a simulated dish has no wires."""
+def kind_for(step: str, *, mute: bool, wiring_asked: bool, wide: bool, wired: bool) -> Kind:
+    """Return what stands under a step; a simulated dish has no wires, nor has one that is on no serial line."""
     if wiring_asked:
         return Kind.WIRING
     if mute and step == "link":
         return Kind.CAUSES
     if not wide:
         return Kind.NOTHING
-    if step in WIRED_STEPS and not simulated:
+    if step in WIRED_STEPS and wired:
         return Kind.WIRING
     return Kind.COMPASS if step in COMPASS_STEPS else Kind.POINTING

@@ -22,6 +22,8 @@ class HomeStep(Step):
     def proven(self) -> bool | None:
         """Only the dish knows, and what it says counts."""
         state = self.bench.state
+        if self._never:
+            return self.bench.is_up
         homed = state.homed is not False and state.position is not None if self._by_itself else state.homed is True
         return self.bench.is_up and homed and state.position_lost is None
 
@@ -31,11 +33,19 @@ class HomeStep(Step):
         model = self.bench.state.dish
         return model is not None and model.homing_s is None
 
+    @property
+    def _never(self) -> bool:
+        """Whether it has no homing at all."""
+        model = self.bench.state.dish
+        return model is not None and model.never_homes
+
     def evidence(self) -> str:
         """Say where it stands."""
         state = self.bench.state
         if not self.bench.is_up:
             return "not known before the dish answers"
+        if self._never:
+            return "this dish has no homing"
         if self.proven and state.position is not None:
             how = "homed by itself at power-up" if self._by_itself else "homed"
             return f"{how}, now at AZ {state.position.az_deg:.2f} EL {state.position.el_deg:.2f}"
@@ -46,6 +56,8 @@ class HomeStep(Step):
     def words(self) -> tuple[str, ...]:
         """Name the consequence."""
         model = self.bench.state.dish
+        if model is not None and self._never:
+            return (model.no_homing,)
         if model is not None and self._by_itself:
             return (*self._wait(model), *self.trouble())
         takes = "" if model is None or model.homing_s is None else f", up to {model.homing_s * 2:.0f} s"

@@ -75,6 +75,7 @@ class LinkStep(Step):
 
     @property
     def _rate(self) -> int:
+        """0 of a machine that is not at the end of a serial line."""
         model = self.bench.state.dish
         assert model is not None, "a station knows its dish from the start"
         return self._baud or self.bench.settings.dish.baud or model.baud
@@ -89,7 +90,7 @@ class LinkStep(Step):
         if self._another:
             return state.link.detail
         if state.link.state is Link.SILENT:
-            return f"{_short(state.port)} opens. No dish answers at {self._rate} baud."
+            return f"{_short(state.port)} opens. No dish answers{f' at {self._rate} baud' if self._rate else ''}."
         if not state.port:
             return "No port set."
         if state.link.state in (Link.LOST, Link.OPENING):
@@ -99,7 +100,7 @@ class LinkStep(Step):
     def _live(self) -> str:
         """Say what was measured when it was kept: a figure that changes with each reply makes the list jump."""
         kept, port = self.bench.kept(self.name), _short(self.bench.state.port)
-        same = f"{port}, ", f" {self._rate} 8N1"
+        same = f"{port}, ", f" {self._rate} 8N1" if self._rate else " answers"
         if kept is not None and kept.done and kept.evidence.startswith(same[0]) and same[1] in kept.evidence:
             return kept.evidence
         return self._measured()
@@ -109,7 +110,8 @@ class LinkStep(Step):
         parts = [_short(state.port)]
         if info is not None and info.vid_pid is not None:
             parts.append(_MAKERS.get(info.vid_pid[:4], info.description or info.vid_pid))
-        parts.append(f"{self._rate} 8N1")
+        if self._rate:
+            parts.append(f"{self._rate} 8N1")
         trip = state.link.round_trip_s
         parts.append("answers" if trip is None else f"answers in {max(1, round(trip * 1000))} ms")
         return ", ".join(parts)
@@ -247,7 +249,7 @@ class LinkStep(Step):
         self.findings = ()
         keys: dict[str, Value] = {
             "dish.port": state.port,
-            "dish.baud": self._rate,
+            "dish.baud": self._rate or None,
             "link.usb_identity": info.identity if info else None,
         }
         self.bench.done(self.name, self._measured() + self.bench.overridden("dish.port", "dish.baud"), keys)
