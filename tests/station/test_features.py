@@ -16,6 +16,7 @@ from birdcage.base.errors import (
     OutOfRange,
 )
 from birdcage.protocol.g2.model import CARRYOUT_G2
+from birdcage.protocol.g2.tuner import Tuner
 from birdcage.rotator.feature import Cost
 from birdcage.rotator.verdict import Grade
 from birdcage.station.events import ReadingRead
@@ -111,6 +112,17 @@ def test_who_has_control_sets_and_held_nothing_is_done(bench):
     bench.step(3.0)
     with pytest.raises(Held):
         bench.do(Set("tv_search", True, "you", agreed=True))
+
+
+def test_a_question_that_is_refused_leaves_the_motor_menu_behind_it(bench, monkeypatch):
+    def refuse(_tuner):
+        raise CommandRefused("The tuner is off.")
+
+    monkeypatch.setattr(Tuner, "snr_db", refuse)
+    with pytest.raises(CommandRefused, match="The tuner is off"):
+        bench.do(Read(("rssi", "snr")))
+    assert bench.state.menu == "mot"
+    assert not bench.station._look.elsewhere
 
 
 def test_who_talks_to_the_dish_is_not_disturbed(bench):

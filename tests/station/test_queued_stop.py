@@ -6,12 +6,17 @@ import random
 
 import pytest
 from birdcage.base.errors import Held, Stopped
+from birdcage.protocol.carryout.protocol import CarryoutProtocol
+from birdcage.protocol.hal.protocol import HAL205Protocol
 from birdcage.rotator.facts import SecondMove
+from birdcage.rotator.ladder import StopMeans
+from birdcage.station.events import StopSent
 from birdcage.station.requests import AcknowledgeFault, Goto, Jog, Release, TurnSkew
 from birdcage.station.state import Activity, Search
 from birdcage.station.stop_pending import Reach
 from birdcage.station.stop_words import stop_line
 
+from .conftest import Bench
 from .queued_bench import QueuedBench, connected
 
 
@@ -52,6 +57,41 @@ def test_a_slew_ends_where_it_is_and_the_dish_is_held(bench):
     assert isinstance(future.exception(0), Stopped)
     bench.step(60)
     assert bench.device.truth().az_deg == pytest.approx(after.az_deg, abs=0.01)
+
+
+@pytest.mark.parametrize(("firmware", "dish"), [("hal205", HAL205Protocol), ("carryout", CarryoutProtocol)])
+def test_a_slew_that_was_not_sent_yet_is_dropped_and_nothing_is_sent(firmware, dish, monkeypatch):
+    bench = Bench(f"{firmware}?seed=1", firmware=firmware)
+    bench.connect(12.0)
+    bench.step(10.0)
+    slew, told = dish.begin_slew, []
+
+    def pressed(self, *where):
+        before = len(bench.written)
+        bench.station.stop("you")
+        assert len(bench.written) == before, "STOP has nothing to end"
+        slew(self, *where)
+
+    monkeypatch.setattr(dish, "begin_slew", pressed)
+    bench.station.subscribe(lambda event: told.append(event.report) if isinstance(event, StopSent) else None)
+    future, since = bench.station.submit(Goto(290, 40, "you")), bench.clock.monotonic()
+    bench.step(5.0)
+    assert isinstance(future.exception(0), Stopped)
+    assert told[0].sentence.startswith("The move was not sent yet, and is dropped.")
+    assert bench.moves_since(since) == []
+    assert not bench.device.truth().moving
+
+
+def test_a_byte_that_ended_no_slew_before_is_sent_and_not_relied_on(bench):
+    bench.station._antenna.strategy.found_to_fail(StopMeans.ABORT)
+    slewing(bench)
+    assert stop_line(bench.state, bench.clock.monotonic()).startswith("STOP at end of move, ")
+    since = bench.clock.monotonic()
+    bench.station.stop("you")
+    assert bench.sent_since(since).startswith(b"\r")
+    bench.step(0.05)
+    assert bench.state.last_stop.means == "end of move"
+    assert "did not end a slew before" in bench.state.last_stop.sentence
 
 
 def test_one_whose_shell_waits_with_moves_of_one_axis_is_stopped_in_a_slew_all_the_same():

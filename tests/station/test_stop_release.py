@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from birdcage.base.errors import PositionUnknown
-from birdcage.station.requests import Goto, Release
+from birdcage.station.requests import Connect, Goto, Release
 from birdcage.station.stop_words import stop_line
 
 from .conftest import Bench
@@ -56,6 +56,19 @@ def test_what_has_failed_once_is_not_tried_again():
     assert bench.state.last_stop.means == "release"
     assert [line for line in bench.lines()[before:] if line == "r" or line.startswith(("a ", "g "))] == ["r"]
     assert bench.device.truth().released
+
+
+def test_what_answers_after_a_change_of_ports_is_not_judged_by_that():
+    bench = stopped_in_vain()
+    bench.step(30)
+    bench.do(Release("you"))
+    bench.do(Connect("sim:test", None))
+    bench.step(5)
+    bench.station.submit(Goto(200, 45, "you"))
+    bench.step(1)
+    bench.station.stop("you")
+    bench.step(0.1)
+    assert bench.state.last_stop.means == "retarget"
 
 
 def test_without_consent_the_second_stop_says_that_nothing_stops_it():

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.base.errors import CommandRefused
+from birdcage.base.errors import BirdcageError, CommandRefused
 from birdcage.rotator import machines
 from birdcage.rotator.facts import Turn
-from birdcage.station.requests import Goto, SetSearch
+from birdcage.station.requests import Goto, Read, Set, SetSearch
 from birdcage.station.state import Activity, Search
 from birdcage.testing import Bench, Contract, Stage, StopScene
 from installed_toys import installed
@@ -50,6 +50,19 @@ def test_it_has_no_tv_search_to_end(bench):
         for disabled in (True, False):
             error = stage.refused(SetSearch("you", disabled), CommandRefused)
             assert str(error) == "The Pushy has no TV search. Nothing was sent."
+
+
+def test_a_lamp_is_read_and_set_at_rest_only(bench):
+    """Its supply may be read in motion; its lamp is said to be left alone then."""
+    with Stage(bench) as stage:
+        stage.ready()
+        stage.station.submit(Goto(300.0, 40.0, "you"))
+        stage.step(1.0)
+        assert stage.truth.moving
+        for request in (Read(("lamp",)), Set("lamp", 40.0, "you")):
+            assert stage.refused(request, BirdcageError, within_s=1.0).reason == "moving"
+        assert stage.twin.lamp == 0
+        assert stage.do(Read(("supply",)), 1.0)["supply"].value == pytest.approx(12.1)
 
 
 def test_what_it_tells_unasked_is_seen_by_all(bench):
