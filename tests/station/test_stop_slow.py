@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from birdcage.station.events import StopConfirmed
 from birdcage.station.requests import Goto, Release
+from birdcage.station.stop_words import stop_line
 
 from .conftest import Bench
 
@@ -72,3 +73,25 @@ def test_a_line_that_turns_slow_does_not_speak_against_a_rung(lane, delay_s):
     bench.step(5)
     assert (bench.state.last_stop.means, bench.state.last_stop.confirmed) == ("retarget", True)
     assert not bench.device.truth().moving
+
+
+def test_a_dish_that_had_arrived_has_shown_nothing_of_what_stops_it():
+    bench = Bench("g2?seed=1&az_speed=20").connect()
+    bench.watch("position")
+    bench.do(Goto(60, 45, "you"))
+    bench.station.submit(Goto(80, 45, "you"))
+    bench.step(0.3)
+    while bench.device.truth().moving:
+        bench.step(0.01)
+    assert bench.state.motion is not None, "it was not seen there yet"
+    bench.station.stop("you")
+    bench.step(5)
+    assert (bench.state.last_stop.means, bench.state.last_stop.confirmed) == ("retarget", True)
+    bench.do(Release("you"))
+    for said in ("STOP should take ", "STOP takes "):
+        bench.station.submit(Goto(200 if said == "STOP should take " else 60, 45, "you"))
+        bench.step(1)
+        assert stop_line(bench.state, bench.clock.monotonic()).startswith(said)
+        bench.station.stop("you")
+        bench.step(5)
+        bench.do(Release("you"))

@@ -7,8 +7,11 @@ from dataclasses import dataclass
 from enum import Enum
 
 from birdcage.antenna.strategy.strategy import StopAction
+from birdcage.base.geometry import separation
 from birdcage.rotator.ladder import StopOrder
-from birdcage.station.state import Pointing, StopReport
+from birdcage.station.state import Motion, Pointing, StopReport
+
+SHORT_DEG = 0.5
 
 
 class Reach(Enum):
@@ -51,5 +54,12 @@ class Pending:
     """What else came of it."""
     order: StopOrder | None = None
     """What was sent, and is repeated as it was: a dish whose answers alone were lost must not be sent on."""
+    target: Motion | None = None
+    """The motion that was to be stopped, as it was shown; None of one that this program had not sent."""
     unsent: StopAction | None = None
     """What the port has not taken, until it does."""
+
+    def ended_short(self, at_rest: Pointing) -> bool:
+        """Return whether the motion ended so far from its target that it was stopped, and not just over."""
+        to = self.target
+        return to is None or separation(at_rest.az_deg, at_rest.el_deg, to.to_az_deg, to.to_el_deg) > SHORT_DEG

@@ -132,7 +132,7 @@ class Stopper:
         """Publish the STOPs that were called since, on the station's thread."""
         while self._calls:
             report, action, reason = self._calls.popleft()
-            order = action.order
+            order, shown = action.order, self._board.state.motion
             self._control.hold(report.by, reason, keep=False)  # the call has done that
             self._mover.fail(
                 End.STOPPED, f"STOP by {report.by}", Stopped(f"STOP by {report.by}: the motion was given up.")
@@ -155,6 +155,7 @@ class Stopper:
                 slowest, order=order,
                 action_is_complete=not (action.means.is_sent or action.means is StopMeans.RELEASE),
                 unsent=action if report.means is StopMeans.NO_LINK else None,
+                target=shown or (None if self._pending is None else self._pending.target),
             )  # fmt: skip
             self.due = now
 
@@ -211,7 +212,8 @@ class Stopper:
             since, pending.still_asked = pending.still_asked, asked
             self._still_moving(pending, earlier, pointing, since)
         elif self._rests(pending, pending.still_from, asked):
-            if pending.report.means in LEARNT and now <= pending.deadline:  # a late answer tells nothing of the dish
+            # A late answer tells nothing of the dish, nor does one that stands where it was going.
+            if pending.report.means in LEARNT and now <= pending.deadline and pending.ended_short(pointing):
                 self._learn(pending.report.means, works=True)
             self._finish(
                 pending, now <= pending.deadline or pending.report.means.is_undecided,
