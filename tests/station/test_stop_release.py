@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import pytest
+from birdcage.base.config import Settings
+from birdcage.base.config.sections import MotionSettings
 from birdcage.base.errors import PositionUnknown
-from birdcage.station.requests import Connect, Goto, Release
+from birdcage.station.requests import ApplySettings, Connect, Goto, Release
 from birdcage.station.stop_words import stop_line
 
 from .conftest import Bench
@@ -69,6 +71,16 @@ def test_what_answers_after_a_change_of_ports_is_not_judged_by_that():
     bench.station.stop("you")
     bench.step(0.1)
     assert bench.state.last_stop.means == "retarget"
+
+
+def test_consent_that_is_given_or_taken_back_is_said_at_once():
+    bench = stopped_in_vain()
+    bench.step(30)
+    bench.do(Release("you"))
+    for consent, said in ((False, "No STOP is known"), (True, "STOP holds it"), (False, "No STOP is known")):
+        motion = MotionSettings(stop_releases_motors=consent)
+        bench.do(ApplySettings(Settings(motion=motion), "you"))
+        assert stop_line(bench.state, bench.clock.monotonic()).startswith(said)
 
 
 def test_without_consent_the_second_stop_says_that_nothing_stops_it():

@@ -64,7 +64,7 @@ class Applying:
         self._board.change(
             position=position, alignment=alignment,
             az_offset_deg=alignment.az_offset_deg, el_offset_deg=alignment.el_offset_deg,
-            feed_name=rules.feed_name, beam=beam,
+            feed_name=rules.feed_name, beam=beam, unplanned_stop=self._antenna.strategy.unplanned,
             stow_allowed=rules.stow_allowed, motion_refused_because=rules.refuse_motion or self._wrong_facts,
         )  # fmt: skip
         self._look.limit()
