@@ -16,8 +16,10 @@ from birdcage.base.errors import (
     OutOfRange,
 )
 from birdcage.protocol.g2.model import CARRYOUT_G2
+from birdcage.protocol.g2.protocol import CarryoutG2Protocol
 from birdcage.protocol.g2.tuner import Tuner
-from birdcage.rotator.feature import Cost
+from birdcage.protocol.menu_rotator import MenuRotator
+from birdcage.rotator.feature import Cost, Feature, Kind, Reading, Writer
 from birdcage.rotator.verdict import Grade
 from birdcage.station.events import ReadingRead
 from birdcage.station.requests import AcquireLease, Goto, Raw, Read, Release, ReleaseLease, Set
@@ -176,3 +178,14 @@ def test_stop_in_the_middle_of_a_question_is_confirmed_and_finds_the_motor_menu(
     assert bench.state.link.state is Link.UP
     bench.do(Release("you"))
     bench.do(Goto(20.0, 45.0, "you"))
+
+
+def test_a_value_that_the_dish_never_tells_is_not_kept_as_read(monkeypatch):
+    """It may have forgotten it since, and nothing would tell."""
+    lamp = Feature("lamp", "Lamp", kind=Kind.SWITCH, writer=Writer.UNTIL_RESTART, told=False)
+    model = replace(CARRYOUT_G2, features={**CARRYOUT_G2.features, "lamp": lamp})
+    monkeypatch.setattr(CarryoutG2Protocol, "model", model)
+    monkeypatch.setattr(MenuRotator, "write", lambda dish, _id, on: Reading(on, "", 0.0, dish.clock.utc()))
+    bench = Bench().connect()
+    assert bench.do(Set("lamp", True, "you")).value is True
+    assert "lamp" not in bench.state.readings

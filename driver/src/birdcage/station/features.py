@@ -68,7 +68,7 @@ class Features:
             self._free_for(request.holder)
             self._search.set(disabled=disabled)
         else:
-            self._write(feature, value, request.holder)
+            return self._write(feature, value, request.holder)
         return self._board.state.readings[feature.id]
 
     def _feature(self, name: str, *, readable: bool) -> Feature:
@@ -100,7 +100,7 @@ class Features:
         self._come_back()
         return readings
 
-    def _write(self, feature: Feature, value: Value, holder: str) -> None:
+    def _write(self, feature: Feature, value: Value, holder: str) -> Reading:
         if not feature.cost.while_moving:
             refuse_while_moving(self._board, self._antenna, f"{feature.label} is not set")
         self._free_for(holder)
@@ -110,8 +110,10 @@ class Features:
         except CommandRefused:
             self._come_back()
             raise
-        self._look.note({feature.id: reading})
+        if feature.is_readable:  # else it may have forgotten it since, and nothing would tell
+            self._look.note({feature.id: reading})
         self._come_back()
+        return reading
 
     def _free_for(self, holder: str) -> None:
         """Raise what forbids `holder` to have the machine do something; the lease stays where it is."""
