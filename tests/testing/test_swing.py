@@ -161,6 +161,7 @@ def test_without_a_location_it_has_no_direction_and_says_so(nowhere):
 
 def test_stop_returns_at_once_though_the_library_blocks(bench):
     """The motor is told on a thread of the machine's own, `settle` waits for that until its deadline, and it ends."""
+    before = threading.enumerate()
     with Stage(bench) as stage:
         stage.found()
         stage.station.submit(Goto(*stage.target(60.0, 0.0), "you"))
@@ -174,8 +175,9 @@ def test_stop_returns_at_once_though_the_library_blocks(bench):
         stage.twin.free.set()
         machine.stop_now(StopOrder(StopBy.COMMAND))
         assert machine.settle(5.0) == (None,)
-        (own,) = [thread for thread in threading.enumerate() if thread.name == "swing-halter"]
-    assert not own.is_alive()
+        own = [thread for thread in threading.enumerate() if thread.name == "swing-halter" and thread not in before]
+        assert len(own) == 1
+    assert not own[0].is_alive()
 
 
 def test_stop_halts_what_somebody_else_set_in_motion(bench):
