@@ -12,7 +12,7 @@ SIZE = (120, 36)
 
 @dataclass(frozen=True)
 class Scene:
-    """One picture: its name in the source document, what is done for it, and what must then be readable."""
+    """One picture: its name, what is done for it, and what must then be readable."""
 
     name: str
     play: Callable[[Stage], Awaitable[None]]
@@ -64,7 +64,7 @@ async def control(on: Stage) -> None:
 
 
 async def craft(on: Stage) -> None:
-    """Following the Moon, two minutes after it was chosen: what the picture of the source document shows."""
+    """Following the Moon, two minutes after it was chosen: what an earlier app's picture of this page shows."""
     await on.wait(9)
     await on.press("f2", "c", "slash")
     await on.type("moon")
@@ -138,5 +138,5 @@ MOVING = MovingScene(
 )
 """The one at the head of the README: the dish follows a satellite, ten times as fast as it does."""
 NOT_BUILT = ("tui-signal", "tui-system", "tui-camera")
-"""Pictures of the source document whose pages this version does not have."""
+"""Pictures of an earlier app whose pages this version does not have."""
 COLLAGE = ("tui-dashboard", "tui-control", "tui-console", "tui-setup")

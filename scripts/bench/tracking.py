@@ -1,7 +1,7 @@
 """How well a dish follows: real passes, our own simulator at the byte level through the real driver, a virtual clock.
 
 Peers run as policies on the same passes: Gpredict's at 5 and 1 degree, and a move to where the target is now once a
-second, each with and without leapfrog. Base case and second row as `SEAMS.md` *Figures* has them; perfect elements and
+second, each with and without leapfrog. Base case and second row are in `tracking_dishes.py`; perfect elements and
 clock. Errors are angles on the sky against the simulator's true direction at 20 Hz, while the target is between floor
 and ceiling. The last line is one JSON object. `--quick` runs a tenth of the passes.
 The Carryout of 2003 is driven by the whole station, and held against its own forecast.

@@ -2,7 +2,7 @@
 
 Rows: a position query (in the motor menu, and after another program left the dish elsewhere), and the traffic at rest
 with everything on the dashboard watched, over the busiest 10 s. The peer is the earlier app's measured traffic
-(reference an-earlier-app 2.4: 17.1 commands a second idle, 67 % of them menu changes).
+(17.1 commands a second idle, 67 % of them menu changes).
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """How an axis moves: trapezoidal velocity, for planning, arrival times and stopping points.
 
-Reference section 7.1 and 7.4 (inferred: the G2's limits from NVS 80, 81, 85). The simulator has its own.
+That a G2 moves so is inferred from its settings 80, 81 and 85 (`docs/reference/g2.md`). The simulator has its own.
 """
 
 from __future__ import annotations

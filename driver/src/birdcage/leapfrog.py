@@ -1,4 +1,4 @@
-"""Predictive overshoot for streams of targets, as the public API documents it (document 003)."""
+"""Predictive overshoot for streams of targets (`docs/reference/published-interface.md`, *Leapfrog*)."""
 
 from __future__ import annotations
 

@@ -33,7 +33,7 @@ from birdcage_tui.dialogs import QuestionScreen
 from birdcage_tui.goto import GotoLine
 from birdcage_tui.help import HelpScreen, help_words
 from birdcage_tui.jump import JumpScreen, Target, targets
-from birdcage_tui.main import main  # noqa: F401 - as `birdcage_tui.app:main` the public API names it (document 003)
+from birdcage_tui.main import main  # noqa: F401 - the published interface names `birdcage_tui.app:main`
 from birdcage_tui.messages import CommandChosen
 from birdcage_tui.pages.dashboard import DashboardPage
 from birdcage_tui.pages.page import Page

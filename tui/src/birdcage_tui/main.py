@@ -76,7 +76,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         options = _options(arguments)
         # Textual waits this long to tell Esc from the start of a sequence.
         os.environ.setdefault("ESCDELAY", "60")
-        # A thread that waits behind a painting one wakes within a millisecond (SEAMS, Threads).
+        # A thread that waits behind a painting one wakes within a millisecond.
         sys.setswitchinterval(0.001)
 
         # What is made up to the first frame stays: looking through it for garbage would only hold that frame up.

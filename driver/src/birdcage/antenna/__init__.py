@@ -1,4 +1,7 @@
-"""Turns "point there" into safe commands. The names of the public API (document 003), loaded when asked for."""
+"""Turns "point there" into safe commands.
+
+The names of the published interface (`docs/reference/published-interface.md`) are loaded when asked for.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Between the base and the world: what the dish counts, and what is true (SEAMS *Frames*)."""
+"""Between the base and the world: what the dish counts, and what is true."""
 
 from __future__ import annotations
 

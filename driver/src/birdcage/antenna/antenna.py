@@ -1,4 +1,4 @@
-"""High-level control of one dish: the class that scripts and the station drive (document 003)."""
+"""High-level control of one dish, for scripts and the station (`docs/reference/published-interface.md`)."""
 
 from __future__ import annotations
 

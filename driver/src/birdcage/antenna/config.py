@@ -1,4 +1,4 @@
-"""How a caller reaches its dish, and the limits of its own (document 003)."""
+"""How a caller reaches its dish, and the limits of its own (`docs/reference/published-interface.md`)."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 
 class DialectBaud(int):
-    """57600, and the mark of not having been given: then the dialect's own baud is used (SEAMS *Public API*)."""
+    """57600, and the mark of not having been given: then the dialect's own baud is used."""
 
 
 DIALECT_BAUD = DialectBaud(57600)

@@ -1,4 +1,4 @@
-"""The one gate that every motion passes, whoever asks (DESIGN section 5). Works in the dish's own frame."""
+"""The one gate that every motion passes, whoever asks. Works in the dish's own frame."""
 
 from __future__ import annotations
 

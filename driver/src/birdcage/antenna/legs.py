@@ -1,7 +1,8 @@
 """The way to a direction on a dish whose moves queue: one command at a time, none that can't be called back for long.
 
-What is under way when STOP comes must end by itself soon, or at a byte (SEAMS *STOP*): so an axis that has further to
-go than the model's `slew.least_deg` goes by one silent slew, and shorter ways go one axis after the other. Pure.
+What is under way when STOP comes must end by itself soon, or at a byte: so an axis that has further to go than the
+model's `slew.least_deg` goes by one silent slew, and shorter ways go one axis after the other
+(`docs/decisions/0011-queued-dish.md`). Pure.
 """
 
 from __future__ import annotations

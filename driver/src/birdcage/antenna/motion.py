@@ -13,7 +13,7 @@ from birdcage.rotator.facts import Facts
 from birdcage.rotator.values import MOTOR_AZIMUTH, Position
 
 STOP_LATENCY_S = 0.1
-"""The longest that a STOP line normally takes to act on a retargetable dish (SEAMS *Figures*: 20 to 100 ms)."""
+"""The longest that a STOP line normally takes to act on a retargetable dish (20 to 100 ms, assumed)."""
 AGAINST_DEG_S = 2.0
 """A mean rate above this tells the direction: noise and overshoot are slower."""
 MODEL_TRUST_DEG = 1.0

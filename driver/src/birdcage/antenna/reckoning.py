@@ -35,7 +35,7 @@ class Told:
 
 
 class Reckoning:
-    """Of one machine that reports no position at rest (SEAMS *Rotator*, `timed`)."""
+    """Of one machine that reports no position at rest (`docs/decisions/0043-a-dish-that-does-not-tell.md`)."""
 
     def __init__(self) -> None:
         self._position: Position | None = None

@@ -18,7 +18,7 @@ def borders(model: Facts) -> tuple[float, ...]:
     """Return the azimuths at which a dish may turn the other way round: north, and the stops of its cable.
 
     At north, for there is one that "usually crosses" it but sometimes turns round, and whose cable ends at "usually
-    360 or 455" (reference section 3); unknown of the others. Nowhere, where nothing winds up.
+    360 or 455" (`docs/reference/travler.md`, *Cable*); unknown of the others. Nowhere, where nothing winds up.
     """
     if model.cable is None:
         return ()
@@ -28,8 +28,7 @@ def borders(model: Facts) -> tuple[float, ...]:
 def goes_short(model: Facts, start_deg: float, turn_deg: float) -> bool:
     """Return whether the azimuth goes by the short way `turn_deg` from `start_deg`, however far the cable has turned.
 
-    It does where that way meets neither a stop of the cable nor north: it is safe for every turn then (DESIGN
-    section 5).
+    It does where that way meets neither a stop of the cable nor north: it is safe for every turn then.
     """
     if abs(turn_deg) > LONGEST_SURE_DEG:
         return False
@@ -64,8 +63,8 @@ def azimuth_way(
 
     `cable_deg` is the turn of the cable, None if it is not known, and `limits` how far it may turn; None where
     nothing winds up. With a known turn the nearest is taken that the dish itself allows: how the firmware chooses is
-    not documented (reference section 7.4), and of a user's narrower limits it knows nothing. Without one, the other
-    way round is ruled out only where no turn makes the dish take it.
+    not documented, and of a user's narrower limits it knows nothing. Without one, the other way round is ruled
+    out only where no turn makes the dish take it (`docs/decisions/0027-remembered-turn.md`).
     """
     short_deg = shortest_turn(start_deg, az_deg)
     if limits is None:

@@ -1,4 +1,4 @@
-"""A thread of its own for slow files: transcripts and journals never make the wire wait (SEAMS *Threads*)."""
+"""A thread of its own for slow files: transcripts and journals never make the wire wait."""
 
 from __future__ import annotations
 

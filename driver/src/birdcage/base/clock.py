@@ -1,4 +1,4 @@
-"""The one place where time is read and waited for (SEAMS *Clock*).
+"""The one place where time is read and waited for.
 
 Three makes: `RealClock`, `ScaledClock` (UTC and mechanics run n times faster, wire deadlines stay real seconds) and
 `VirtualClock` (no threads, no waiting: `wait` jumps to the next thing that happens).

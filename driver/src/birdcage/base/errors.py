@@ -1,4 +1,4 @@
-"""The taxonomy of what can go wrong (DESIGN section 10).
+"""The taxonomy of what can go wrong.
 
     BirdcageError
       ConfigError        a setting cannot be read or is not allowed

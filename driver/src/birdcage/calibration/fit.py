@@ -1,4 +1,6 @@
-"""Fits the pointing model to peaks: weighted least squares with a prior on every term (tracking.md section 4).
+"""Fits the pointing model to peaks: weighted least squares with a prior on every term.
+
+`docs/decisions/0016-pointing-model.md` has the terms and their priors.
 
 Imports numpy; faces import it inside functions.
 """

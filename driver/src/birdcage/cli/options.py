@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 DEFAULT_PORT = "/dev/ttyUSB0"
 DEFAULT_FIRMWARE = "hal205"
-"""What is tried first without a named firmware, if nothing answers (document 003)."""
+"""What is tried first without a named firmware, if nothing answers (`docs/decisions/0021-which-firmware.md`)."""
 DEMO_FIRMWARE = "g2"
 """What is simulated unless something else is named: the dish that is known best."""
 ASKED = "as set, else the port is asked"

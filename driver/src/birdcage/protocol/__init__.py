@@ -1,6 +1,6 @@
 """One dialect a file: what to send, what to match, what the dish can do.
 
-The names of the public API (document 003) are found here, and loaded when asked for.
+The names of the published interface (`docs/reference/published-interface.md`) are found here, loaded when asked for.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The commands of a console's menus: as the reference lists them, and as the dish's own help does."""
+"""The commands of a console's menus: as they are documented, and as the dish's own help lists them."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _COMMAND = re.compile(r"([A-Za-z?][\w?*]*)((?:\s+[\[<(]\S.*?[\])>])*)\s*(?:(?:\s
 
 
 def parse_help(menu: str | None, lines: Iterable[str]) -> tuple[CommandDoc, ...]:
-    """Read what `?` printed, leniently (reference section 7.3); a line that is none of its forms is passed over.
+    """Read what `?` printed, leniently; a line that is none of its forms is passed over.
 
     Forms: `Enter <dvb> - DVB Tuner`, `help [<command>]`, `a [<motor> <angle>]`, `agc - reads the AGC`, bare words.
     """

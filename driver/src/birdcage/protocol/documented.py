@@ -1,4 +1,7 @@
-"""A class that keeps to the public API (document 003): driven by the methods that it names, and by no others.
+"""A class that keeps to the published interface (`docs/reference/published-interface.md`).
+
+It is driven by the methods that are named there, and by no others
+(`docs/decisions/0041-a-class-that-keeps-to-the-document.md`).
 
 Such a class may have a port of its own, and never open our console. Only its calls are known, not its line: a motion
 is watched by `get_position`, and STOP is one more `move_motor`, when the call under way has returned.
@@ -27,7 +30,7 @@ from birdcage.rotator.values import Look, Position, Taken
 T = TypeVar("T")
 
 REPLACED = ("connect", "disconnect", "is_connected", "get_position", "move_motor")
-"""What a class may do in its own way by the document, and our dialects do by the console."""
+"""What a class may do in its own way by the published interface, and our dialects do by the console."""
 
 
 DECIMALS = 2
@@ -35,7 +38,7 @@ DECIMALS = 2
 
 
 def keeps_to_the_document(machine: FirmwareProtocol) -> bool:
-    """Return whether only the document's names tell what a machine does.
+    """Return whether only the names of the published interface tell what a machine does.
 
     So it is where its class, below the one that speaks our console by a `_send_move`, has replaced one of `REPLACED`,
     or the object itself has; and where it only poses as such a class, as a mock does.
@@ -87,7 +90,10 @@ class CallLine:
 
 
 class DocumentedRotator(MenuRotator):
-    """A `Rotator` over a class that keeps to the document. Any error of its own is raised as it is, but OSError."""
+    """A `Rotator` over a class that keeps to the published interface.
+
+    Any error of its own is raised as it is, but OSError.
+    """
 
     def __init__(self, protocol: FirmwareProtocol) -> None:
         super().__init__(protocol)

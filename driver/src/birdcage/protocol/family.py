@@ -8,7 +8,7 @@ MOTOR_TROUBLES = (
     (re.compile(r"\b(?P<axis>AZ|EL|SK)\w*\s+MOTOR\s+STALLED\b", re.IGNORECASE), False),
     (re.compile(r"\b(?P<axis>AZ|EL|SK)\w*\s+Motor\s+Home\s+Failure\b", re.IGNORECASE), True),
 )
-"""A motor that does not turn, and one that does not find its reference (reference section 4)."""
+"""A motor that does not turn, and one that does not find its reference (`docs/reference/travler.md`, *Faults*)."""
 AXIS_NAMES = {"AZ": "azimuth", "EL": "elevation", "SK": "skew"}
 
 

@@ -82,8 +82,8 @@ GENERIC_FACTS = Facts(
         """
     ),
 )
-"""Ranges, floor and baud are the defaults of the public API (document 003); its boot is as long as the longest of the
-family. No cable range is known: whoever knows of one sets it in `model`, or in the settings."""
+"""Ranges, floor and baud are the defaults of `docs/reference/published-interface.md`; its boot is as long as the
+longest of the family. No cable range is known: whoever knows of one sets it in `model`, or in the settings."""
 
 GENERIC_DIALECT = ConsoleDialect(
     troubles=MOTOR_TROUBLES,

@@ -13,7 +13,7 @@ from birdcage.rotator.raw import CommandDoc, Permit, RawAnswer
 from birdcage.rotator.verdict import Grade, Verdict
 
 HELP = ("?",)
-"""What brings the help of a menu, unless its dialect knows better (reference section 2.1)."""
+"""What brings the help of a menu, unless its dialect knows better."""
 
 PROMPT = re.compile(r"\S{0,16}>")
 
@@ -53,7 +53,7 @@ class MenuRaw:
         return PROMPT.fullmatch(text.strip()) is not None
 
     def commands(self, place: str | None) -> tuple[CommandDoc, ...]:
-        """Return what the reference lists of a menu."""
+        """Return the documented commands of a menu."""
         return tuple(command for command in self._protocol.commands if command.menu == place)
 
     def help_lines(self, place: str | None) -> tuple[str, ...]:
@@ -108,7 +108,7 @@ class MenuTyped:
         return None if reply is None else self._told(reply)
 
     def end(self) -> None:
-        """Send a bare Enter, never a `q` (reference section 7.8)."""
+        """Send a bare Enter, never a `q`: at the root that may end the shell (`docs/decisions/0003-q-in-step.md`)."""
         self._typed.press_enter()
 
     def wait(self, timeout_s: float) -> RawAnswer | None:

@@ -1,4 +1,4 @@
-"""The axes of the family by name, and by the numbers that its consoles and document 003 have for their motors."""
+"""The axes of the family by name, and by the numbers of their motors (on the wire, and in the published interface)."""
 
 from __future__ import annotations
 

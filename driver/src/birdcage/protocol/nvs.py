@@ -1,4 +1,4 @@
-"""Rows of the settings memory as `nvs`, `d` prints them (reference section 7.5)."""
+"""Rows of the settings memory as `nvs`, `d` prints them (`docs/reference/g2.md`)."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""The plugs of the dishes of one maker, and the adapters that were used with them (reference section 1.1).
+"""The plugs of the dishes of one maker, and the adapters that were used with them.
 
-docs/wiring.md names the sources.
+`docs/wiring.md` names the sources.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What every dialect can do: the abstract class of the public API (document 003)."""
+"""What every dialect can do: the abstract class of `docs/reference/published-interface.md`."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ class FirmwareProtocol(ABC):
     hazards: ClassVar[HazardTable] = HazardTable()
     """What raw lines do. Without rows, each counts as changing a setting."""
     commands: ClassVar[tuple[CommandDoc, ...]] = ()
-    """What the reference lists of each menu."""
+    """The documented commands of each menu."""
     help_lines: ClassVar[Mapping[str, tuple[str, ...]]] = {}
     """What brings the help of a menu page by page, where that is not a single `?`."""
 
@@ -191,8 +191,9 @@ class FirmwareProtocol(ABC):
     def move_motor(self, motor_id: int, degrees: float, *, busy_s: float = 0.0) -> Taken:
         """Send one axis to an absolute angle. Returns when the dish has answered the command.
 
-        `busy_s`: how long a motor may still run, and a dish that waits for it (section 2.6) not answer. NoReply
-        (`busy`) when it has not answered 2 s later.
+        `busy_s`: how long a motor may still run, and a dish that waits for it not answer
+        (`docs/decisions/0023-a-dish-that-waits-for-its-motors.md`). NoReply (`busy`) when it has not answered 2 s
+        later.
         MotionRefused (nothing sent) outside the range of the axis; KeyError for an unknown motor. The cable, no-go
         sectors and limits of yours are for the antenna to see to.
         """

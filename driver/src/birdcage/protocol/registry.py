@@ -1,4 +1,4 @@
-"""Which firmware is spoken by which dialect, as document 003 has it: found by entry point."""
+"""Which firmware is spoken by which dialect, by entry point (`docs/reference/published-interface.md`)."""
 
 from __future__ import annotations
 

@@ -358,7 +358,7 @@ class DeskWork:
     def _keep_timetable(self, at: Circumstances, monotonic: float) -> None:
         """Keep autotrack's plan, and ask for what it wants followed."""
         if self._auto.on and self._station.state.held is not None:
-            # STOP cancels what was scheduled too (DESIGN section 5): a person switches it on again.
+            # STOP cancels what was scheduled too: a person switches it on again.
             self._stopped.autotrack_off(self._auto.row)
             self._auto.switch(False)
             self._say("STOP has switched autotrack off.")

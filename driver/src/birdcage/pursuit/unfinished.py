@@ -1,4 +1,4 @@
-"""Keeps on disk what is being followed, and knows whether it may go on by itself after a restart (DESIGN section 5)."""
+"""Keeps on disk what is being followed, and knows whether it may go on by itself after a restart."""
 
 from __future__ import annotations
 

@@ -16,7 +16,7 @@ MEANINGS = {
     -20: "its radio is switched off",
     -21: "a value outside of its range",
 }
-"""Hamlib's own codes (reference section 1.7). SDR++ and gqrx say 1 to all that they do not know."""
+"""Hamlib's own codes (`rig_errcode_e` of its `rig.h`). SDR++ and gqrx say 1 to all that they do not know."""
 
 
 class RadioLost(BirdcageError):

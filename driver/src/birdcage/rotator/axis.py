@@ -38,7 +38,7 @@ class MeasuredTimes:
 
 
 OVERSHOOT_SPREAD_DEG = 0.02
-"""How far from its mean the overshoot of a single move lies at most (reference section 7.4)."""
+"""How far from its mean the overshoot of a single move lies at most (`docs/reference/g2.md`)."""
 
 
 SHORT_WAYS = 2.0 / 3.0
@@ -101,7 +101,7 @@ class Axis:
 
     @property
     def index(self) -> int:
-        """Its number above the seam, as document 003 counts motors: by its role. KeyError for one along an arc."""
+        """Its number above the seam, as the published interface counts motors: by role. KeyError for one on an arc."""
         return _NUMBERS[self.role]
 
     def mean_overshoot_deg(self, way_deg: float) -> float | None:

@@ -18,7 +18,7 @@ MOST_AXES = 3
 
 
 class Turn(Enum):
-    """How well the turn of the cable is known (SEAMS *Frames*)."""
+    """How well the turn of the cable is known (`docs/decisions/0027-remembered-turn.md`)."""
 
     REPORTED = "reported"
     """The azimuth that is read is the turn of the cable, beyond the circle."""
@@ -97,7 +97,8 @@ class SilentSlew:
     """A combined move that any byte aborts: while it lasts nothing is asked, and the position is modelled."""
 
     least_deg: float
-    """An axis that has further to go than this is sent by it, as a queued move cannot be called back (SEAMS *STOP*)."""
+    """An axis that has further to go than this is sent by it, as a queued move cannot be called back
+    (`docs/decisions/0011-queued-dish.md`)."""
 
 
 @dataclass(frozen=True, slots=True)

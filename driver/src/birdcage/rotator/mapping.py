@@ -1,4 +1,7 @@
-"""Between the axes of a machine that has no azimuth and elevation of its own, and the sky (SEAMS *Rotator*)."""
+"""Between the axes of a machine that has no azimuth and elevation of its own, and the sky.
+
+`docs/decisions/0047-axes-and-mappings.md`.
+"""
 
 from __future__ import annotations
 

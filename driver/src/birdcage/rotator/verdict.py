@@ -25,7 +25,7 @@ class Aim:
     angles_deg: Mapping[int, float]
     """By motor number."""
     relative: bool = False
-    """Whether they count from where the dish stands (source document 001: undocumented, one firmware only).
+    """Whether they count from where the dish stands (noted of one firmware only).
 
     Its target is judged and not told, as another firmware may take it as it is written.
     """

@@ -1,4 +1,4 @@
-"""From what was seen to the offsets of the alignment: true = the dish's own + offset (SEAMS *Frames*)."""
+"""From what was seen to the offsets of the alignment: true = the dish's own + offset."""
 
 from __future__ import annotations
 

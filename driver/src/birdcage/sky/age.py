@@ -1,8 +1,8 @@
 """How far a satellite may be from where its elements say, by their age: in kilometres, in degrees, in words.
 
-Measured is the space station alone (reference section 1.5: 6,000 element sets of 2022 to 2025, old ones carried on to
-the epoch of newer ones). It is about the worst case: low, large, at solar maximum, and raised now and then. For every
-other orbit the figures are an estimate, by two arguments:
+Measured is the space station alone (`docs/tracking.md`, *Age of the elements*: 6,000 element sets of 2022 to 2025, old
+ones carried on to the epoch of newer ones). It is about the worst case: low, large, at solar maximum, and raised now
+and then. For every other orbit the figures are an estimate, by two arguments:
 
 - Without air, what grows is the error of the fitted period. A fit over a day or so cannot tell the period better than
   its own scatter over that time, so the error at epoch is added once a day. Seen as an angle along the orbit the
@@ -28,7 +28,7 @@ OrbitClass = Literal["LEO", "MEO", "GEO", "HEO"]
 
 MEASURED = ((6.0, 0.7, 2.3), (12.0, 0.9, 4.6), (24.0, 1.9, 15.8), (48.0, 6.0, 104.0), (72.0, 14.0, 388.0),
             (168.0, 125.0, 1818.0))  # fmt: skip
-"""Age in hours; along-track error of the space station in km, median and 90th percentile (reference section 1.5)."""
+"""Age in hours; along-track error of the space station in km, median and 90th percentile (as above)."""
 LONGEST_H = MEASURED[-1][0]
 USELESS_H: dict[OrbitClass, float] = {"LEO": 28 * 24.0, "HEO": 28 * 24.0, "MEO": 182 * 24.0, "GEO": 182 * 24.0}
 """From when on elements are called useless though no error is known: a rule of caution."""

@@ -12,7 +12,8 @@ Grade = Literal["fresh", "usable", "doubtful", "useless"]
 GLYPHS: dict[Grade, str] = {"fresh": "●", "usable": "◐", "doubtful": "○", "useless": "✗"}
 LIMITS: tuple[tuple[Grade, float, float], ...] = (("fresh", 0.3, 1.0), ("usable", 1.0, 3.0), ("doubtful", 5.0, 90.0))
 """Up to which pointing error, median and 90th percentile, in degrees. A dish of 33 inches loses 1 dB at 0.6° in the Ku
-band and at 4.3° in the L band, one of 12 inches at 1.6° in the Ku band (reference section 5)."""
+band and at 4.3° in the L band, one of 12 inches at 1.6° in the Ku band (`docs/tracking.md`, *What an error
+costs*)."""
 
 REENTERED = "re-entered?"
 """In the column of the error, where the elements themselves have the satellite down."""

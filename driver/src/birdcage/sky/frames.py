@@ -3,7 +3,7 @@
 SGP4 gives positions in TEME (true equator, mean equinox). The IAU 1982 sidereal time turns TEME about its pole into
 the Earth's frame (Vallado et al., "Revisiting Spacetrack Report #3", AIAA 2006-6753, appendix C). Here the observer is
 turned instead of the satellite, which leaves SGP4's arrays as they are. Polar motion, at most 6 arcseconds for a low
-satellite (reference section 1.4), and refraction are left out.
+satellite (measured against astropy), and refraction are left out.
 """
 
 from __future__ import annotations

@@ -52,7 +52,7 @@ def look_at_slot(observer: Observer, slot_deg: float) -> SlotLook:
     """Return where a satellite over `slot_deg` east stands for an observer, how far, and with which skew.
 
     The skew is the angle at the line of sight between the observer's vertical and the Earth's axis, from their
-    projections on the plane across it (reference section 2.7, "exact": the vector method; the usual formula
+    projections on the plane across it (exact; the usual formula
     atan(sin(site - satellite) / tan(latitude)) is up to 0.4 degrees off). ValueError when the slot is not finite.
     """
     east, north, up = _line_of_sight(observer.latitude_deg, observer.longitude_deg, slot_deg, observer.height_m)

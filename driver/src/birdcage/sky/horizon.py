@@ -1,4 +1,4 @@
-"""The line of trees, roofs and hills: below it nothing is heard. It never refuses a motion (DESIGN section 5)."""
+"""The line of trees, roofs and hills: below it nothing is heard. It never refuses a motion."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Reach: when during a pass *this* dish can point at the satellite, and why not at the other times (DESIGN section 2).
+"""Reach: when during a pass *this* dish can point at the satellite, and why not at the other times.
 
 Floor, ceiling, horizon mask and no-go sectors come first, in this order; what they allow is divided among turns of the
 cable; of the rest, a dish that turns too slowly loses the keyhole. A few hundred samples of a pass take about a

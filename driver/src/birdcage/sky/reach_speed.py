@@ -2,7 +2,7 @@
 
 The dish may be anywhere within the tolerance of the satellite; at each moment that is an interval of azimuth. A path
 through all of them at a limited rate exists if and only if no two are further apart than the rate allows, which a
-running minimum and maximum tell (reference `tracking.md` section 3.5).
+running minimum and maximum tell.
 """
 
 from __future__ import annotations

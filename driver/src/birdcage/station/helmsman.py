@@ -24,7 +24,8 @@ from birdcage.tracking.steps import Look as Read
 MOST_LOST = 2
 """So many answers in a row may be lost or damaged while it follows; after one more, the dish counts as silent."""
 ROUNDING_DEG = 0.1
-"""A command this little beyond the limit of elevation means the limit: an axis overshoots by 0.06 (section 7.4)."""
+"""A command this little beyond the limit of elevation means the limit: an axis overshoots by 0.06
+(`docs/reference/g2.md`)."""
 MOST_UNSURE = 3
 """So many answers in a row that tell nothing make one look whether the dish moves."""
 LATE = "late"

@@ -1,4 +1,4 @@
-"""The commands of each place: what the reference lists, and what the machine told once it was asked."""
+"""The commands of each place: what is documented, and what the machine told once it was asked."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class MenuCommands:
         commands = []
         for name, documented in (listed | {name: told[name] for name in told if name not in listed}).items():
             dish = told.get(name)
-            # The dish's own words first; the reference has more of them.
+            # The dish's own words first; what is documented has more of them.
             usage = dish.usage if dish is not None and dish.usage != name else documented.usage
             text = dish.help if dish is not None and dish.help else documented.help
             commands.append(MenuCommand(menu, name, usage, text, told_by_dish=dish is not None))

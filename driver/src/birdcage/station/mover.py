@@ -22,9 +22,9 @@ from birdcage.station.state import MOVING, Activity, Motion, Pointing
 
 POLL_S = 0.1
 ARRIVED_DEG = 0.08
-"""The rest position lies up to 0.06 deg from the command (reference section 7.4), and a step on top."""
+"""The rest position lies up to 0.06 deg from the command (`docs/reference/g2.md`), and a step on top."""
 STREAM_S = 3.0
-"""Targets of one holder closer together than this are a stream, which may be leap-frogged (DESIGN section 4)."""
+"""Targets of one holder closer together than this are a stream, which may be leap-frogged."""
 REST_S = 1.0
 """How long a dish that goes where it likes must stand still to have arrived."""
 STALL_S = 1.0

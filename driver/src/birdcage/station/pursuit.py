@@ -51,7 +51,8 @@ class PursuitOptions:
     """True. Without a park direction the dish stays."""
     park_el_deg: float | None = None
     resume: bool = False
-    """Whether it may go on by itself after a short loss of the link with nothing changed (DESIGN section 5)."""
+    """Whether it may go on by itself after a short loss of the link with nothing changed
+    (`docs/decisions/0017-the-pursuit-and-the-lease.md`)."""
     resume_within_s: float = 10.0
 
 

@@ -43,8 +43,8 @@ class MenuCommand:
     menu: str | None
     name: str
     usage: str
-    """Its arguments as the dish or the reference writes them: `a <motor> <angle>`."""
+    """Its arguments as the dish or its documentation writes them: `a <motor> <angle>`."""
     help: str
     """What it does; empty if undocumented."""
     told_by_dish: bool
-    """Whether the dish itself listed it, rather than the reference only."""
+    """Whether the dish itself listed it, rather than its documentation only."""

@@ -1,4 +1,4 @@
-"""The one owner of the dish: a step function over an injected clock (DESIGN section 5)."""
+"""The one owner of the dish: a step function over an injected clock (`docs/architecture.md`, *Threads*)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""STOP: its first bytes from the caller's thread, its ladder and its proof on the station's (SEAMS *STOP*)."""
+"""STOP: its first bytes from the caller's thread, its ladder and its proof on the station's.
+
+`docs/architecture.md`, *The journey of Space*.
+"""
 
 from __future__ import annotations
 

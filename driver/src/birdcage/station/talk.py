@@ -1,4 +1,7 @@
-"""Somebody talks to the firmware: the console is theirs, and the station sends nothing of its own (SEAMS *F5*)."""
+"""Somebody talks to the firmware: the console is theirs, and the station sends nothing of its own.
+
+`docs/decisions/0007-raw-lines.md`.
+"""
 
 from __future__ import annotations
 

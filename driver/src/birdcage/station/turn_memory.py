@@ -1,4 +1,7 @@
-"""Remembers the turn of a dish's cable between programs: counted when it was last left, at the same place (SEAMS)."""
+"""Remembers the turn of a dish's cable between programs: counted when it was last left, at the same place.
+
+`docs/decisions/0027-remembered-turn.md`.
+"""
 
 from __future__ import annotations
 

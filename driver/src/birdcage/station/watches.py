@@ -1,8 +1,8 @@
 """What somebody looks at, and how often the dish may be asked for it while it rests.
 
-The budget (SEAMS *Figures*): at most 3 commands a second over 10 s, at most one excursion from the motor menu every
-5 s. An excursion costs 6 lines of menu changes and 4 of `rssi`; with one position a second in the motor menu that makes
-at most 14 lines in 5 s.
+The budget (`docs/decisions/0005-what-is-asked-at-rest.md`): at most 3 commands a second over 10 s, at most one
+excursion from the motor menu every 5 s. An excursion costs 6 lines of menu changes and 4 of `rssi`; with one position a
+second in the motor menu that makes at most 14 lines in 5 s.
 """
 
 from __future__ import annotations

@@ -1,1 +1,1 @@
-"""The pursuit: plans a pass before it begins, and steers the dish along it (DESIGN section 7)."""
+"""The pursuit: plans a pass before it begins, and steers the dish along it (`docs/tracking.md`)."""

@@ -17,7 +17,7 @@ from birdcage.tracking.stillness import HEAR_EVERY_S, still_until
 from birdcage.tracking.voyage import Notice, Stage, Voyage, clock_text
 
 COUNTDOWN_S = 5.0
-"""Before motion that no person has just asked for (DESIGN section 5)."""
+"""Before motion that no person has just asked for (`docs/decisions/0017-the-pursuit-and-the-lease.md`)."""
 JUST_ASKED_S = 60.0
 """So long after a person has asked for it, a first motion is what they asked for."""
 IN_PLACE_DEG = 0.1

@@ -1,8 +1,8 @@
-"""What an activity asks of whoever drives it: requests and waits, one at a time (SEAMS *Threads*).
+"""What an activity asks of whoever drives it: requests and waits, one at a time.
 
-An activity is a generator. It yields a step, the station carries it out on its own thread between exchanges, and sends
-an `Answer` back. Times are POSIX seconds of the clock's UTC, so that a scaled clock scales them all; azimuths are the
-dish's own, unrolled: the turn of the cable where that is known.
+`docs/architecture.md`, *Threads*: an activity is a generator. It yields a step, the station carries it out on its own
+thread between exchanges, and sends an `Answer` back. Times are POSIX seconds of the clock's UTC, so that a scaled clock
+scales them all; azimuths are the dish's own, unrolled: the turn of the cable where that is known.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What all ways of moving and stopping a machine have in common (SEAMS *Rotator*, *STOP*)."""
+"""What all ways of moving and stopping a machine have in common (`docs/decisions/0045-strategies.md`)."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ DROPPED = StopAction(StopMeans.NOTHING_MOVED, "The move was not sent yet, and is
 
 @dataclass(frozen=True, slots=True)
 class StopPower:
-    """What STOP can do about a motion, said before it is needed (DESIGN section 5)."""
+    """What STOP can do about a motion, said before it is needed (`docs/safety.md`, *STOP and HELD*)."""
 
     seconds: float
     means: StopMeans

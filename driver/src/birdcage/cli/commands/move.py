@@ -122,7 +122,7 @@ def _direction(
 
 
 def _beyond(dish: Dish, az_deg: float, el_deg: float) -> tuple[float, float]:
-    """Apply the fixed overshoot of document 003 against the position that was just read."""
+    """Apply the fixed overshoot of `birdcage.leapfrog` against the position that was just read."""
     from birdcage.base.errors import PositionUnknown
     from birdcage.cli.dish import how_to_home
     from birdcage.cli.say import say

@@ -1,4 +1,4 @@
-"""The Winegard Trav'ler family, which calls its firmware HAL (reference sections 3 and 4)."""
+"""The Winegard Trav'ler family, which calls its firmware HAL (`docs/reference/travler.md`)."""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ from birdcage.protocol.unhomed import is_unhomed, unreadable
 from birdcage.rotator.values import Position
 
 _ANGLE = re.compile(r"\b(AZ|EL|(SK)) =\s+([-+]?\d+(?:\.\d+)?)(?!\S)(?(2)|(?=\s+[A-Za-z]|\s*$))")
-"""Section 3 [P]: label, space, `=`, at least one space, a decimal; on one line or on three.
+"""Label, space, `=`, at least one space, a decimal; on one line or on three (`docs/reference/travler.md`, *Position*).
 
 What no word follows, noise has cut in two; after the skew the wrap position may follow as it is.
 """

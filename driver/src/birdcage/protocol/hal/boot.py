@@ -35,8 +35,9 @@ class BootWatch:
     ) -> None:
         """Return when the dish answers and its boot is over; `tell` hears how it goes.
 
-        While the log streams little is asked. A dish with a GPS may end its boot with no known line (section 3), so an
-        answer and a position count too. NoReply after `timeout_s`, or at once from a dish that is another firmware.
+        While the log streams little is asked. A dish with a GPS may end its boot with no known line
+        (`docs/reference/travler.md`, *Start and search*), so an answer and a position count too. NoReply after
+        `timeout_s`, or at once from a dish that is another firmware.
         """
         clock = console.clock
         began = clock.monotonic()

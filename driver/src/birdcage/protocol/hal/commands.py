@@ -1,4 +1,7 @@
-"""The commands of the Trav'ler with HAL 2.05, menu by menu (reference sections 2 and 4). No full list is known."""
+"""The commands of the Trav'ler with HAL 2.05, menu by menu (`docs/reference/travler.md`, *Prompts and menus*).
+
+No full list is known.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How the console of HAL 2.05 looks, as far as it is known (reference sections 2 to 4): its prompts are learnt."""
+"""How the console of HAL 2.05 looks (`docs/reference/travler.md`, *Prompts and menus*): its prompts are learnt."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ DIALECT = ConsoleDialect(
         "This dish answers like a Carryout G2 or an older Trav'ler (prompt `{prompt}`, menu `mot`), not like HAL 2.05. "
         "Give --firmware g2 if it is a Carryout G2. Nothing was moved."
     ),
-    # No source has the texts of this firmware (section 14, unknown 1), but for the stalls of section 4. Words, then.
+    # No source has the texts of this firmware, but for its stalls (`docs/reference/travler.md`, *Faults*). Words, then.
     refusals=(
         (re.compile(r"\b(invalid|unknown|unrecognized|bad) command\b", re.IGNORECASE), "unknown_command"),
         (

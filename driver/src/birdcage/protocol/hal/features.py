@@ -1,4 +1,4 @@
-"""What a Trav'ler tells and lets be set besides its position (reference sections 2.10, 3 and 4)."""
+"""What a Trav'ler tells and lets be set besides its position (`docs/reference/travler.md`, *Settings*)."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ if TYPE_CHECKING:
     from birdcage.protocol.hal.protocol import HAL205Protocol
 
 SEARCH_MINIMUM, SAFE_MINIMUM = 125, 127
-"""The rows of its settings that hold its lowest elevations: that of the search, and the safe one (section 3)."""
+"""The rows of its settings that hold its lowest elevations: of the search, and the safe one
+(`docs/reference/travler.md`, *Elevation*)."""
 
 
 def _angle(name: str, index: int) -> Callable[[HAL205Protocol], dict[str, Value]]:

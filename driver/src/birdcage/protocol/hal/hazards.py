@@ -1,4 +1,4 @@
-"""What the lines of the Trav'ler's console do (reference sections 2 to 4)."""
+"""What the lines of the Trav'ler's console do (`docs/reference/travler.md`)."""
 
 from __future__ import annotations
 

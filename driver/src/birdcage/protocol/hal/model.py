@@ -1,4 +1,4 @@
-"""The Winegard Trav'ler with HAL 2.05.003 as data (reference sections 1, 3 and 4)."""
+"""The Winegard Trav'ler with HAL 2.05.003 as data (`docs/reference/travler.md`)."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from birdcage.rotator.ladder import END_OF_MOVE, POWER_SWITCH, MoveKind, Rung, S
 from birdcage.rotator.origin import by_origin
 
 MOVE_TIMES = MeasuredTimes(((0.5, 0.3), (1.0, 0.5)), from_deg=2.0, scale_s=3.23, per_deg=0.84, less_s=0.48)
-"""The measured law of section 3; the same for azimuth and elevation, and taken for the skew as well."""
+"""The measured law (`docs/reference/travler.md`, *Times*); the same for azimuth and elevation, assumed for the skew."""
 
 _SPEED_DEG_S = 20.0
 """The greatest speed that the times imply, over a full turn; it counts only where times do not."""

@@ -1,4 +1,4 @@
-"""Winegard Trav'ler, firmware HAL 2.05.003 (reference section 4, public API in source document 003)."""
+"""Winegard Trav'ler, firmware HAL 2.05.003 (`docs/reference/travler.md`)."""
 
 from __future__ import annotations
 
@@ -30,7 +30,8 @@ if TYPE_CHECKING:
     from birdcage.link.link import Link
 
 _QUEUED_S = MOVE_TIMES.seconds(455.0) + 2.0
-"""How long a move may wait for the motor before it (section 2.6), should the prompt wait with it."""
+"""How long a move may wait for the motor before it, should the prompt wait with it
+(`docs/reference/travler.md`, *Moving*)."""
 _SLEW_S = sum(MOVE_TIMES.seconds(way) for way in (455.0, TRAVLER.elevation.max_deg - TRAVLER.elevation.min_deg)) + 2.0
 """The longest that a combined move takes."""
 _STOW_S = 60.0
@@ -104,7 +105,7 @@ class HAL205Protocol(FirmwareProtocol):
         return True
 
     def _read_position(self, busy_s: float) -> Position:  # noqa: ARG002 - the prompt never waits for a motor
-        """Read all axes with one `a` (section 3)."""
+        """Read all axes with one `a` (`docs/reference/travler.md`, *Position*)."""
         return parse_position(self.console.run(MOTOR, "a").lines)
 
     def _send_move(self, motor_id: int, degrees: float, busy_s: float) -> Taken:
@@ -114,7 +115,7 @@ class HAL205Protocol(FirmwareProtocol):
         return Taken(sure=True, said=" / ".join(reply.lines), took_s=self.console.took_s)
 
     def stop_lines(self, az_deg: float, el_deg: float) -> tuple[str, ...]:  # noqa: ARG002
-        """Return nothing: a new target is queued behind the one under way (section 2.6)."""
+        """Return nothing: a new target is queued behind the one under way (`docs/reference/travler.md`, *Moving*)."""
         return ()
 
     def abort_lines(self) -> tuple[str, ...]:
@@ -122,7 +123,7 @@ class HAL205Protocol(FirmwareProtocol):
         return ("", "")
 
     def begin_slew(self, az_deg: float, el_deg: float, skew_deg: float | None) -> None:
-        """Send `g <az> <el> <sk>` (section 2.6), and return at once."""
+        """Send `g <az> <el> <sk>` (`docs/reference/travler.md`, *Moving*), and return at once."""
         if skew_deg is None:
             raise CommandRefused(
                 "The dish did not report its skew, which a combined move needs. Nothing was sent.", reason="unsupported"
@@ -151,7 +152,7 @@ class HAL205Protocol(FirmwareProtocol):
         return True
 
     def stow(self) -> None:
-        """Fold the dish flat (`stow` at the root: section 2.9). Nothing that is known stops it."""
+        """Fold the dish flat (`docs/reference/travler.md`, *Stow*). Nothing that is known stops it."""
         self.console.enter(self.dialect.root)
         self.console.run(self.dialect.root, "stow", takes_s=_STOW_S, permit=self.permit)
 
@@ -171,11 +172,14 @@ class HAL205Protocol(FirmwareProtocol):
         )
 
     def read_nvs(self, index: int) -> str | None:
-        """Read one row of the settings memory (`nvs`, `e <index>`: section 2.10), as printed; None: no value."""
+        """Read one row of the settings memory, as printed (`docs/reference/travler.md`, *Settings*); None: no value."""
         return parse_setting(index, self.console.run(NVS, f"e {index}").lines)
 
     def settings_table(self) -> tuple[str, ...]:
-        """Read what `nvs`, `d` shows (section 2.10). CommandRefused (`unsupported`) when it shows nothing."""
+        """Read what `nvs`, `d` shows (`docs/reference/travler.md`, *Settings*).
+
+        CommandRefused (`unsupported`) when it shows nothing.
+        """
         try:
             lines = self.console.run(NVS, "d", takes_s=10.0).lines
         except CommandRefused as refused:
@@ -187,7 +191,10 @@ class HAL205Protocol(FirmwareProtocol):
         return lines
 
     def kill_search(self) -> None:
-        """End the TV search until the next power-up: `ngsearch`, `s`, `q` (section 4); then go to the motor menu."""
+        """End the TV search until the next power-up (`docs/reference/travler.md`, *Start and search*).
+
+        `ngsearch`, `s`, `q`; then go to the motor menu.
+        """
         self.console.enter(SEARCH)
         try:
             self.console.exchange("s")

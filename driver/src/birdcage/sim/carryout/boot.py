@@ -1,4 +1,7 @@
-"""What a Carryout of 2003 does when it gets power: homing by stall, then the TV search ([V]). What it prints is [I]."""
+"""What a Carryout of 2003 does when it gets power: homing by stall, then the TV search.
+
+Both are written, what it prints is assumed: `docs/reference/carryout-2003.md`, *Power-up*.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +15,7 @@ LINE_S = 5.0
 
 
 def boot_log(board: Board, search: Search, *, home: bool) -> Script:
-    """Home both axes and begin the search; neither where tracking is disabled ([V]), or without `home`."""
+    """Home both axes and begin the search; neither where tracking is disabled (written), or without `home`."""
     yield from _line(board, "HandEra HAL 1.00.065")
     yield Pause(START_S)
     if not home or not board.memory.tracks:

@@ -18,7 +18,7 @@ class CarryoutFirmware:
     """The Winegard Carryout of 2003."""
 
     baud = 57600
-    """[V]"""
+    """`docs/reference/carryout-2003.md`, *Line*."""
 
     def __init__(self, settings: CarryoutSettings, host: Host) -> None:
         self.dish = CarryoutDish(settings, host.truth)

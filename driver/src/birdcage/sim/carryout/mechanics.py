@@ -1,4 +1,7 @@
-"""The two motors of a Carryout of 2003 and its cable. It has no limit switches; figures are [I]."""
+"""The two motors of a Carryout of 2003 and its cable. Figures without a source are assumed.
+
+It has no limit switches: `docs/reference/carryout-2003.md`, *Limits*.
+"""
 
 from __future__ import annotations
 
@@ -10,11 +13,11 @@ from birdcage.sim.chance import seeded
 from birdcage.sim.dish import Dish, Truth
 
 STEPS = 36000
-"""Records have a resolution of 0.01 degrees ([P])."""
+"""Records have a resolution of 0.01 degrees (`docs/reference/carryout-2003.md`, *Moving*)."""
 BEYOND_DEG = 2.0
 """How far the stops of the cable lie beyond its turn."""
 EL_STOPS_DEG = 20.0, 92.0
-"""Its owner: it "can't physically drop below about 22"; and: the motors "can technically go farther" ([V] both)."""
+"""Its owner: it "can't physically drop below about 22"; and: the motors "can technically go farther" (both written)."""
 AZ_HOME_DEG, EL_HOME_DEG = 0.0, 45.0
 HOMING_TIMEOUT_S = 10.0
 HOMING_SHARE = 0.35

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from birdcage.sim.carryout.knobs import CarryoutSettings
 
 EL_MAX = 102
-"""Highest elevation ([V])."""
+"""Highest elevation (`docs/reference/carryout-2003.md`, *Limits*)."""
 
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """One setting: what it is called ([I]), and the factory's value."""
+    """One setting: what it is called (assumed), and the factory's value."""
 
     name: str
     default: float

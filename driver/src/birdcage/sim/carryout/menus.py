@@ -1,4 +1,7 @@
-"""The menus of a Carryout of 2003: root, `target`, `motor`, `dvb`, `os`, `nvs` ([V]); their texts are [open]."""
+"""The menus of a Carryout of 2003: root, `target`, `motor`, `dvb`, `os`, `nvs`.
+
+Their names are written, their texts assumed: `docs/reference/carryout-2003.md`, *Menus*.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +14,7 @@ from birdcage.sim.shell import Die, Enter, Pause, Script
 Command = Callable[[list[str]], Script]
 SUBMENUS = ("target", "motor", "dvb", "os", "nvs")
 SAVE_S = 0.5
-"""How long flash takes. [I]"""
+"""How long flash takes (assumed)."""
 
 
 class CarryoutMenu:
@@ -66,7 +69,7 @@ class Root(CarryoutMenu):
 
 
 class Os(CarryoutMenu):
-    """Lists and quits processes ([V]); the two words are those of a Trav'ler ([I])."""
+    """Lists and quits processes (written); the two words are those of a Trav'ler (assumed)."""
 
     def __init__(self, board: Board, search: Search) -> None:
         super().__init__(board, "os", "tasks", "kill <name>")
@@ -84,7 +87,7 @@ class Os(CarryoutMenu):
 
 
 class Nvs(CarryoutMenu):
-    """Shows, edits and saves settings: `d`, `d <i>`, `e <i>`, `e <i> <v>`, `s` ([V] all but `d`)."""
+    """Shows, edits and saves settings: `d`, `d <i>`, `e <i>`, `e <i> <v>`, `s` (all but `d` written)."""
 
     def __init__(self, board: Board) -> None:
         super().__init__(board, "nvs", "d [<index>]", "e <index> [<value>]", "s")

@@ -1,4 +1,7 @@
-"""The TV search after homing: the dish moves by itself until it gives up ([V] that it does; its path is [I])."""
+"""The TV search after homing: the dish moves by itself until it gives up.
+
+That it does is written, its path is assumed (`docs/reference/carryout-2003.md`, *Power-up*).
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""The menu `target`: `g <az> <el>` moves both axes, and tells where they are as long as they run ([V])."""
+"""The menu `target`: `g <az> <el>` moves both axes, and tells where they are as long as they run.
+
+`docs/reference/carryout-2003.md`, *Moving*.
+"""
 
 from __future__ import annotations
 
@@ -9,11 +12,11 @@ from birdcage.sim.shell import Die, Listen, Pause, Script
 
 EVERY_KEY = bytes(range(256))
 LAST_RECORD_S = 0.001
-"""How long after the last record the prompt comes. [I]"""
+"""How long after the last record the prompt comes (assumed)."""
 
 
 class Target(CarryoutMenu):
-    """Angles in degrees, whole or with decimals ([V])."""
+    """Angles in degrees, whole or with decimals (written)."""
 
     def __init__(self, board: Board, search: Search) -> None:
         super().__init__(board, "target", "g <az> <el>")

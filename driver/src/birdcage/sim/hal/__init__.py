@@ -1,1 +1,1 @@
-"""The simulated Winegard Trav'ler LG-2112 with firmware HAL 2.05.003 (reference sections 3 and 4)."""
+"""The simulated Winegard Trav'ler LG-2112 with firmware HAL 2.05.003 (`docs/reference/travler.md`)."""

@@ -1,6 +1,7 @@
-"""What a Trav'ler prints and does when it gets power: homing, then the TV search (reference sections 3 and 4).
+"""What a Trav'ler prints and does when it gets power: homing, then the TV search.
 
-That it logs lines all the while, and the line that ends homing, have a source ([P] [S0]); the other lines are [I].
+`docs/reference/travler.md`, *Start and search*: that it logs lines all the while, and the line that ends homing, are
+documented; the other lines are assumed.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ from birdcage.sim.hal.search import Search
 from birdcage.sim.shell import Pause, Script
 
 LINE_S = 5.0
-"""A motor that homes is told of this often. [I]"""
+"""A motor that homes is told of this often (assumed)."""
 HEAD = ((0.5, "HAL 2.05.003"), (1.0, "IDU found"), (0.5, "NVS loaded"))
 DONE = {"nolnb": "No LNB Voltage", "nogps": "Loc: NoGPS", "none": "Searching"}
 

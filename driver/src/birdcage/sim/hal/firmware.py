@@ -17,10 +17,10 @@ from birdcage.sim.shell import Menu, Script
 
 
 class Hal205Firmware:
-    """The Trav'ler LG-2112 (reference section 4)."""
+    """The Trav'ler LG-2112 (`docs/reference/travler.md`)."""
 
     baud = 57600
-    """Reference section 1, [S0]."""
+    """`docs/reference/travler.md`, *Line*."""
 
     def __init__(self, settings: HalSettings, host: Host) -> None:
         self.dish = HalDish(settings, host.truth)

@@ -1,7 +1,7 @@
 """What can be chosen about a simulated Trav'ler with HAL 2.05 beside what every dish has (`birdcage.sim.settings`).
 
-No byte of this console was ever captured (reference section 14): texts and layouts are free. Each field is an option
-of the address: `sim:hal205?prompts=alike&wrap=360`. Provenance tags as in `birdcage.sim.settings`.
+No byte of this console was ever captured: texts and layouts are free. Each field is an option of the address:
+`sim:hal205?prompts=alike&wrap=360`. (written), (read), (noted) and (assumed) as in `docs/reference/travler.md`.
 """
 
 from __future__ import annotations
@@ -41,82 +41,83 @@ class HalSettings(Settings):
     el: float = 45.0
     """Elevation at the start."""
     sk: float = 90.0
-    """Skew at the start. [I]"""
+    """Skew at the start (assumed)."""
     overshoot: float = 0.0
     """Scale of the overshoot; nothing is known of one here."""
     stow_el: float = 0.0
-    """Elevation to which `stow` folds: flat (section 2.9, [V]); the figure [I]."""
+    """Elevation to which `stow` folds: flat (written); the figure (assumed)."""
 
     searching: bool = False
     """Start in the middle of the TV search. Without it, and without `boot`, the search has been stopped long ago."""
     search_finds: bool = True
-    """Whether the search may end at a satellite; else it sweeps until it is stopped. [I]"""
+    """Whether the search may end at a satellite; else it sweeps until it is stopped (assumed)."""
     search_speed: float = 20.0
-    """Azimuth rate of the search in deg/s. [I]"""
+    """Azimuth rate of the search in deg/s (assumed)."""
     search_text: str = ""
-    """Printed at the beginning of every sweep, if anything is. [open]"""
+    """Printed at the beginning of every sweep, if anything is (assumed)."""
     found_text: str = ""
-    """Printed when the search ends at a satellite, if anything is. [open]"""
+    """Printed when the search ends at a satellite, if anything is (assumed)."""
     search_stopped_text: str = "Search stopped."
-    """What `s` of the search menu answers. [open]"""
+    """What `s` of the search menu answers (assumed)."""
     boot_home_s: float = 120.0
-    """How long homing takes after power-up: shorter than the 10 to 15 minutes of a Carryout ([S0]); the figure [I]."""
+    """How long homing takes after power-up: shorter than the 10 to 15 minutes of a Carryout (noted); the figure
+    (assumed)."""
     boot_line: str = "nolnb"
-    """The line that ends homing: `No LNB Voltage` [S0], `NoGPS` [P], or none, as on dishes with a GPS ([V])."""
+    """The line that ends homing: `No LNB Voltage` (noted), `NoGPS` (read), or none, as with a GPS (written)."""
 
     prompts: str = "named"
-    """Whether the menus have prompts of their own, or all the same one. [open]"""
+    """Whether the menus have prompts of their own, or all the same one (assumed)."""
     prompt_root: str = "TRK>"
     prompt_motor: str = "MOT>"
     prompt_ngsearch: str = "NGSEARCH>"
     prompt_nvs: str = "NVS>"
     prompt_alike: str = ">"
-    """The prompts. That of the motor menu [I], as the reference writes it; the others [open]."""
+    """The prompts (assumed)."""
 
     a_layout: str = "line"
-    """Whether `a` prints all in one line (section 4, [S0]), or a line for each axis (section 3, [I]). The tokens are
-    [P]."""
+    """Whether `a` prints all in one line (noted), or a line for each axis (assumed). The tokens are (read)."""
     az_print: str = "wrapped"
-    """Whether `a` prints azimuth as 0..360 (section 1, [V]) or as the cable's angle. [I]"""
+    """Whether `a` prints azimuth as 0..360 (written), or as the cable's angle (assumed)."""
     wrap_label: str = "WRAP ="
-    """What stands before the wrap position in the answer to `a` ([V] that it is there, its text [I])."""
+    """What stands before the wrap position in the answer to `a` (that it is there: written; its text: assumed)."""
     ack: str = "OK"
-    """What `a <id> <deg>` answers; empty for nothing. [I]"""
+    """What `a <id> <deg>` answers; empty for nothing (assumed)."""
     g_text: str = ""
-    """What `g` prints as it begins; empty for nothing. [open]"""
+    """What `g` prints as it begins; empty for nothing (assumed)."""
     wrap: str = "455"
-    """Where the cable ends ([V]: usually 360 or 455). 0: the wrap position goes from 455 to 0 once north was crossed,
-    and the next move goes back a whole turn ([V] that it happens, when [I])."""
+    """Where the cable ends: usually 360 or 455 (written). 0: the wrap position goes from 455 to 0 once north was
+    crossed, and the next move goes back a whole turn (that it happens: written; when: assumed)."""
     below_floor: str = "unreliable"
-    """What a target below NVS 127 does: end somewhere above it ([S0] "unreliable"), a refusal, or the floor. [I]"""
+    """What a target below NVS 127 does: end somewhere above it (noted: "unreliable"), a refusal, or the floor
+    (assumed)."""
     el_max: float = 90.0
-    """Highest elevation that it takes (section 1, [S0])."""
+    """Highest elevation that it takes (noted)."""
     out_of_range: str = "error"
-    """Whether other targets beyond the limits are refused or moved to the limit. [open]"""
+    """Whether other targets beyond the limits are refused or moved to the limit (assumed)."""
     out_of_range_text: str = "Angle out of range."
-    """What it says when it refuses one. [open]"""
+    """What it says when it refuses one (assumed)."""
     az_outside: bool = True
-    """Whether azimuths outside 0..360 are taken: the public scripts send -0.5 (section 2.8). [open]"""
+    """Whether azimuths outside 0..360 are taken: the public scripts send -0.5 (written). Their effect is (assumed)."""
     unhomed_angle: str = "2147483647.00"
-    """How `a` prints an axis that is not homed; known of a G2 only. [open]"""
+    """How `a` prints an axis that is not homed; known of a G2 only (assumed)."""
     unhomed_move: str = "error"
-    """What a move of an unhomed axis meets: `unhomed_text`, or a deadlock. [open]"""
+    """What a move of an unhomed axis meets: `unhomed_text`, or a deadlock (assumed)."""
     unhomed_text: str = "Motor not calibrated."
-    """What it says to one. [open]"""
+    """What it says to one (assumed)."""
     stall_text: bool = True
-    """Whether stalls and failed homing are told on the console, or only on the indoor unit's display. [S0]"""
+    """Whether stalls and failed homing are told on the console, or only on the indoor unit's display (assumed)."""
 
     g_order: str = "az_el_sk"
-    """The order of the numbers of `g`; some firmware's help has az, sk, el (section 2.6, [V])."""
+    """The order of the numbers of `g`; some firmware's help has az, sk, el (written)."""
     g_axes: str = "together"
-    """Whether `g` moves azimuth and elevation at once ([V] "combined") or in turn. [I]"""
+    """Whether `g` moves azimuth and elevation at once (written: "combined") or in turn (assumed)."""
     g_queue: str = "drop"
-    """Whether `g` drops the moves of `a` under way and queued ([V] "immediate"), or waits for them. [I]"""
+    """Whether `g` drops the moves of `a` under way and queued (written: "immediate"), or waits for them (assumed)."""
     abort_key: str = "swallow"
-    """Whether the byte that aborts `g` is gone, or read as input. [I]"""
+    """Whether the byte that aborts `g` is gone, or read as input (assumed)."""
     abort_prompt: str = "at_once"
-    """When the prompt comes after an abort: at once, or when the motors have come to rest. [I]"""
+    """When the prompt comes after an abort: at once, or when the motors have come to rest (assumed)."""
     speed: float = 0.0
-    """Greatest speed of azimuth and elevation in deg/s, instead of the measured times of section 3; 0 for those. [I]"""
+    """Greatest speed of azimuth and elevation in deg/s, instead of the measured times; 0 for those (assumed)."""
     accel: float = 40.0
-    """Acceleration of all axes in deg/s², and so how soon an aborted `g` comes to rest. [I]"""
+    """Acceleration of all axes in deg/s², and so how soon an aborted `g` comes to rest (assumed)."""

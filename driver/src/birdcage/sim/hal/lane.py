@@ -1,4 +1,4 @@
-"""Motors that move one after the other: a queue that keeps every move (reference section 2.6, [V])."""
+"""Motors that move one after the other: a queue that keeps every move (`docs/reference/travler.md`, *Moving*)."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""How long a Trav'ler takes for a move: the only measured figures there are (reference section 3, [V]).
+"""How long a Trav'ler takes for a move: the only measured figures there are (`docs/reference/travler.md`, *Times*).
 
 t = 0.3 s below 0.5 degrees, 0.5 s up to 1 degree, else 3.23 ln(0.84 d) - 0.48 seconds. Between 1 and 2 degrees the
 source takes the absolute value of a sum that changes its sign there; here a straight line joins the two ends.
-The same for azimuth and elevation; for skew [I].
+The same for azimuth and elevation; for skew (assumed).
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The three motors of a Trav'ler and its cable. Figures without a source are [I]."""
+"""The three motors of a Trav'ler and its cable. Figures without a source are assumed."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from birdcage.sim.hal.knobs import HalSettings
 from birdcage.sim.hal.law import rate_for
 
 STEPS = 36000
-"""The position is read to 0.01 degrees (reference section 3, [V])."""
+"""The position is read to 0.01 degrees (`docs/reference/travler.md`, *Position*)."""
 AZ_STOPS_DEG, EL_STOPS_DEG, SK_STOPS_DEG = (-2.0, 457.0), (-3.0, 93.0), (-2.0, 182.0)
-"""Elevation passes 0 and 90 ([V]); the cable holds 455 degrees ([S0])."""
+"""Elevation passes 0 and 90, and the cable holds 455 degrees (`docs/reference/travler.md`, *Elevation* and *Cable*)."""
 HOMES_DEG = 0.0, 30.0, 90.0
 SKEW_DEG = 0.0, 180.0
 HOMING_TIMEOUT_S = 10.0

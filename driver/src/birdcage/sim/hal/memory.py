@@ -1,4 +1,4 @@
-"""The Trav'ler's settings memory: the two rows that a source names (reference section 3, [V])."""
+"""The Trav'ler's settings memory: the two rows that a source names (`docs/reference/travler.md`, *Settings*)."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ SEARCH_MINIMUM, SAFE_MINIMUM = 125, 127
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """One setting: what it is called ([I]), and the factory's value in degrees."""
+    """One setting: what it is called (assumed), and the factory's value in degrees."""
 
     name: str
     default: float
 
 
 ROWS = {SEARCH_MINIMUM: Row("Search Minimum EL", 15.0), SAFE_MINIMUM: Row("Safe Minimum EL", 15.0)}
-"""Both 15: the firmware's floor (section 4, [S0])."""
+"""Both 15: the firmware's floor (`docs/reference/travler.md`, *Elevation*)."""
 
 
 class Memory:

@@ -11,7 +11,7 @@ Command = Callable[[list[str]], Script]
 
 
 class HalMenu:
-    """One submenu. A subclass fills `commands` and `help_lines`: what `?` prints is [open], the commands are not."""
+    """One submenu. A subclass fills `commands` (documented) and `help_lines` (what `?` prints: assumed)."""
 
     help_lines: tuple[str, ...] = ()
 

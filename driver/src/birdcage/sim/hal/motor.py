@@ -1,4 +1,4 @@
-"""The motor menu: `a` reads and queues, `g` moves at once until a byte arrives (reference sections 2.6, 3 and 4)."""
+"""The motor menu: `a` reads and queues, `g` moves until a byte arrives (`docs/reference/travler.md`, *Moving*)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The menu of the TV search: `s` stops it, `q` leaves (reference section 4, [S0])."""
+"""The menu of the TV search: `s` stops it, `q` leaves (`docs/reference/travler.md`, *Start and search*)."""
 
 from __future__ import annotations
 

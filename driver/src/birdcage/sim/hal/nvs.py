@@ -1,4 +1,7 @@
-"""The settings menu: `d`, `d <i>`, `e <i>`, `e <i> <v>`, `s` (reference section 2.10, [V]); its texts are [open]."""
+"""The settings menu: `d`, `d <i>`, `e <i>`, `e <i> <v>`, `s` (`docs/reference/travler.md`, *Settings*).
+
+Its texts are assumed.
+"""
 
 from __future__ import annotations
 
@@ -8,11 +11,11 @@ from birdcage.sim.hal.menu import HalMenu
 from birdcage.sim.shell import Pause, Script
 
 SAVE_S = 0.5
-"""How long flash takes. [I]"""
+"""How long flash takes (assumed)."""
 
 
 class Nvs(HalMenu):
-    """Shows, edits and saves settings; they take effect with the next start of the processor ([V])."""
+    """Shows, edits and saves settings; they take effect with the next start of the processor (written)."""
 
     help_lines = ("d [<index>]", "e <index> [<value>]", "s", "q")
 

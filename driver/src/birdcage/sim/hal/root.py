@@ -1,4 +1,4 @@
-"""The root menu: the submenus of this firmware, `stow` and `reboot` (reference sections 2 and 4)."""
+"""The root menu: the submenus, `stow` and `reboot` (`docs/reference/travler.md`, *Prompts and menus*)."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class Root(HalMenu):
         yield ""
 
     def _stow(self, args: list[str]) -> Script:  # noqa: ARG002
-        """Turn to the back and fold flat ([V]); in this order, what it prints, and whether it waits: [I]."""
+        """Turn to the back and fold flat (written); in this order, what it prints, and whether it waits: assumed."""
         board = self.board
         if not all(axis.homed for axis in board.dish.axes):
             yield f"{board.settings.unhomed_text}\n"

@@ -1,6 +1,8 @@
-"""The TV search: it begins when homing has ended, and moves the dish by itself until it is stopped ([S0] [P]).
+"""The TV search: it begins when homing has ended, and moves the dish by itself until it is stopped.
 
-Its path, its speed, and that it takes the first strong signal, are [I]. It takes its turn with the moves of `a`: a
+`docs/reference/travler.md`, *Start and search*.
+
+Its path, its speed, and that it takes the first strong signal, are assumed. It takes its turn with the moves of `a`: a
 dish that searches carries out a move, and then goes on searching.
 """
 
@@ -46,7 +48,7 @@ class Search:
         self._run += 1
 
     def stop(self) -> None:
-        """Give up; a motor that it moves comes to rest, and moves that wait have their turn ([I])."""
+        """Give up; a motor that it moves comes to rest, and moves that wait have their turn (assumed)."""
         self.halt()
         turn = self._board.turn
         if self._order is not None and turn.current is self._order:
@@ -97,7 +99,7 @@ class Search:
         return None
 
     def _hold(self, run: int) -> None:
-        """Stop, and go back by the way that braking took ([I]): the beam is narrower than that."""
+        """Stop, and go back by the way that braking took (assumed): the beam is narrower than that."""
         if run == self._run and self.running:
             heard_at_deg = self._board.dish.axes[0].count(self._board.now_s)[0]
             self.stop()

@@ -2,7 +2,7 @@
 
 The ephemeris is an excerpt of JPL's DE421 (Folkner, Williams and Boggs, IPN Progress Report 42-178, 2009), cut by
 `scripts/cut_ephemeris.py`. skyfield's own UT1 is extrapolated from early 2026 on, and 0.17 s off by the end of that
-year (reference section 1.3), which is 2.5 arcseconds: `birdcage.sky.dut1` knows better.
+year (held against the IERS's prediction), which is 2.5 arcseconds: `birdcage.sky.dut1` knows better.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Quintic Hermite interpolation of orbits, as polynomials in s = 0 to 1 over each interval.
 
 SGP4 gives position and velocity; the acceleration of the two-body problem with J2 is near enough to make the third
-condition at each end, and costs nothing (0.3 km over 70 degrees of orbit; reference section 2.4).
+condition at each end, and costs nothing (0.3 km over 70 degrees of orbit).
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """All passes of many satellites over one place, in one search.
 
-What it does (reference section 2.4), a room of this package for each step:
+What it does, a room of this package for each step:
 
 1. `orbits`: leave out who never comes near the observer's latitude; group the rest by angular rate at perigee.
 2. `nodes`: five SGP4 positions for each turn at that rate, for a whole group at once;

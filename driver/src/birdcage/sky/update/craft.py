@@ -1,10 +1,10 @@
-"""A client for the prediction server that the source documents name by `BIRDCAGE_CRAFT_URL`.
+"""A client for the prediction server that `BIRDCAGE_CRAFT_URL` names.
 
-Its interface is documented only by what an earlier app used of it (reference *an-earlier-app*, 1.9): GET, JSON, no
-log-in, the paths and fields below. Not documented, and assumed nowhere: how it writes times (ISO 8601 is read; without
-a zone, as UTC), for which place it computes (none is sent: the server's own), whether its azimuths and elevations are
-geometric, which values `target_type` has, and how it tells an error. So its figures are shown as its own, and nothing
-follows them: birdcage points by elements that it has itself.
+Its interface is documented only by what an earlier app used of it: GET, JSON, no log-in, the paths and fields below.
+Not documented, and assumed nowhere: how it writes times (ISO 8601 is read; without a zone, as UTC), for which place it
+computes (none is sent: the server's own), whether its azimuths and elevations are geometric, which values `target_type`
+has, and how it tells an error. So its figures are shown as its own, and nothing follows them: birdcage points by
+elements that it has itself.
 """
 
 from __future__ import annotations

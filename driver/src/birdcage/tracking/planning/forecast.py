@@ -15,7 +15,7 @@ from birdcage.tracking.planning.itinerary import Stretch
 from birdcage.tracking.planning.sight import Sight
 
 LATENCY_S = 0.06
-"""From sending a command to its effect, before it was measured: the middle of 20 to 100 ms (SEAMS *Figures*)."""
+"""From sending a command to its effect, before it was measured: the middle of 20 to 100 ms, which are assumed."""
 _LINE_BITS = 400.0
 """A command, its echo and its reply, with start and stop bits."""
 _UNSURE_S = {False: 0.04, True: 0.065}

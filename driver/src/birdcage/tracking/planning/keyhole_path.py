@@ -1,4 +1,6 @@
-"""The way through the keyhole: where the target's azimuth sweeps faster than the dish turns (reference section 3.5).
+"""The way through the keyhole: where the target's azimuth sweeps faster than the dish turns.
+
+`docs/tracking.md`, *The keyhole*, has what it is for.
 
 A dish within `eps` of the target may stand anywhere in an interval of azimuth, which grows towards the zenith. A path
 at a limited rate through all intervals exists if a running minimum and maximum say so; bisection finds the least

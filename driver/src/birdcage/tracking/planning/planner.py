@@ -1,4 +1,4 @@
-"""Makes the plan of a pass, before the dish moves (DESIGN section 7, reference `tracking.md` section 3.5)."""
+"""Makes the plan of a pass, before the dish moves (`docs/tracking.md`, *Plan first*)."""
 
 from __future__ import annotations
 

@@ -9,7 +9,8 @@ from birdcage.rotator.facts import Facts
 from birdcage.tracking.curve import Floats
 
 FIRST_SHARE = 0.9
-"""What part of its time the azimuth gets at first, where the axes move in turn (reference section 3.5)."""
+"""What part of its time the azimuth gets at first, where the axes move in turn: the best of its neighbours in
+three rehearsals of four."""
 SHARES = (0.85, 0.9, 0.95, 1.0)
 HOLDS = (0.0, 1.3, 2.3)
 """How far below the top the elevation may stay in a keyhole, in units of its physical limit: 2.6 is the goal."""

@@ -21,8 +21,8 @@ from birdcage.tracking.planning.sight import Sight
 from birdcage.tracking.steering.choice import controller_for
 
 _GOOD_RATIO, _WORTH_DEG = 2.6, 0.5
-"""The greatest error in a keyhole is to stay within so many times the physical limit, where that is over half a degree
-(reference section 3.4, Goals)."""
+"""The greatest error in a keyhole is to stay within so many times the physical limit, where that is over half a
+degree: a goal that we have set."""
 SEEDS = (1, 2)
 """In a keyhole the order of moves hangs on milliseconds of latency: what counts is the worse of some rehearsals."""
 _AROUND_S = 20.0

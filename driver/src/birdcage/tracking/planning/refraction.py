@@ -1,4 +1,4 @@
-"""By how much the air lifts what is near the horizon (reference `tracking.md` section 5)."""
+"""By how much the air lifts what is near the horizon."""
 
 from __future__ import annotations
 

@@ -25,7 +25,7 @@ from birdcage.tracking.steps import Slew as SlewStep
 Span = tuple[float, float]
 
 LATENCY_S = (0.02, 0.1)
-"""Of a command, at the least and at the most (SEAMS *Figures*)."""
+"""Of a command, at the least and at the most (assumed, as in the benchmark)."""
 _LINE_BITS = 120.0
 _REPLY_BITS = 260.0
 _SAMPLE_S = 0.1

@@ -1,4 +1,4 @@
-"""Steers a dish whose moves are short and can be replaced on their way (reference tracking 3.5, item 3).
+"""Steers a dish whose moves are short and can be replaced on their way (`docs/tracking.md`, *How it follows*).
 
 At every prompt one axis is sent to where the target will be at arrival + half an interval + half a move, so that the
 mean of moving and standing lies on the course. What is left of the error is the saw-tooth: rate x interval / 2 sqrt(3).

@@ -12,7 +12,7 @@ LASTING = 0.05
 WILDEST = 4.0
 """A measurement counts as at most so many times what is known: one lost answer does not move the aim."""
 REPLY_BYTES = 30
-"""Of a move: what comes back after the dish has taken it, echo left out (reference winegard-consoles 7.4)."""
+"""Of a move: what comes back after the dish has taken it, echo left out (`docs/reference/g2.md`)."""
 READING_BYTES = 45
 """Of a position: two lines and the prompt."""
 BITS_A_BYTE = 10
@@ -36,9 +36,9 @@ class Smoothed:
 class Latency:
     """From the first byte of a command until the dish acts, for each axis.
 
-    The console is one thread: it answers when it has carried the command out (reference winegard-consoles section 2),
-    so a dish acts at the end of the round trip, less what the answer takes on the wire. Where the answer comes only
-    when the move is over (of some that is unknown) the move is taken off as well.
+    The console is taken for one thread: it answers when it has carried the command out, so a dish acts at the end of
+    the round trip, less what the answer takes on the wire. Where the answer comes only when the move is over (of some
+    that is unknown) the move is taken off as well.
     """
 
     def __init__(self, model: Facts, first_s: float) -> None:

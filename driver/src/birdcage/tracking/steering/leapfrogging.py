@@ -1,6 +1,7 @@
 """Steers as the earlier scripts do: once a second to where the target is now, and beyond by a fixed table.
 
-Kept by name for those who want it (document 003); measured, it makes a well-posed pass worse (reference tracking 3.4).
+Kept by name for those who want it (`docs/reference/published-interface.md`, *Leapfrog*). In simulation it makes a
+well-posed pass worse (`scripts/bench/tracking.py`).
 """
 
 from __future__ import annotations

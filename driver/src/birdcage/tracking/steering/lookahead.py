@@ -1,4 +1,4 @@
-"""Which move an axis-by-axis dish should make next: two moves ahead (reference tracking 3.5, item 4).
+"""Which move an axis-by-axis dish should make next: two moves ahead (`docs/tracking.md`, *How it follows*).
 
 Every pair of moves (axis, aim) x (axis, aim) is scored by the mean-square pointing error over one common horizon; a
 horizon of each pair's own was measured to fail. Only a first move that lasts longer is scored until its end: by its

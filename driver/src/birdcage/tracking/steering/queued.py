@@ -1,7 +1,7 @@
-"""Steers a dish that moves one axis at a time and keeps every command that it gets (reference tracking 3.5, item 4).
+"""Steers a dish that moves one axis at a time and keeps every command that it gets.
 
-It gets one command at a time, chosen by looking two moves ahead, sent to arrive as the previous move ends: a
-queue that is fed faster than it drains only grows.
+`docs/tracking.md`, *How it follows*. It gets one command at a time, chosen by looking two moves ahead, sent to arrive
+as the previous move ends: a queue that is fed faster than it drains only grows.
 """
 
 from __future__ import annotations

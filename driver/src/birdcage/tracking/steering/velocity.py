@@ -1,8 +1,9 @@
-"""Steers a fast dish with its speed matched to the target's: it glides from command to command (reference 3.4).
+"""Steers a fast dish with its speed matched to the target's: it glides from command to command.
 
-Each round sets the greatest speed of both axes and then sends both beyond where the next round will find them, so that
-an axis goes on at that speed until it is told better: a late command costs next to nothing, and there is no saw-tooth.
-It is unconfirmed on a dish that its speeds may be changed so often: the owner has to allow it (`[tracking]`).
+`docs/tracking.md`, *How it follows*, has what that gains. Each round sets the greatest speed of both axes and then
+sends both beyond where the next round will find them, so that an axis goes on at that speed until it is told better: a
+late command costs next to nothing, and there is no saw-tooth. It is unconfirmed on a dish that its speeds may be
+changed so often: the owner has to allow it (`[tracking]`).
 
 A round changes menus and reads speeds back, so an answer that is lost in it holds everything up for twice the longest
 delay, where a stream of targets (`fast`) goes on at once. So it begins on a line that has proved sound, and while the
