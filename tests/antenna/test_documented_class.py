@@ -1,4 +1,4 @@
-"""A subclass of `FirmwareProtocol` as a stranger writes it who has only document 003, driven by `BirdcageAntenna`."""
+"""A subclass of `FirmwareProtocol` by a stranger who has only `docs/reference/published-interface.md`."""
 
 from __future__ import annotations
 

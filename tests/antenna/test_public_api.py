@@ -1,4 +1,4 @@
-"""The classes of document 003, driven as a script would, against the simulated dish on a virtual clock."""
+"""The classes of `docs/reference/published-interface.md`, driven as a script would, against the simulated dish."""
 
 from __future__ import annotations
 

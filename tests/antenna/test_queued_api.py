@@ -1,4 +1,4 @@
-"""`BirdcageAntenna` on a dish whose moves queue, as a script drives it (document 003)."""
+"""`BirdcageAntenna` on a dish whose moves queue, as a script drives it (`docs/reference/published-interface.md`)."""
 
 from __future__ import annotations
 

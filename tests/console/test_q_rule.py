@@ -1,4 +1,4 @@
-"""No `q` ever reaches a root prompt, within the fault model of SEAMS *Codec*."""
+"""No `q` ever reaches a root prompt, within the fault model of `docs/decisions/0003-q-in-step.md`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What an import costs and brings along, looked at in a fresh interpreter (DESIGN section 3, laws 2 and 5)."""
+"""What an import costs and brings along, looked at in a fresh interpreter (`docs/architecture.md`, *The house*)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Every command of the reference's inventory (section 7.3, source document 001) has its grade, in its menu."""
+"""Every documented command has its grade, in its menu."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Each menu's methods, on the literals of the reference and on other forms that a dish may print them in."""
+"""Each menu's methods, on the documented literals and on other forms that a dish may print them in."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""A subclass with the three methods of document 003 and no more, over the console that it inherits."""
+"""A subclass with the three published methods (`docs/reference/published-interface.md`) and no more, over the
+console that it inherits."""
 
 from __future__ import annotations
 

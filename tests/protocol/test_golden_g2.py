@@ -1,4 +1,4 @@
-"""The golden transcripts of the reference (sections 7.5 and 7.9), from the driver's side: what it sends, byte for byte,
+"""The golden transcripts of a Carryout G2, from the driver's side: what it sends, byte for byte,
 and what it makes of what a dish has printed. The dish is played from the page; our simulator has no part in it.
 """
 

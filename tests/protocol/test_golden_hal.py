@@ -27,7 +27,7 @@ LAYOUTS = {
 
 
 class Transcript:
-    """Answers with what the reference shows, in one of the ways that it leaves open. Also the port."""
+    """Answers with what `docs/reference/travler.md` shows, in one of the ways that it leaves open. Also the port."""
 
     name, demo = "transcript", True
 

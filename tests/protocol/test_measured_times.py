@@ -1,4 +1,4 @@
-"""How long a Trav'ler takes, against the measured table (reference section 3)."""
+"""How long a Trav'ler takes, against the measured table (`docs/reference/travler.md`, *Times*)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The pinouts are those of reference section 1.1, and fit on the screen."""
+"""The pinouts are those of `docs/wiring.md`, *Pins*, and fit on the screen."""
 
 from __future__ import annotations
 

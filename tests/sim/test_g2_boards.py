@@ -1,6 +1,6 @@
-"""Every command of DVB, PEAK, A3981, GPIO, EE, LATLON and DIPSWITCH, over the wire, in the form of section 7.3.
+"""Every command of DVB, PEAK, A3981, GPIO, EE, LATLON and DIPSWITCH, over the wire.
 
-What the reference quotes is quoted here; the rest is what the simulator makes of it.
+What is documented word for word is quoted here; the rest is what the simulator makes of it.
 """
 
 from __future__ import annotations

@@ -36,7 +36,7 @@ def test_help_has_two_pages_that_hold_every_command_once(terminal):
     assert first == names(ask(dish, "help"))
     assert first & second == set()
     assert first | second == set(menus(dish.device.board)["dvb"].commands) - {"?"}
-    assert {"srch_mode", "stats", "di2conf", "send", "tdthresh"} <= second  # named in document 001
+    assert {"srch_mode", "stats", "di2conf", "send", "tdthresh"} <= second  # named in the notes
     assert "srch_mode" in ask(dish, "help srch_mode")
 
 

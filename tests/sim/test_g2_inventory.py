@@ -1,4 +1,4 @@
-"""Every command of the menus MOT, STEP, ADC, NVS and OS, over the wire, in the form of reference section 7.3."""
+"""Every command of the menus MOT, STEP, ADC, NVS and OS, over the wire, in the documented form."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ def test_the_table_knows_every_command(terminal):
     known = menus(terminal().device.board)
     for menu, lines in ANSWERS.items():
         assert set(known[menu].commands) - elsewhere <= {line.split()[0] for line in lines}, menu
-    assert len(set(known["mot"].commands) - {"?", "help", "q"}) == 24  # 25 in document 001, which lists `a` twice
+    assert len(set(known["mot"].commands) - {"?", "help", "q"}) == 24  # the notes have 25, as they list `a` twice
 
 
 BAD = {

@@ -21,7 +21,7 @@ def empty(terminal, options=""):
 
 def test_the_plan_of_the_transponders():
     assert plan(1).frequency_khz == 974_000
-    assert plan(15).frequency_khz == pytest.approx(1_178_000, abs=500)  # the 1178 MHz of document 001
+    assert plan(15).frequency_khz == pytest.approx(1_178_000, abs=500)  # the 1178 MHz that are noted
     assert (plan(15).polarity, plan(15).volts) == ("V", 13.0)
     assert (plan(16).polarity, plan(16).volts) == ("H", 18.0)
 

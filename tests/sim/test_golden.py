@@ -1,4 +1,4 @@
-"""The golden transcripts of the reference, section 7.9, byte for byte where the reference is certain."""
+"""The golden transcripts of a Carryout G2, byte for byte where they are certain."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""The golden transcripts of the reference, sections 3 and 4: what a public script sends, and what it looks for."""
+"""The golden transcripts of a Trav'ler: what a public script sends, and what it looks for.
+
+`docs/reference/travler.md`.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +10,7 @@ import re
 import pytest
 
 AZ, EL = re.compile(r"AZ =(\s+\d+\.\d+)"), re.compile(r"EL =(\s+\d+\.\d+)")
-"""What the public scripts search for in 200 bytes ([P])."""
+"""What the public scripts search for in 200 bytes (read)."""
 INIT = b"q\r\rngsearch\rs\rq\r\r"
 
 

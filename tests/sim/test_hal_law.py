@@ -1,4 +1,4 @@
-"""Move times of a Trav'ler: the table of reference section 3."""
+"""Move times of a Trav'ler: the measured law (`docs/reference/travler.md`, *Times*)."""
 
 from __future__ import annotations
 

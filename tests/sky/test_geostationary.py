@@ -95,7 +95,7 @@ def test_other_bands_are_listed_only_when_asked_for():
     assert {"GOES 19", "GOES 18"} <= everything - default
 
 
-# Reference section 2.5, computed there another way; the skew in its exact form.
+# Computed another way, outside this repository; the skew in its exact form.
 VECTORS = [
     ("Vienna", 48.20, 16.40, 13.0, 184.56, 34.59, 3.06),
     ("Vienna", 48.20, 16.40, 19.2, 176.24, 34.62, -2.52),
@@ -120,7 +120,7 @@ def test_azimuth_elevation_and_skew_of_the_reference(where, lat, lon, slot, az, 
     assert (seen.az_deg, seen.el_deg) == pytest.approx(look_angle(lat, lon, slot))
 
 
-# Section 2.6: as the textbooks print them, for a spherical Earth, which is up to 0.04 degrees and 15 km off.
+# As the textbooks print them, for a spherical Earth, which is up to 0.04 degrees and 15 km off.
 PUBLISHED = [
     ("Roddy, examples 3.1 and 3.2", 35.0, -100.0, -90.0, 162.9, 0.05, 48.0, 0.5, 37215.0, 15.0),
     ("Pratt and Bostian, London", 52.0, 0.0, 66.0, 109.333, 0.04, 5.847, 0.04, None, None),

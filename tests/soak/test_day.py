@@ -6,7 +6,7 @@ to the tuner; the adapter is pulled out, the dish restarts, the program restarts
 - A position or a signal that is published was printed by the dish within the seconds before: to the last digit, unless
   a byte was altered just then. A number that was altered passes only for a place where the dish could have got to
   meanwhile, and is corrected by the next reading: at rest, what is shown is where the shafts stand.
-- No step is lost: at each arrival the shafts stand where they were sent, within the overshoot of the reference, and
+- No step is lost: at each arrival the shafts stand where they were sent, within the overshoot of a G2, and
   count and shaft agree always. A plain motion on a sound wire always arrives.
 - STOP holds; everybody gets an answer; after minutes of peace the link is up and the dish at rest, and is told so.
 - From the second hour on neither memory nor threads nor open files grow, and the transcript keeps to its limits.

@@ -10,7 +10,7 @@ NUMERALS = frozenset(b"0123456789.+-")
 FORGES_NOTHING = bytes(value for value in range(256) if value > 0x7F or not (chr(value).isalpha() or value in b"+-"))
 """What noise is made of: a letter could make one command of another, `r` of `a`, and a sign a step of an angle."""
 LAG_S = 2.0
-"""The longest delay: D of SEAMS *Codec*."""
+"""The longest delay: D of `docs/decisions/0003-q-in-step.md`."""
 SPELLS = {"clear": 50, "split": 10, "late": 8, "drizzle": 16, "storm": 10, "silent": 6}
 """How likely each kind of weather is."""
 

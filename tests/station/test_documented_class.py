@@ -1,4 +1,4 @@
-"""A station drives a class that has only the methods of document 003, and a port of its own."""
+"""A station drives a class that has only the published methods, and a port of its own."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """An axis that fails to home is told with what helps it: by its papers where they say, and it says more than a restart.
 
-Reference section 4: `EL Motor Home Failure` needs the elevation calibrated by the buttons of the indoor unit.
+`docs/safety.md`, *EL Motor Home Failure*: it needs the elevation calibrated by the buttons of the indoor unit.
 """
 
 from __future__ import annotations

@@ -45,7 +45,7 @@ class Wires(Bench):
 
 @pytest.fixture
 def wrong():
-    """A G2 that is addressed at 9600 baud, and is silent there (reference section 7.2)."""
+    """A G2 that is addressed at 9600 baud, and is silent there (`docs/reference/g2.md`, *Line*)."""
     bench = Wires("g2?seed=1&wrong_baud=silent", {"baud": 9600})
     bench.step(3)
     assert bench.state.link.state is Link.SILENT

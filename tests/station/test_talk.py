@@ -195,7 +195,7 @@ def test_the_commands_of_a_menu_are_known_before_the_dish_is_asked(bench):
 def test_the_dish_is_asked_for_its_commands_once(bench):
     told = {command.name: command for command in bench.do(ListCommands())}
     assert told["motorboth"].told_by_dish
-    assert told["q"].help  # the reference says what the dish does not
+    assert told["q"].help  # the documentation says what the dish does not
     assert not told["?"].told_by_dish
     assert bench.lines().count("?") == 1
     bench.do(ListCommands())

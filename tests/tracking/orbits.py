@@ -43,7 +43,7 @@ def overhead(aside_deg, *, height_km=820.0, inclination_deg=98.7, northbound=Tru
 
 
 def travler(speed_deg_s):
-    """A Trav'ler by a speed, as the reference assumes one, instead of by its measured times."""
+    """A Trav'ler by a speed, as plans assume one, instead of by its measured times."""
     azimuth, elevation = (
         replace(axis, times=None, speed_deg_s=speed_deg_s) for axis in (TRAVLER.azimuth, TRAVLER.elevation)
     )

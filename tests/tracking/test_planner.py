@@ -55,7 +55,7 @@ def test_the_path_is_lifted_by_refraction():
     ("aside", "speed", "limit"), [(0.37, 5.0, 1.03), (0.07, 5.0, 2.8), (0.37, 3.0, 3.17), (0.07, 3.0, 5.0)]
 )
 def test_the_keyhole_costs_little_more_than_it_must(aside, speed, limit):
-    """Passes like the named ones C (86 degrees) and E (89.1) of the reference, section 3.2."""
+    """Passes like METOP-C's at 86 and 89.1 degrees, close to the zenith."""
     on = mount(travler(speed), at=(200.0, 30.0))
     plan = plan_of(aside, on, orbit={"northbound": False})
     (hole,) = plan.keyholes
@@ -92,7 +92,7 @@ def test_the_pass_after_this_one_decides_between_turns_that_suit_this_one_equall
 
 
 def test_a_pass_that_fits_no_turn_gets_one_rewind_that_is_announced():
-    """Like pass D of the reference: azimuth 249 to 402 on a cable from -423 to 23."""
+    """A pass of the space station across north: azimuth 249 to 402 on a cable from -423 to 23."""
     plan = plan_of(-2.0, orbit={"inclination_deg": 51.6, "height_km": 420.0})
     before, rewind, after = plan.legs
     assert [leg.part for leg in plan.legs] == [Part.FOLLOW, Part.REWIND, Part.FOLLOW]
@@ -174,7 +174,7 @@ def test_what_a_mask_hides_is_told_and_followed_all_the_same():
 
 
 def test_the_cable_is_turned_back_while_nothing_is_heard():
-    """Like pass D of the reference, and trees where either turn would do."""
+    """The same pass across north, and trees where either turn would do."""
     orbit = {"inclination_deg": 51.6, "height_km": 420.0}
     clear = plan_of(-2.0, orbit=orbit)
     trees = HorizonMask([(309.5, 0.0), (310.0, 89.0), (330.0, 89.0), (330.5, 0.0)])

@@ -1,4 +1,4 @@
-"""Refraction against the figures of the reference (`tracking.md`, section 5), and without a jump anywhere."""
+"""Refraction against figures by N cot(el) and by Bennett's formula, and without a jump anywhere."""
 
 from __future__ import annotations
 

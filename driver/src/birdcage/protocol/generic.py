@@ -82,8 +82,9 @@ GENERIC_FACTS = Facts(
         """
     ),
 )
-"""Ranges, floor and baud are the defaults of `docs/reference/published-interface.md`; its boot is as long as the
-longest of the family. No cable range is known: whoever knows of one sets it in `model`, or in the settings."""
+"""Floor and baud are the published defaults (`docs/reference/published-interface.md`, *BirdcageAntenna*), a whole turn
+and the zenith are assumed; its boot is as long as the longest of the family. No cable range is known: whoever knows of
+one sets it in `model`, or in the settings."""
 
 GENERIC_DIALECT = ConsoleDialect(
     troubles=MOTOR_TROUBLES,
