@@ -14,7 +14,7 @@ SPEED = st.floats(0, 65)
     [(1, 65, 0.10), (10, 65, 0.32), (90, 65, 1.55), (180, 65, 2.93), (360, 65, 5.70), (10, 45, 0.34), (45, 45, 1.11)],
 )
 def test_move_times_of_the_reference(angle_deg, speed, time_s):
-    """Trapezoids by the G2's settings (`docs/reference/g2.md`, *What it can do*): 400 deg/s2."""
+    """Trapezoids by the G2's settings (`docs/reference/g2-motors.md`, *Speeds*): 400 deg/s2."""
     assert plan_slew(0, angle_deg, speed, 400).duration_s == pytest.approx(time_s, abs=0.006)
 
 

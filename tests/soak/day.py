@@ -27,8 +27,8 @@ ADDRESSES = {
 }
 REACH = {"g2": (20.0, 64.0), "hal205": (20.0, 85.0)}
 REST_DEG = 0.08
-"""How far from its target a dish may come to rest: a G2's overshoot, and a step (`docs/reference/g2.md`, *What it can
-do*)."""
+"""How far from its target a dish may come to rest: a G2's overshoot, and a step (`docs/reference/g2-motors.md`,
+*Overshoot*)."""
 FILE_LIMIT, TOTAL_LIMIT = 100_000, 500_000
 PEOPLE = ("you", "Gpredict", "satdump")
 CALM_S = 40.0

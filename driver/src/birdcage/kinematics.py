@@ -1,7 +1,7 @@
 """How an axis moves: trapezoidal velocity, for planning, arrival times and stopping points.
 
-That a G2 moves so is inferred from its settings 80, 81 and 85 (`docs/reference/g2.md`,
-*What it can do*). The simulator has its own.
+That a G2 moves so is assumed, from its settings 80, 81 and 85 (`docs/reference/g2-motors.md`, *Speeds*). The simulator
+has its own.
 """
 
 from __future__ import annotations

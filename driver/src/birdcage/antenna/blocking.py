@@ -19,8 +19,8 @@ SAME_DEG = 0.005
 LATE_S = 0.3
 """An answer that comes so much later than others do is late."""
 SEEN_DEG = 0.08
-"""The rest position lies up to 0.06 deg from the command, and a step on top (`docs/reference/g2.md`, *What it
-can do*)."""
+"""The rest position lies up to 0.06 deg from the command, and a step on top (`docs/reference/consoles.md`,
+*Overshoot*)."""
 SLOWER = 4.0
 """So many times as long as at its greatest speeds a dish may take whose own speeds were not read yet."""
 SHARE = 0.8

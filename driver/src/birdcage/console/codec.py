@@ -1,4 +1,4 @@
-"""Bytes in, replies out: pure, incremental, no I/O (SEAMS *Codec*).
+"""Bytes in, replies out: pure, incremental, no I/O.
 
 A line ends at any run of CR and LF; blank lines and terminal control sequences are dropped. A prompt is a known token
 that begins a line, recognised with its last byte; what follows it on that line is the next echo. So `>` in help text
@@ -213,7 +213,7 @@ class Codec:
         waiting.echoed = True
         # The wire keeps the order: commands sent before this one that were never echoed were lost on the way. One
         # that was echoed, and is not waited for, has lost its prompt: the dish echoes when it has answered
-        # (reference section 2).
+        # (docs/reference/consoles.md, *Shell*).
         while not self._owed[0].echoed or (self._owed[0].excused and self._owed[0] is not waiting):
             self._owed.popleft()
         return True

@@ -1,4 +1,4 @@
-"""What the wire can make of a text: bytes lost and doubled (SEAMS *Codec*)."""
+"""What the wire can make of a text: bytes lost and doubled (docs/decisions/0003-q-in-step.md)."""
 
 from __future__ import annotations
 

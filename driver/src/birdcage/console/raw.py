@@ -43,7 +43,7 @@ class Typed:
         return self.reply is not None or not self._wire.codec.owes(self._ticket)
 
     def press_enter(self) -> None:
-        """Send the key that ends what prints on: a bare line end, never a `q` (reference section 7.8)."""
+        """Send the key that ends what prints on: a bare line end, never a `q` (docs/reference/consoles.md, *Shell*)."""
         self._wire.press_enter()
 
     def wait(self, timeout_s: float) -> Reply | None:

@@ -281,7 +281,8 @@ class Console(Talker):
     def stream(self, command: str, on_line: LineSink, until: float) -> Reply:
         """Run a command that prints until a key comes; `on_line` hears its lines up to `until` (monotonic seconds).
 
-        It is ended by a bare Enter, never by `q` (reference section 7.8), also when the wait is abandoned.
+        It is ended by a bare Enter, never by `q` (docs/reference/consoles.md, *Shell*), also when the wait is
+        abandoned.
         """
         self._check(command)
         if self.dialect.may_leave(command):

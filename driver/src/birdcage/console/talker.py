@@ -17,7 +17,8 @@ from birdcage.console.wire import Wire
 from birdcage.link.port import Port
 
 HELP = "?"
-"""Lists the commands of a menu, on all of these consoles, and does nothing else (reference section 2.1)."""
+"""Lists the commands of a menu, on all of these consoles, and does nothing else (docs/reference/consoles.md,
+*Shell*)."""
 _LOOKS = 4
 """How often help is asked for in a row: a menu that was not seen before takes two."""
 LATE_S = 0.3

@@ -2,8 +2,8 @@
 
 Nothing else is sent. At a wrong rate the dish takes the Enter for one or two other bytes; none of them is a `q`,
 whatever the pair of rates (tests/detection/test_probe.py plays it through), and none ends a line. The `?`, which lists
-commands on all of these consoles and does nothing else (reference section 2.1), goes only where what answers ends in
-`>`: to a login, a shell or a modem it could mean something.
+commands on all of these consoles and does nothing else (docs/reference/consoles.md, *Shell*), goes only where what
+answers ends in `>`: to a login, a shell or a modem it could mean something.
 """
 
 from __future__ import annotations
@@ -21,7 +21,8 @@ from birdcage.console.places import commands
 from birdcage.link.port import Port
 
 USUAL_BAUDS = (115200, 57600, 9600, 19200, 38400)
-"""The rates of known dishes first (reference section 1), then those that adapters and other consoles start with."""
+"""The rates of known dishes first (docs/reference/consoles.md, *Line*), then those that adapters and other consoles
+start with."""
 
 ENTER = b"\r"
 HELP = b"?\r"
@@ -35,7 +36,7 @@ KEPT = 65536
 SAMPLE = 60
 
 _SHAPE = re.compile(r"(?:^[A-Za-z0-9_]{2,15}|[\r\n][A-Za-z0-9_]{0,15})> ?$")
-"""A prompt that no dialect declares: HAL prompts are unknown (reference section 1)."""
+"""A prompt that no dialect declares: HAL prompts are unknown (docs/reference/consoles.md, *Prompts*)."""
 _STANDS = re.compile(r"(?:^|[\r\n]) *([!-~][ -~]{0,30})?> ?$")
 """What stands at the end without a line end, and may be a prompt that takes a `?`."""
 _WORD = re.compile(rb"[\x20-\x7e]{3}")

@@ -1,4 +1,4 @@
-"""Rows of the settings memory as `nvs`, `d` prints them (`docs/reference/g2.md`)."""
+"""Rows of the settings memory as `nvs`, `d` prints them (`docs/reference/g2-settings.md`, *A session*)."""
 
 from __future__ import annotations
 

@@ -8,7 +8,8 @@ from collections.abc import Iterable
 from birdcage.rotator.readings import UnreadablePosition
 
 INT_MAX = 2147483647
-"""What an unhomed G2 holds as its azimuth (`docs/reference/g2.md`); in which form it prints it no source tells."""
+"""What an unhomed G2 holds as its azimuth; in which form it prints it no source tells (`docs/reference/g2-motors.md`,
+*Position*)."""
 
 _EDGES = (INT_MAX, -INT_MAX - 1)
 _UNITS = (1.0, 100.0)

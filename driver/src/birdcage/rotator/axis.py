@@ -38,7 +38,7 @@ class MeasuredTimes:
 
 
 OVERSHOOT_SPREAD_DEG = 0.02
-"""How far from its mean the overshoot of a single move lies at most (`docs/reference/g2.md`, *What it can do*)."""
+"""How far from its mean the overshoot of a single move lies at most (`docs/reference/g2-motors.md`, *Overshoot*)."""
 
 
 SHORT_WAYS = 2.0 / 3.0

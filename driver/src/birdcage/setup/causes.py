@@ -1,7 +1,7 @@
 """Why a port does not answer: from what was seen to what may be wrong, likeliest first. Pure.
 
-What each observation speaks for is in `docs/wiring.md`, *Pins* (swapped pairs), in `docs/reference/g2.md` (silence at
-other rates, deadlock), and in `birdcage.setup.wiring`, which draws the plugs.
+What each observation speaks for is in `docs/wiring.md`, *Pins* (swapped pairs), in `docs/reference/consoles.md`,
+*Silence* (other rates, deadlock), and in `birdcage.setup.wiring`, which draws the plugs.
 """
 
 from __future__ import annotations

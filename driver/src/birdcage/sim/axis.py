@@ -12,7 +12,8 @@ from birdcage.sim.motion import Motion, at_rest, plan, stopping_point
 
 OVERSHOOT_FORWARD_DEG = (0.01, 0.05)
 OVERSHOOT_BACK_DEG = (0.02, 0.06)
-"""How far past its target an axis comes to rest, in the direction of travel (reference section 7.4, [S1])."""
+"""How far past its target an axis comes to rest, in the direction of travel (noted: docs/reference/g2-motors.md,
+*Overshoot*)."""
 
 
 @dataclass(slots=True)
@@ -37,7 +38,7 @@ class AxisData:
 
 
 STALL_DWELL_S = 0.2
-"""How long the motor pushes against the stop before the firmware believes it. [I]"""
+"""How long the motor pushes against the stop before the firmware believes it (assumed)."""
 
 
 class Axis:

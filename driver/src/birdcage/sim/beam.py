@@ -1,4 +1,6 @@
-"""The beam: a G2's as measured on an isolated cluster of satellites at elevation 27 (reference section 7.6).
+"""The beam: a G2's as measured on an isolated cluster of satellites at elevation 27.
+
+Source: docs/reference/g2-signal.md, *Beam*.
 
 Another dish has the same shape, narrower as its reflector is larger, in each direction by itself.
 """
@@ -14,7 +16,7 @@ EL_PROFILE = (407, 411, 439, 478, 514, 537, 544, 538, 518, 485, 446, 416, 407)
 AZ_PROFILE = (409, 431, 465, 500, 525, 541, 544, 537, 520, 491, 459, 428, 413)
 """Counts at -6..+6 degrees of azimuth; on the sky these are cos(27 deg) apart."""
 SIDELOBE = ((7.0, 410.0), (8.0, 416.0), (8.5, 418.0), (9.0, 416.0), (10.0, 408.0), (12.0, FLOOR))
-"""First sidelobe 415 to 420 at 8 to 9 degrees; the shape around it [I]."""
+"""First sidelobe 415 to 420 at 8 to 9 degrees; the shape around it (assumed)."""
 
 MEASURED_IN = (12.0, 12.0)
 """Width and height of the reflector that it was measured with, in inches."""
@@ -22,7 +24,7 @@ COMPRESSION = 1.4
 """How the detector squeezes what it hears: counts go with the 1/1.4th power of what arrives, and what arrives adds up.
 
 A scan cannot tell 1.2 from 2. 1.4 is what makes of the 5.5 degrees, which theory gives a 12 inch reflector at
-12.45 GHz, the 6.4 degrees that a scan in counts shows. [I]
+12.45 GHz, the 6.4 degrees that a scan in counts shows (assumed).
 """
 
 Profile = tuple[tuple[float, float], ...]

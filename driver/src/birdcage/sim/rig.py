@@ -20,7 +20,7 @@ from birdcage.sim.device import Device
 from birdcage.sim.settings import Options
 
 OK, INVALID, DEAF, UNKNOWN = "RPRT 0\n", "RPRT -1\n", "RPRT -6\n", "RPRT -11\n"
-"""Hamlib's codes (reference section 1.7): taken; a value that it does not take; no radio; it cannot do that."""
+"""Codes of Hamlib (`rig_errcode_e` in its rig.h): taken; a value that it does not take; no radio; it cannot do that."""
 STRENGTH_BIT = 1 << 30
 HIGHEST_HZ = 3e10
 

@@ -1,8 +1,8 @@
-"""What can be chosen about any simulated dish: what the reference marks as inferred or unknown, and faults.
+"""What can be chosen about any simulated dish: what docs/reference/ marks as assumed or open, and faults.
 
-Provenance tags are those of the reference: [V] verbatim in a source, [P] parsed by a working script, [S0] [S1] stated
-by the project's own notes, [I] inferred, [open] unknown: a guess that nothing may rely on. A firmware adds its own in a
-subclass. Each field is an option of the address: `sim:g2?root_q=kill&seed=3`.
+The words written, read, noted, measured, assumed and open say who stands for a value, as docs/reference/consoles.md,
+*How facts are tagged*, has them. Nothing may rely on the last two. A firmware adds its own in a subclass. Each field is
+an option of the address: `sim:g2?root_q=kill&seed=3`.
 """
 
 from __future__ import annotations
@@ -47,11 +47,11 @@ class Settings(Options):
     id: str = ""
     """Two ports opened with the same non-empty id in one process reach the same dish, one after the other."""
     unhomed: bool = False
-    """Start with no axis homed, as after power-up (section 7.2, [S1])."""
+    """Start with no axis homed, as after power-up (noted: docs/reference/g2.md, *Power-up*)."""
     boot: bool = False
     """Start at power-on: play the boot log, and do by itself what the firmware then does."""
     home_fails: bool = False
-    """Whether homing at power-on fails, as with a dish still strapped for transport; later homing works. [I]"""
+    """Whether homing at power-on fails, as with a dish still strapped for transport; later homing works (assumed)."""
     lat: float = 39.1
     """Latitude of the dish in degrees north; what it hears depends on it."""
     lon: float = -95.7
@@ -65,43 +65,46 @@ class Settings(Options):
     collimation: float = 0.0
     """How far the beam looks to the left of where the dish points."""
     az: float = 0.0
-    """Cable angle at the start (the home position is 0). [I]"""
+    """Cable angle at the start (the home position is 0; assumed)."""
     el: float = 45.0
     """Elevation at the start."""
     overshoot: float = 1.0
-    """Scale of the overshoot of section 7.4 ([S1]); 0 for none."""
+    """Scale of the overshoot (noted: docs/reference/g2-motors.md, *Overshoot*); 0 for none."""
     backlash: float = 0.0
-    """Play of both gears in degrees. [I]"""
+    """Play of both gears in degrees (assumed)."""
     stall: str = "stop"
-    """Whether the firmware notices a blocked axis and stops, or goes on counting steps that are lost. [I]"""
+    """Whether the firmware notices a blocked axis and stops, or goes on counting steps that are lost (assumed)."""
 
     root_q: str = "error"
-    """What `q` does at the root: an unknown-command text, nothing, or killing the shell. [P] re-prompts, [S1] kills."""
+    """What `q` does at the root: an unknown-command text, nothing, or killing the shell. It re-prompts on
+    four dishes (written), and is noted to kill."""
     unknown_command: str = "Invalid command."
-    """What it says to a word it does not know. [open]"""
+    """What it says to a word it does not know (open)."""
     bad_parameter: str = "Invalid parameter."
-    """What it says to a number it cannot use. [open]"""
+    """What it says to a number it cannot use (open)."""
     echo: bool = True
-    """Whether typed characters come back ([V] in a terminal's log)."""
+    """Whether typed characters come back (written in a terminal's log)."""
     line_end: str = "crlf"
-    """What ends a line that the dish sends. [I]"""
+    """What ends a line that the dish sends (assumed)."""
     lf_after_cr: str = "ignore"
-    """Whether the LF of a CRLF is an empty second line. [open]"""
+    """Whether the LF of a CRLF is an empty second line (open)."""
     stream_key: str = "swallow"
-    """Whether the `q` or Enter that ends a stream ([S1]: `q` or another command does) is gone, or read as input. [I]"""
+    """Whether the `q` or Enter that ends a stream (noted: `q` or another command does) is gone, or read as input
+    (assumed)."""
     wrong_baud: str = "silent"
-    """What a program at another rate than the dish's meets: silence ([S1] for a G2), or garbage both ways. [I]"""
+    """What a program at another rate than the dish's meets: silence (noted for a G2), or garbage both ways
+    (assumed)."""
     latency_min: float = 0.005
     latency_max: float = 0.02
-    """How long the shell takes to answer anything. [I]"""
+    """How long the shell takes to answer anything (assumed)."""
     stow_az: float = 0.0
-    """Cable angle to which `stow` turns. [I]"""
+    """Cable angle to which `stow` turns (assumed)."""
     stow_el: float = 17.5
-    """Elevation to which `stow` folds: the lower stop of a G2. [I]"""
+    """Elevation to which `stow` folds: the lower stop of a G2 (assumed)."""
     stow_blocks: bool = False
-    """Whether `stow` keeps the shell busy until it is done. [open]"""
+    """Whether `stow` keeps the shell busy until it is done (open)."""
     rssi_floor: float = 400.0
-    """Counts of the empty sky high up (section 7.6, one unit; another has 500)."""
+    """Counts of the empty sky high up (docs/reference/g2-signal.md, *Levels*: one unit; another has 500)."""
     pace_baud: int = 0
     """Bytes cross the wire at this baud rate, 8N1; 0 for at once. In real seconds whatever the clock's rate."""
     drop: float = 0.0

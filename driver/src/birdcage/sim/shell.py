@@ -60,7 +60,10 @@ class Menu(Protocol):
 
 
 class Shell:
-    """Buffers input while a command runs, echoes when it reads, and has no backspace (reference section 2)."""
+    """Buffers input while a command runs, echoes when it reads, and has no backspace.
+
+    Source: docs/reference/consoles.md, *Shell*.
+    """
 
     def __init__(
         self,

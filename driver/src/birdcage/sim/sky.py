@@ -24,13 +24,15 @@ SLOTS: dict[float, float] = {
 }
 """Degrees east to counts above the floor at the centre of the beam, each slot alone.
 
-They are fitted, together with `COMPRESSION`, to the published scan of a real G2 (section 7.6): its five peaks, its
-ridge between them and the share of its cells above 440 and 500 counts. `scripts/bench/sky_scan.py` prints both. [I]
+They are fitted, together with `COMPRESSION`, to the published scan of a real G2 (docs/reference/g2-signal.md, *Beam*):
+its five peaks, its ridge between them and the share of its cells above 440 and 500 counts. `scripts/bench/sky_scan.py`
+prints both. The figures are assumed.
 """
 SUN_COUNTS = 25.0
-"""About 70 K in a 6.4 degree beam over a 100 K receiver. [I]"""
+"""About 70 K in a 6.4 degree beam over a 100 K receiver (assumed)."""
 AIR_COUNTS = 1.44
-"""Counts for each thickness of the atmosphere: 400 at elevation 58, 402 to 403 at 18 to 22 (section 7.6)."""
+"""Counts for each thickness of the atmosphere: 400 at elevation 58, 402 to 403 at 18 to 22
+(docs/reference/g2-signal.md, *Levels*)."""
 FLOOR_EL_DEG = 58.0
 REACH_DEG = 12.0
 """Beyond this the beam hears nothing of a source."""

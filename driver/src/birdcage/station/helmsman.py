@@ -25,7 +25,7 @@ MOST_LOST = 2
 """So many answers in a row may be lost or damaged while it follows; after one more, the dish counts as silent."""
 ROUNDING_DEG = 0.1
 """A command this little beyond the limit of elevation means the limit: an axis overshoots by 0.06
-(`docs/reference/g2.md`, *What it can do*)."""
+(`docs/reference/consoles.md`, *Overshoot*)."""
 MOST_UNSURE = 3
 """So many answers in a row that tell nothing make one look whether the dish moves."""
 LATE = "late"

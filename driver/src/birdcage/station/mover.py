@@ -22,8 +22,8 @@ from birdcage.station.state import MOVING, Activity, Motion, Pointing
 
 POLL_S = 0.1
 ARRIVED_DEG = 0.08
-"""The rest position lies up to 0.06 deg from the command, and a step on top (`docs/reference/g2.md`, *What it
-can do*)."""
+"""The rest position lies up to 0.06 deg from the command, and a step on top (`docs/reference/consoles.md`,
+*Overshoot*)."""
 STREAM_S = 3.0
 """Targets of one holder closer together than this are a stream, which may be leap-frogged."""
 REST_S = 1.0

@@ -1,4 +1,4 @@
-"""Winegard Carryout G2, firmware 02.02.48 (reference section 7): a room for each menu, and the dialect over them."""
+"""Winegard Carryout G2, firmware 02.02.48 (docs/reference/g2.md): a room for each menu, and the dialect over them."""
 
 from __future__ import annotations
 

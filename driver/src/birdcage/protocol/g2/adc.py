@@ -1,4 +1,4 @@
-"""The analogue menu, `ADC>`: levels before the tuner, and which board it is (reference section 7.3)."""
+"""The analogue menu, `ADC>`: levels before the tuner, and which board it is (docs/reference/g2-commands.md, *ADC>*)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The commands of the Carryout G2, menu by menu (reference section 7.3, source document 001). Unconfirmed elsewhere."""
+"""The commands of the Carryout G2, menu by menu (docs/reference/g2-commands.md). Most are noted alone."""
 
 from __future__ import annotations
 

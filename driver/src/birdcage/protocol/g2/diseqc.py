@@ -1,4 +1,4 @@
-"""DiSEqC 2.x, in the tuner's menu (reference section 7.3, source document 001): LNB and switches on the cable."""
+"""DiSEqC 2.x, in the tuner's menu (docs/reference/g2-signal.md, *DiSEqC*): LNB and switches on the cable."""
 
 from __future__ import annotations
 

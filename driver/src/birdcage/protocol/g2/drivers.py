@@ -1,4 +1,4 @@
-"""The motor drivers' menu, `A3981>`: two Allegro A3981 (reference section 7.3)."""
+"""The motor drivers' menu, `A3981>`: two Allegro A3981 (docs/reference/g2-commands.md, *A3981>*)."""
 
 from __future__ import annotations
 

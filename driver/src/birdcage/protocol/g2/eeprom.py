@@ -1,4 +1,7 @@
-"""The processor's own memory, `EE>` (reference section 7.3). The firmware keeps its settings in `NVS>` instead."""
+"""The processor's own memory, `EE>`. The firmware keeps its settings in `NVS>` instead.
+
+Source: docs/reference/g2-commands.md, *EE>*.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a G2 tells and lets be set besides its position (reference sections 7.1, 7.3, 7.5, 7.6)."""
+"""What a G2 tells and lets be set besides its position (docs/reference/g2-commands.md)."""
 
 from __future__ import annotations
 

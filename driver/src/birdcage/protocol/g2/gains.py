@@ -1,4 +1,4 @@
-"""Reads `Kp=250 Kv=50`, with and without `Ki` and motor numbers (reference section 7.3)."""
+"""Reads `Kp=250 Kv=50`, with and without `Ki` and motor numbers (docs/reference/g2-commands.md, *STEP>*)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the lines of the Carryout G2's console do (reference sections 7.3 and 7.8, source document 001)."""
+"""What the lines of the Carryout G2's console do (docs/reference/g2-commands.md; docs/reference/g2.md, *Hazards*)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the G2 prints when it homes (reference sections 7.4 and 7.9)."""
+"""What the G2 prints when it homes (docs/reference/g2-motors.md, *Homing*)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The calculator of the dish's place, `LATLON>` (reference section 7.3)."""
+"""The calculator of the dish's place, `LATLON>` (docs/reference/g2-commands.md, *LATLON>*)."""
 
 from __future__ import annotations
 

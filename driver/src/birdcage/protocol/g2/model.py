@@ -1,4 +1,7 @@
-"""The Carryout G2 as data: what it is (reference sections 1, 7.1, 7.4, 7.5) and how its console looks (7.3)."""
+"""The Carryout G2 as data: what it is, and how its console looks.
+
+Source: docs/reference/g2.md, *Menus* and *What it can do*; docs/reference/g2-motors.md.
+"""
 
 from __future__ import annotations
 
@@ -17,7 +20,7 @@ from birdcage.rotator.origin import by_origin
 
 REFLECTOR = Reflector(0.3048, 0.3048, CountedBeam(6.4, 6.3, 12.45e9))
 """12 inches round (`12-IN G2` in its boot log). The width was scanned in counts, on satellites that stand alone
-(section 7.6)."""
+(docs/reference/g2-signal.md, *Beam*)."""
 
 AZIMUTH = Axis("azimuth", Role.AZ, 0.0, 360.0, 65.0, 400.0, 360.0 / 40000, overshoot_deg=0.06)
 ELEVATION = Axis("elevation", Role.EL, 18.0, 65.0, 45.0, 400.0, 360.0 / 24960, overshoot_deg=0.06)
@@ -113,7 +116,7 @@ DIALECT = ConsoleDialect(
         "This dish does not answer like a Carryout G2 (prompt `{prompt}`). Give --firmware hal205 if it is a Trav'ler. "
         "Nothing was moved."
     ),
-    # The texts themselves are not in any source: section 14, unknowns 1 and 3. Words, then, not sentences.
+    # The texts themselves are not in any source (docs/reference/g2.md, *Hazards*). Words, then, not sentences.
     refusals=(
         (re.compile(r"\b(invalid|unknown|unrecognized) command\b", re.IGNORECASE), "unknown_command"),
         (

@@ -1,4 +1,4 @@
-"""What lines in the G2's two motor menus do (reference sections 7.3, 7.4 and 7.8)."""
+"""What lines in the G2's two motor menus do (docs/reference/g2-commands.md; docs/reference/g2.md, *Hazards*)."""
 
 from __future__ import annotations
 

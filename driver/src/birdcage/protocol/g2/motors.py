@@ -1,4 +1,6 @@
-"""The motor menu, `MOT>`: what it tells (reference sections 7.3 and 7.4). Moving is the dialect's, through the gate.
+"""The motor menu, `MOT>`: what it tells. Moving is the dialect's, through the gate.
+
+Source: docs/reference/g2-commands.md, *MOT>*.
 
 Only `elminmaxhome`, `mv` and the names of `l` are quoted. `p`, `v` and `ma` are read as `mv` is printed, by motor
 number. A number with decimals is degrees, as with `a` and the settings memory; a whole angle is centidegrees, as in

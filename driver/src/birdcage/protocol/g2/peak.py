@@ -1,4 +1,4 @@
-"""The menu of peaking and switches, `PEAK>` (reference section 7.3)."""
+"""The menu of peaking and switches, `PEAK>` (docs/reference/g2-commands.md, *PEAK>*)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The processor's pins, `GPIO>`, and the DIP switches, `DIPSWITCH>` (reference section 7.3, source document 001)."""
+"""The processor's pins, `GPIO>`, and the DIP switches, `DIPSWITCH>` (docs/reference/g2-commands.md)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Winegard Carryout G2, firmware 02.02.48 (reference section 7)."""
+"""Winegard Carryout G2, firmware 02.02.48 (docs/reference/g2.md)."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _DEGREES = r"([-+]?\d+(?:\.\d+)?)(?=\s+[A-Za-z]|\s*$)"
 """A number with a word behind it, or nothing: what noise has cut in two is none."""
 _ANGLE = re.compile(rf"Angle\[(\d)\]\s*=\s*{_DEGREES}")
 _OTHER_ANGLES = re.compile(r"\bAZ\s*=.*\bEL\s*=")
-"""How the HAL family prints where it is (section 3); no damage makes it of a G2's answer."""
+"""How the HAL family prints where it is (docs/reference/travler.md); no damage makes it of a G2's answer."""
 _PLAUSIBLE = (-720.0, 720.0), (-90.0, 180.0)
 """Azimuth and elevation, wider than any dish turns: what lies outside is a misread number, not an angle."""
 _MOVE_TAKEN = re.compile(rf"Angle\s*=\s*{_DEGREES}")
@@ -61,7 +61,7 @@ class CarryoutG2Protocol(Rooms):
     log_marks: ClassVar[tuple[str, ...]] = ("Ant ID - ", "EXTENDED_DVB_DEBUG", "Loc Startup", "Antenna Facing Front")
 
     def connect(self, port: str, baudrate: int = 115200) -> None:
-        """Open the port (8N1) exclusively, at 115200 baud unless told otherwise (section 7.2)."""
+        """Open the port (8N1) exclusively, at 115200 baud unless told otherwise (docs/reference/g2.md, *Line*)."""
         super().connect(port, baudrate)
 
     def initialize(self, callback: Callable[[str], None] | None = None, *, timeout_s: float = BOOT_TIMEOUT_S) -> None:
@@ -116,7 +116,7 @@ class CarryoutG2Protocol(Rooms):
         return self._once(lambda: self._position_in(self.console.hurry("mot", "a", asks=True)))
 
     def _read_position(self, busy_s: float) -> Position:
-        """Read both axes with one `a` (section 7.4)."""
+        """Read both axes with one `a` (docs/reference/g2-motors.md, *Position*)."""
         self.enter_motor_menu()
         reply = self.console.run("mot", "a", busy_s=busy_s)
         if not reply.lines:
@@ -146,7 +146,10 @@ class CarryoutG2Protocol(Rooms):
         return self._take_move(motor_id, degrees, reply)
 
     def steer_motor(self, motor_id: int, degrees: float) -> Taken:
-        """Send one axis to an absolute angle, as one of a stream: each replaces the one before (section 7.4)."""
+        """Send one axis to an absolute angle, as one of a stream: each is taken to replace the one before.
+
+        Source: docs/reference/g2-motors.md, *Moving*.
+        """
         self._check_range(motor_id, degrees)
         line = self._move_line(motor_id, degrees)
         return self._take_move(motor_id, degrees, self.console.hurry("mot", line, permit=self.permit, judged=False))
@@ -167,17 +170,23 @@ class CarryoutG2Protocol(Rooms):
         return f"a {motor_id} {degrees:.2f}"
 
     def stop_lines(self, az_deg: float, el_deg: float) -> tuple[str, ...]:
-        """Retarget both axes: no stop is documented for this firmware (reference section 11)."""
+        """Retarget both axes: no stop is documented for this firmware (docs/reference/g2.md, *What it can do*)."""
         lines = (self._move_line(0, az_deg), self._move_line(1, el_deg))
         return tuple(line.replace(" -0.00", " 0.00") for line in lines)
 
     def home_motor(self, motor_id: int) -> None:
-        """Find one axis' reference by stall. Blocks the shell until it is done (section 7.4); can't be stopped."""
+        """Find one axis' reference by stall. Blocks the shell until it is done; can't be stopped.
+
+        Source: docs/reference/g2-motors.md, *Homing*.
+        """
         self.model.axis(motor_id)
         self.console.run("mot", f"h {motor_id}", takes_s=_HOMING_S, permit=self.permit)
 
     def home_motors(self) -> HomingReport:
-        """Find the references of both axes (`h *`, sections 7.4 and 7.9), as `home_motor`; return what it printed."""
+        """Find the references of both axes (`h *`), as `home_motor`; return what it printed.
+
+        Source: docs/reference/g2-motors.md, *Homing*.
+        """
         reply = self.console.run("mot", "h *", takes_s=2 * _HOMING_S, permit=self.permit)
         return parse_homing(reply.lines)
 
@@ -186,11 +195,11 @@ class CarryoutG2Protocol(Rooms):
         self.console.run("mot", "r", permit=permit)
 
     def engage_motors(self) -> None:
-        """Put the current back on the motors (`e`, section 7.3)."""
+        """Put the current back on the motors (`e`: docs/reference/g2-motors.md, *Moving*)."""
         self.console.run("mot", "e", permit=self.permit)
 
     def stow(self) -> None:
-        """Fold the dish flat (`stow` at the root: sections 2.9 and 7.3). Returns with the prompt.
+        """Fold the dish flat (`stow` at the root: docs/reference/consoles.md, *Stow*). Returns with the prompt.
 
         No source says whether the prompt comes before the motion or after it, nor what stops it.
         """
@@ -198,11 +207,11 @@ class CarryoutG2Protocol(Rooms):
         self.console.run(self.dialect.root, "stow", takes_s=_STOW_S, permit=self.permit)
 
     def read_speeds(self) -> dict[int, float]:
-        """Read `step`, `mv` (section 7.3)."""
+        """Read `step`, `mv` (docs/reference/g2-commands.md, *STEP>*)."""
         return self.stepper.max_speeds_deg_s()
 
     def set_speed(self, motor_id: int, speed_deg_s: float) -> dict[int, float]:
-        """Send `step`, `mv [motor] [ustep/sec]` (section 7.3), and read it back."""
+        """Send `step`, `mv [motor] [ustep/sec]` (docs/reference/g2-commands.md, *STEP>*), and read it back."""
         return self.stepper.set_max_speed(motor_id, speed_deg_s)
 
     def enter_dvb_menu(self) -> None:
@@ -210,11 +219,14 @@ class CarryoutG2Protocol(Rooms):
         self.console.enter("dvb")
 
     def enable_lna(self) -> None:
-        """Feed the LNB with 13 V (`lnbdc odu`, section 7.6)."""
+        """Feed the LNB with 13 V (`lnbdc odu`: docs/reference/g2-signal.md, *Signal strength*)."""
         self.tuner.supply_13_volts()
 
     def get_rssi(self, iterations: int = 10) -> RssiReading:
-        """Read the tuner's signal strength, averaged over `iterations` reads (section 7.6). In counts, no unit."""
+        """Read the tuner's signal strength, averaged over `iterations` reads. In counts, no unit.
+
+        Source: docs/reference/g2-signal.md, *Signal strength*.
+        """
         return self.tuner.rssi(iterations)
 
     def quit_submenu(self) -> None:
@@ -226,7 +238,10 @@ class CarryoutG2Protocol(Rooms):
         return survey(self.system, self.nvs, self.stepper)
 
     def read_nvs(self, index: int) -> NvsRow:
-        """Read one row of the settings memory (section 7.5). NoReply (no_row) when there is no such row."""
+        """Read one row of the settings memory. NoReply (no_row) when there is no such row.
+
+        Source: docs/reference/g2-settings.md.
+        """
         return self.nvs.read(index)
 
     def write_nvs(self, index: int, value: str) -> NvsRow:
@@ -238,7 +253,7 @@ class CarryoutG2Protocol(Rooms):
         return self.nvs.printed()
 
     def kill_search(self) -> None:
-        """Switch the TV search off for good: NVS 20 TRUE, saved (section 7.5).
+        """Switch the TV search off for good: NVS 20 TRUE, saved (docs/reference/g2-settings.md, *The TV search*).
 
         Takes effect after a power cycle. From then on the dish does not home by itself.
         """

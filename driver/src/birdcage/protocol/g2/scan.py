@@ -1,4 +1,6 @@
-"""Lines of a sweep by the firmware itself: `adc scan`, `mot azscan`, `mot azscanwxp` (reference sections 7.3, 7.7).
+"""Lines of a sweep by the firmware itself: `adc scan`, `mot azscan`, `mot azscanwxp`.
+
+Source: docs/reference/g2-motors.md, *Sweeps*.
 
 The form is quoted for `adc scan`; no source has seen the other two print.
 """

@@ -1,4 +1,4 @@
-"""The settings memory, `NVS>` (reference section 7.5, a verbatim session)."""
+"""The settings memory, `NVS>` (docs/reference/g2-settings.md, *A session*)."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ UNITS = {
     102: "deg",
     103: "deg",
 }
-"""Units of the rows whose unit a source tells (section 7.5, source document 001)."""
+"""Units of the rows whose unit a source tells (docs/reference/g2-settings.md, *Units*)."""
 
 _TABLE_S = _SAVE_S = 10.0
 """How long the whole table and a write to flash may take: no source says. Only a deadline depends on it."""

@@ -1,4 +1,7 @@
-"""The stepper menu, `STEP>`: motors in microsteps (reference section 7.3). Its `p` and `v` move and are not here."""
+"""The stepper menu, `STEP>`: motors in microsteps. Its `p` and `v` move and are not here.
+
+Source: docs/reference/g2-commands.md, *STEP>*.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The system menu, `OS>`: who the dish is (reference section 7.1)."""
+"""The system menu, `OS>`: who the dish is (docs/reference/g2.md, *Identity*)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The tuner's menu, `DVB>`: a BCM4515 behind the LNB (reference sections 7.3 and 7.6)."""
+"""The tuner's menu, `DVB>`: a BCM4515 behind the LNB (docs/reference/g2-commands.md, *DVB>*)."""
 
 from __future__ import annotations
 

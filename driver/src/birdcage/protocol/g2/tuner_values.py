@@ -1,7 +1,7 @@
 """What the tuner tells, and how it is read off its lines.
 
-Only `rssi` is quoted in full (reference section 7.6). Of the others the sources tell the fields, not the form: each is
-looked for by its name, and is None if it is not found; `lines` are then what there is.
+Only `rssi` is quoted in full (docs/reference/g2-signal.md, *Signal strength*). Of the others the sources tell the
+fields, not the form: each is looked for by its name, and is None if it is not found; `lines` are then what there is.
 """
 
 from __future__ import annotations
@@ -32,7 +32,10 @@ class AgcReading:
 
 @dataclass(frozen=True, slots=True)
 class TunerIdentity:
-    """What `config` tells (section 7.1: ID 0x4515, revision B0, firmware 113.37, strap 0x25018)."""
+    """What `config` tells: ID 0x4515, revision B0, firmware 113.37, strap 0x25018.
+
+    Source: docs/reference/g2-signal.md, *Tuner*.
+    """
 
     chip_id: int | None
     revision: str | None

@@ -1,6 +1,6 @@
-"""The motor drivers' menu, `A3981>` (reference section 7.3).
+"""The motor drivers' menu, `A3981>` (docs/reference/g2-commands.md, *A3981>*).
 
-The form of `diag` is quoted, and that `ss` returns an integer [S1]; the others are made like `diag` [I].
+The form of `diag` is quoted, and that `ss` returns an integer (noted); the others are made like `diag` (assumed).
 """
 
 from __future__ import annotations

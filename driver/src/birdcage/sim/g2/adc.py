@@ -1,6 +1,6 @@
-"""The analogue menu, `ADC>` (reference section 7.3): raw levels, and the board's identity.
+"""The analogue menu, `ADC>` (docs/reference/g2-commands.md, *ADC>*): raw levels, and the board's identity.
 
-`bdid`, `bdrevid` and the line of `scan` are quoted [S1]. What `rssi` and `m` print around their number is [I].
+`bdid`, `bdrevid` and the line of `scan` are quoted (noted). What `rssi` and `m` print around their number is assumed.
 """
 
 from __future__ import annotations

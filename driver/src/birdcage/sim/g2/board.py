@@ -17,9 +17,10 @@ from birdcage.sim.sky import Sky
 from birdcage.sim.stance import Stance
 
 INT_MAX = 2147483647
-"""What an axis reports, and `scan` aims at, until it is homed (section 7.2, [S1])."""
+"""What an axis reports, and `scan` aims at, until it is homed (noted: docs/reference/g2-motors.md, *Position*)."""
 ADC_NOISE_COUNTS = 1.5
-"""Standard deviation of one raw reading: 233 to 238 over the empty sky (section 7.3, [S1])."""
+"""Standard deviation of one raw reading: 233 to 238 over the empty sky (noted: docs/reference/g2-signal.md,
+*Levels*)."""
 
 
 class Board:

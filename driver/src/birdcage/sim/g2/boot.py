@@ -1,4 +1,7 @@
-"""What a G2 prints when it gets power (reference section 7.2). Tokens [S1]; lines around them and times [I]."""
+"""What a G2 prints when it gets power. Tokens (noted); lines around them and times (assumed).
+
+Source: docs/reference/g2.md, *Power-up*.
+"""
 
 from __future__ import annotations
 

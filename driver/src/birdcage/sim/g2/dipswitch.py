@@ -1,4 +1,4 @@
-"""The DIP switches, `DIPSWITCH>` (reference section 7.3): both lines are quoted [S1]."""
+"""The DIP switches, `DIPSWITCH>` (docs/reference/g2-commands.md, *DIPSWITCH>*): both lines are quoted (noted)."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""DiSEqC 2.x in `DVB>`: the bus that the tuner drives on the LNB's cable (section 7.3, document 001).
+"""DiSEqC 2.x in `DVB>`: the bus that the tuner drives on the LNB's cable (docs/reference/g2-signal.md, *DiSEqC*).
 
-Figures, `3 21180544 238 <4.5` and `RxReplyTimeout` with no switch are [S1]; the lines around them are [I], as is all
-that a switch (setting `switch_port`) answers.
+Figures, `3 21180544 238 <4.5` and `RxReplyTimeout` with no switch are noted; the lines around them are assumed, as
+is all that a switch (setting `switch_port`) answers.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ PORTS = 4
 BYTE_S = 0.0135
 """A byte on the bus: eight bits and parity of 1.5 ms."""
 COMMITTED = 0x38
-"""`E0 10 38 Fx` writes the committed switch; F0 to F3 are ports 1 to 4 [S1]."""
+"""`E0 10 38 Fx` writes the committed switch; F0 to F3 are ports 1 to 4 (noted)."""
 WANTS_REPLY = frozenset({0xE2, 0xE3})
 ACKNOWLEDGED = "E4"
 

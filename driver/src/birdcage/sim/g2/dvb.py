@@ -1,7 +1,8 @@
-"""The tuner menu, `DVB>` (reference sections 7.3 and 7.6): signal, streams, and the pages of its help.
+"""The tuner menu, `DVB>` (docs/reference/g2-commands.md, *DVB>*): signal, streams, and the pages of its help.
 
-`rssi` is quoted [S1]. That `agc`, `snr`, `nid` and `lnbv` print until a key comes, and what about, is [S1]; their lines
-are [I]. Which command stands on which page of the help is [S1] as far as document 001 tells it for `man`, else [I].
+`rssi` is quoted (noted). That `agc`, `snr`, `nid` and `lnbv` print until a key comes, and what about, is noted; their
+lines are assumed. Which command stands on which page of the help is noted as far as the notes tell it for `man`,
+else assumed.
 """
 
 from __future__ import annotations
@@ -119,7 +120,7 @@ class Dvb(G2Menu):
         return run
 
     def _agc(self) -> str:
-        """The stronger the signal, the less gain. The figures are [I]."""
+        """The stronger the signal, the less gain. The figures are assumed."""
         heard = self.board.tuner.read(self.board.now_s)
         above = heard.rssi - self.board.settings.rssi_floor
         return (

@@ -1,6 +1,6 @@
-"""The part of `DVB>` that tunes, lists and searches transponders (reference section 7.3).
+"""The part of `DVB>` that tunes, lists and searches transponders (docs/reference/g2-commands.md, *DVB>*).
 
-No source quotes what these print: every line is [I], and named so that a person understands it.
+No source quotes what these print: every line is assumed, and named so that a person understands it.
 """
 
 from __future__ import annotations

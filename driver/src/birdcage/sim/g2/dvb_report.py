@@ -1,7 +1,9 @@
-"""The part of `DVB>` that tells about the tuner: what it is, whether it locks, and what it has counted (section 7.3).
+"""The part of `DVB>` that tells about the tuner: what it is, whether it locks, and what it has counted.
 
-The words of `config` are those of the boot log [B/S1]; that `ls` counts reads, no-signal and glitches and lists
-networks is [S1]. Every line around them is [I].
+Source: docs/reference/g2-commands.md, *DVB>*.
+
+The words of `config` are those of the boot log (noted); that `ls` counts reads, no-signal and glitches and lists
+networks is noted. Every line around them is assumed.
 """
 
 from __future__ import annotations

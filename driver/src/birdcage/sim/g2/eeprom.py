@@ -1,6 +1,6 @@
-"""The processor's own memory, `EE>` (reference section 7.3).
+"""The processor's own memory, `EE>` (docs/reference/g2-commands.md, *EE>*).
 
-Both answers of reading are quoted [S1]; that of writing is made like them [I].
+Both answers of reading are quoted (noted); that of writing is made like them (assumed).
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from birdcage.sim.g2.menu import G2Menu
 from birdcage.sim.shell import Script
 
 ENTRIES = 256
-"""How many there are to write. [I]"""
+"""How many there are to write (assumed)."""
 INVALID = 65793
 """0x10101, the mark of an entry that holds nothing."""
 

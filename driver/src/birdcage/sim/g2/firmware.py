@@ -16,10 +16,10 @@ from birdcage.sim.shell import Pause, Script
 
 
 class G2Firmware:
-    """Version 02.02.48 (reference section 7)."""
+    """Version 02.02.48 (docs/reference/g2.md)."""
 
     baud = 115200
-    """Reference section 7.2."""
+    """Source: docs/reference/g2.md, *Line*."""
 
     def __init__(self, settings: G2Settings, host: Host) -> None:
         self.dish = G2Dish(settings, host.truth)
@@ -47,7 +47,7 @@ class G2Firmware:
         return boot_log(self.board, self.tracker) if home else _restart_log()
 
     def stalled(self, axis: Axis) -> None:
-        """Say so ([S0], seen on another dish of this maker)."""
+        """Say so (noted, seen on another dish of this maker)."""
         self._host.say(f"{axis.data.name} MOTOR STALLED\n")
 
     def _strikes(self, axis: Axis, end_s: float) -> None:

@@ -1,4 +1,7 @@
-"""The processor's pins, `GPIO>` (reference section 7.3). The words are quoted [S1], the lines around them are [I]."""
+"""The processor's pins, `GPIO>`. The words are quoted (noted), the lines around them are assumed.
+
+Source: docs/reference/g2-commands.md, *GPIO>*.
+"""
 
 from __future__ import annotations
 

@@ -1,15 +1,16 @@
 """Which pins the processor of a G2 has, which way they go, and how they stand at rest.
 
-From the functional pin map of document 001 ([S1], read off a live dish). A pin that it does not name is an input and
-low [I]; so is the direction of one that it lists with a dash, other than those that it calls outputs [I].
+From the table of docs/reference/g2-commands.md, *GPIO>* (noted, read off a live dish). A pin that it does not name is
+an input and low (assumed); one that it names is an input unless it calls it an output (assumed).
 """
 
 from __future__ import annotations
 
 RANGES = {"A": "0-19,24-29", "B": "0-11,16-19", "C": "0-19", "D": "0-15"}
-"""26 + 16 + 20 + 16; with the 14 of port E there are 92. A20 to A23 and B12 to B15 are absent. B16 to B19 are [I]."""
+"""26 + 16 + 20 + 16; with the 14 of port E there are 92. A20 to A23 and B12 to B15 are absent. B16 to B19 are
+assumed."""
 UNKNOWN = "E29"
-"""`regs` calls it unknown [S1]."""
+"""`regs` calls it unknown (noted)."""
 TUNER_POWER, LNB_18V = "D10", "C18"
 _CALLED_OUTPUTS = {"B0", "B1", "B2", "B3", "B11", "C10", "C11", "C12", "C13", "C18"}
 """Under the heading of outputs that are high, with a dash for the direction."""

@@ -31,59 +31,61 @@ class G2Settings(MotorSettings):
     }
 
     nvs20: bool = True
-    """Saved value of NVS 20, *Disable Tracker Proc?* ([V]; factory default FALSE): 1, so it does not move by itself.
+    """Saved value of NVS 20, *Disable Tracker Proc?* (written; factory default FALSE): 1, so it does not move by
+    itself.
 
     With 0 it homes and searches for a satellite after every power-on; a dish that starts without `boot` has found one.
     A fresh dish out of its box is `boot=1&nvs20=0`: it boots, homes by itself and searches. One that has booted and
     was not able to home, its search on, is `boot=1&nvs20=0&home_fails=1`, or at once `unhomed=1&nvs20=0`: an unhomed
-    dish does not search ([I]), and works once a person homes it.
+    dish does not search (assumed), and works once a person homes it.
     """
     second_move: str = "retarget"
     """What `a` does while that axis moves: retarget, queue, refuse (an error text) or block the shell; or, in_turn,
-    wait until both axes stand still, which section 2 tells of these consoles ([V] of Trav'lers). On a G2 [open]."""
+    wait until both axes stand still, as a Trav'ler does (docs/reference/consoles.md, *Moving*). Open on a G2."""
     second_other: str = "together"
     """What `a` does while the other axis moves: both move together, or the shell blocks and answers when that axis
-    stands still (section 2.6: "before accepting a new motor command"). On a G2 [open]."""
+    stands still ("before accepting a new motor command": docs/reference/consoles.md, *Moving*). Open on a G2."""
     move_reply: str = "angle"
-    """What `a <motor> <angle>` prints: `Angle = 46.00` ([S1], [P] of the G2+), nothing, or `m 0  a 4600  np 111714` as
-    a Pathway X2 does (section 8)."""
+    """What `a <motor> <angle>` prints: `Angle = 46.00` (noted, read of the G2+), nothing, or
+    `m 0  a 4600  np 111714` as a Pathway X2 does (docs/reference/g2.md, *Its kin*)."""
     out_of_range: str = "error"
-    """Whether a target beyond the limits is refused or moved to the limit. [open]"""
+    """Whether a target beyond the limits is refused or moved to the limit (open)."""
     out_of_range_text: str = "Angle out of range."
-    """What it says when it refuses one. [open]"""
+    """What it says when it refuses one (open)."""
     busy_text: str = "Error: motor busy."
-    """What it says when `second_move` is refuse. [open]"""
+    """What it says when `second_move` is refuse (open)."""
     unhomed_angle: str = "2147483647.00"
-    """How `a` prints an axis that is not homed: INT_MAX [S1], its format [I]."""
+    """How `a` prints an axis that is not homed: INT_MAX (noted), its format (assumed)."""
     unhomed_move: str = "error"
-    """What `a` does to an unhomed axis: `Step to Position EL angle error: 2147483647` [S1 text], or a deadlock."""
+    """What `a` does to an unhomed axis: `Step to Position EL angle error: 2147483647` (noted), or a deadlock."""
     unhomed_scan: str = "deadlock"
-    """What the `scan` of the ADC menu does unhomed: hang for good ([S1]), or print the text of `unhomed_move`."""
+    """What the `scan` of the ADC menu does unhomed: hang for good (noted), or print the text of `unhomed_move`."""
     signed: str = "relative"
-    """Whether `a 0 -0.5` and `a 0 +0.5` are relative moves ([S1]) or absolute angles (what section 2.8 assumes)."""
+    """Whether `a 0 -0.5` and `a 0 +0.5` are relative moves (noted) or absolute angles (docs/reference/g2-motors.md,
+    *Moving*)."""
     az_map: str = "nearest"
-    """The turn of the cable for an azimuth: the nearest that fits, that of home (-360 to 0), or as given. [I]"""
+    """The turn of the cable for an azimuth: the nearest that fits, that of home (-360 to 0), or as given (assumed)."""
     az_print: str = "wrapped"
-    """Whether `a` prints 0..360 or the cable's angle. [I]"""
+    """Whether `a` prints 0..360 or the cable's angle (assumed)."""
     az_outside: bool = True
-    """Whether azimuths outside 0..360 are taken. [open]"""
+    """Whether azimuths outside 0..360 are taken (open)."""
     az_speed: float = 0.0
     """Azimuth speed in deg/s instead of NVS 80; 0 for NVS."""
     el_speed: float = 0.0
     """Elevation speed in deg/s instead of NVS 85; 0 for NVS."""
     release_forgets: bool = True
-    """Whether released motors count as not homed. [I]"""
+    """Whether released motors count as not homed (assumed)."""
     release_sag: float = 3.0
-    """How far the elevation sinks when the motors are released. [I]"""
+    """How far the elevation sinks when the motors are released (assumed)."""
     rssi_read_s: float = 0.01
-    """Time of one reading of `rssi <n>`. [I]"""
+    """Time of one reading of `rssi <n>` (assumed)."""
     rssi_lead: str = "0 0"
-    """The two integers that `rssi` prints before its named fields; their meaning is unknown. [open]"""
+    """The two integers that `rssi` prints before its named fields; their meaning is unknown (open)."""
     rssi_noise: float = 1.0
-    """Standard deviation of one reading in counts (section 7.6)."""
+    """Standard deviation of one reading in counts (docs/reference/g2-signal.md, *Levels*)."""
     adc_floor: float = 235.0
-    """Raw counts of the empty sky in the ADC menu (section 7.3: 233 to 238, [S1])."""
+    """Raw counts of the empty sky in the ADC menu (233 to 238, noted)."""
     adc_scale: float = 0.5
-    """Raw counts of the ADC menu for each count of `rssi`. [I]"""
+    """Raw counts of the ADC menu for each count of `rssi` (assumed)."""
     stream_s: float = 0.5
-    """Time between two lines of a stream. [I]"""
+    """Time between two lines of a stream (assumed)."""

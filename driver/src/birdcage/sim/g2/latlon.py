@@ -1,7 +1,9 @@
-"""Where am I, from two geostationary satellites: `LATLON>` (reference section 7.3). Both lines are quoted [S1].
+"""Where am I, from two geostationary satellites: `LATLON>`. Both lines are quoted (noted).
 
-That the four parameters are azimuth and elevation of one satellite and then of the other is likely (document 001);
-which satellites is a setting. Each pair alone gives a place on a spherical Earth; the answer is midway.
+Source: docs/reference/g2-commands.md, *LATLON>*.
+
+That the four parameters are azimuth and elevation of one satellite and then of the other is likely (noted); which
+satellites is a setting. Each pair alone gives a place on a spherical Earth; the answer is midway.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The G2's two motors and its cable (reference section 7.4)."""
+"""The G2's two motors and its cable (docs/reference/g2-motors.md)."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from birdcage.sim.dish import Dish, Truth
 from birdcage.sim.g2.knobs import G2Settings
 
 CABLE_LOW_DEG, CABLE_HIGH_DEG = -423.33, 23.33
-"""The stops of the cable (reference section 7.4, [S1])."""
+"""The stops of the cable (noted: docs/reference/g2-motors.md, *Limits*)."""
 EL_STOP_LOW_DEG, EL_STOP_HIGH_DEG = 17.5, 65.5
-"""Solid mechanical stops [V zleffke], a little outside NVS 101 and 102 [I]."""
+"""Solid mechanical stops (written: zleffke), a little outside NVS 101 and 102 (assumed)."""
 AZ_STEPS, EL_STEPS = 40000, 24960
 SAG_RATE_DEG_S = 10.0
 

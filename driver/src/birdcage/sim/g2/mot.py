@@ -1,4 +1,4 @@
-"""The motor menu, `MOT>` (reference sections 7.3 and 7.4): all 25 commands, each in a file of its kind."""
+"""The motor menu, `MOT>` (docs/reference/g2-commands.md, *MOT>*): all 25 commands, each in a file of its kind."""
 
 from __future__ import annotations
 

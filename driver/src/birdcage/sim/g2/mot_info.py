@@ -1,7 +1,7 @@
-"""The commands of `MOT>` that only tell (reference section 7.3).
+"""The commands of `MOT>` that only tell (docs/reference/g2-commands.md, *MOT>*).
 
-`mv` and `elminmaxhome` are quoted [S1], and `0=AZIMUTH`, `1=ELEVATION` of `l`. What the others tell is [S1], their
-lines are [I], made like these.
+`mv` and `elminmaxhome` are quoted (noted), and `0=AZIMUTH`, `1=ELEVATION` of `l`. What the others tell is noted,
+their lines are assumed, made like these.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ def el_limits(board: Board) -> Script:
 
 
 def el_to_steps(board: Board, args: list[str]) -> Script | None:
-    """`ela2s <deg>`: centidegrees inside ([S1])."""
+    """`ela2s <deg>`: centidegrees inside (noted)."""
     angle = number(args[0]) if len(args) == 1 else None
     if angle is None:
         return None
@@ -75,7 +75,7 @@ def el_to_steps(board: Board, args: list[str]) -> Script | None:
 
 
 def steps_to_el(board: Board, args: list[str]) -> Script | None:
-    """`els2a <steps>`: reports overflow when out of range ([S1]; setting `els2a_most`)."""
+    """`els2a <steps>`: reports overflow when out of range (noted; setting `els2a_most`)."""
     count = number(args[0]) if len(args) == 1 else None
     if count is None or count != int(count):
         return None

@@ -55,7 +55,7 @@ def _cable_target(board: Board, az_deg: float, low: float, high: float) -> float
 
 
 def angle_error(axis: Axis) -> str:
-    """What it says of an axis that does not know where it is ([S1], for the elevation)."""
+    """What it says of an axis that does not know where it is (noted, for the elevation)."""
     return f"Step to Position {axis.data.name} angle error: {INT_MAX}\n"
 
 

@@ -1,6 +1,6 @@
-"""The commands of `MOT>` that move (reference sections 7.3 and 7.4): `a`, `g`, `vms`, `motorboth` and `sd`.
+"""The commands of `MOT>` that move (docs/reference/g2-motors.md): `a`, `g`, `vms`, `motorboth` and `sd`.
 
-The arguments are quoted [S1]; but for `a`, what is printed and how the shell waits is [I] or a setting.
+The arguments are quoted (noted); but for `a`, what is printed and how the shell waits is assumed or a setting.
 """
 
 from __future__ import annotations
@@ -86,7 +86,10 @@ def _taken(board: Board, index: int, deg: float) -> str:
 
 
 def both(board: Board, args: list[str]) -> Script | None:
-    """`g <az> <el>`: both axes at once; the shell listens, and any byte breaks the move off ([V], section 2)."""
+    """`g <az> <el>`: both axes at once; the shell listens, and any byte breaks the move off.
+
+    Source: docs/reference/consoles.md, *Moving*.
+    """
     wanted = [number(text) for text in args]
     if len(wanted) != 2 or wanted[0] is None or wanted[1] is None:
         return None

@@ -1,4 +1,7 @@
-"""The commands of `MOT>` that say where an axis is (reference sections 7.3 and 7.4): `h`, `sp`, `sw` and `w`."""
+"""The commands of `MOT>` that say where an axis is: `h`, `sp`, `sw` and `w`.
+
+Source: docs/reference/g2-commands.md, *MOT>*; docs/reference/g2-motors.md, *Homing*.
+"""
 
 from __future__ import annotations
 

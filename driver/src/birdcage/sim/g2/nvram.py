@@ -1,4 +1,4 @@
-"""The G2's settings memory: RAM, flash and factory values (reference section 7.5).
+"""The G2's settings memory: RAM, flash and factory values (docs/reference/g2-settings.md, *Rows*).
 
 Only the rows that a source quotes are here; the others are holes, as an index that does not exist.
 """
@@ -67,15 +67,15 @@ ROWS: dict[int, Row] = {
 }
 """Only 20, 38, 41, 80, 81, 85, 101 to 103 and 128 to 133 change what this dish does; the others are kept and shown.
 
-That 128 to 133 are the gains is [S1]; their order, names, kind and values are [I] (settings `pid_kp`, `pid_kv`,
-`pid_ki`).
+That 128 to 133 are the gains is noted; their order, names, kind and values are assumed (settings `pid_kp`,
+`pid_kv`, `pid_ki`).
 """
 AZ_GAINS, EL_GAINS = 128, 131
 """Their first rows: Kp, Kv and Ki follow each other."""
 
 
 class Nvram:
-    """RAM and flash. `active` is what the firmware read at power-on and goes by until the next one ([V] for 20)."""
+    """RAM and flash. `active` is what the firmware read at power-on and goes by until the next (written for 20)."""
 
     def __init__(self, saved: Mapping[int, float]) -> None:
         """Hold the factory's values, but for those `saved` before."""

@@ -1,4 +1,4 @@
-"""The settings menu, `NVS>` (reference section 7.5, a verbatim session)."""
+"""The settings menu, `NVS>` (docs/reference/g2-settings.md, *A session*)."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ HEADER = (
 SAVING = "    Saving ... \n"
 SAVED = "Flash file flashx:bank0 opened\nFlash sector cache enabled.\nFlash doneSuccess\n"
 SAVE_S = 0.5
-"""How long flash takes. [I]"""
+"""How long flash takes (assumed)."""
 
 
 class Nvs(G2Menu):
-    """Shows, edits and saves settings. Words it does not know read the next row: no error is ever printed ([S1])."""
+    """Shows, edits and saves settings. Words it does not know read the next row: no error is ever printed (noted)."""
 
     prompt = "NVS>"
     help_lines = (

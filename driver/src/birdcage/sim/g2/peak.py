@@ -1,7 +1,7 @@
-"""Peaking and switches, `PEAK>` (reference section 7.3).
+"""Peaking and switches, `PEAK>` (docs/reference/g2-commands.md, *PEAK>*).
 
-The lines of `rssits` and `ts` are quoted [S1], the others [I]. `pw` and `pxy1` move the dish: they step across the
-place where it stands and end at the best one that they found. The shell is deaf meanwhile, as in any command.
+The lines of `rssits` and `ts` are quoted (noted), the others assumed. `pw` and `pxy1` move the dish: they step across
+the place where it stands and end at the best one that they found. The shell is deaf meanwhile, as in any command.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from birdcage.sim.shell import Die, Pause, Script
 
 READS = 10
 TOGGLE_S = 0.3
-"""How long the LNB takes to follow its voltage. [I]"""
+"""How long the LNB takes to follow its voltage (assumed)."""
 SMALLEST_STEP_DEG = 0.05
 NAMES = ("AZ", "EL")
 

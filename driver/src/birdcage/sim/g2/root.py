@@ -1,4 +1,4 @@
-"""The root menu, `TRK>` (reference sections 7.3 and 7.8)."""
+"""The root menu, `TRK>` (docs/reference/g2-commands.md, *TRK>*; docs/reference/g2.md, *Hazards*)."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ SUBMENUS = {
     "peak": "Peak Signal",
     "step": "Stepper Control",
 }
-"""The line of `dvb` is verbatim [B]; the others are made like it [I]."""
+"""The line of `dvb` is quoted (noted); the others are made like it (assumed)."""
 
 
 class Root(G2Menu):

@@ -1,4 +1,7 @@
-"""The sleep timer, NVS 38: that there is one is known, what it does to the console is not (section 7.5)."""
+"""The sleep timer, NVS 38: that there is one is known, what it does to the console is not.
+
+Source: docs/reference/g2.md, *Hazards*.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +11,7 @@ if TYPE_CHECKING:
     from birdcage.sim.g2.board import Board
 
 TIMER = 38
-"""The row of the settings memory: seconds without input; 0 for never [I]."""
+"""The row of the settings memory: seconds without input; 0 for never (assumed)."""
 
 
 class Sleep:

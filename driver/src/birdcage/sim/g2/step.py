@@ -1,4 +1,4 @@
-"""The stepper menu, `STEP>` (reference section 7.3): microsteps, microsteps/s, microsteps/s/ms."""
+"""The stepper menu, `STEP>` (docs/reference/g2-commands.md, *STEP>*): microsteps, microsteps/s, microsteps/s/ms."""
 
 from __future__ import annotations
 
@@ -92,7 +92,7 @@ class Step(G2Menu):
             axis.retarget(self.board.now_s, math.copysign(FAR_DEG, rate), rate_deg_s=abs(rate))
 
     def _gains(self, args: list[str]) -> Script:
-        """No Ki at this level ([S1]); both motors have the same unless they were told otherwise."""
+        """No Ki at this level (noted); both motors have the same unless they were told otherwise."""
         index = motor_number(args[0]) if args else 0
         values = [number(text) for text in args[1:]]
         if index is None or len(args) not in (0, 1, 3) or None in values:

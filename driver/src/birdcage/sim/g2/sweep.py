@@ -1,7 +1,8 @@
 """The sweeps that the firmware makes by itself: `azscan` and `azscanwxp` of `MOT>`, `scan` of `ADC>`.
 
-The arguments of the first two and the line of `scan` are quoted ([S1] [B], section 7.7); that the other two print the
-same line, their rate and their path are [I] or settings. Lock and SNR are the tuner's at that instant.
+The arguments of the first two and the line of `scan` are quoted (noted: docs/reference/g2-motors.md, *Sweeps*); that
+the other two print the same line, their rate and their path are assumed or settings. Lock and SNR are the tuner's at
+that instant.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ class Sweep:
 
 
 def azscan(board: Board, args: list[str]) -> Script | None:
-    """`azscan [az_rel] [el_rel] [delay]`: degrees, degrees and milliseconds ([I]); setting `azscan_rows`."""
+    """`azscan [az_rel] [el_rel] [delay]`: degrees, degrees and milliseconds (assumed); setting `azscan_rows`."""
     given = [number(text) for text in args]
     if len(given) > 3 or None in given:
         return None
@@ -47,7 +48,7 @@ def azscan(board: Board, args: list[str]) -> Script | None:
 
 
 def azscanwxp(board: Board, args: list[str]) -> Script | None:
-    """`azscanwxp [motor] [span_deg] [res_cdeg] [num_xponders]`: `0 10 100 3` is 30 lines ([B])."""
+    """`azscanwxp [motor] [span_deg] [res_cdeg] [num_xponders]`: `0 10 100 3` is 30 lines (noted)."""
     settings = board.settings
     index = motor(args[0]) if args else 0
     given = [number(text) for text in args[1:]]
@@ -81,7 +82,7 @@ def adc_scan(board: Board, args: list[str]) -> Script | None:
 
 
 def _guarded(board: Board, index: int, script: Callable[[], Generator[Step, bool | None, object]]) -> Script:
-    """Sweep if the axis knows where it is; else it is sent to INT_MAX, and the shell waits for that ([S1])."""
+    """Sweep if the axis knows where it is; else it is sent to INT_MAX, and the shell waits for that (noted)."""
     axes = board.dish.axes
     axis = axes[index]
     if axis.homed:

@@ -1,4 +1,4 @@
-"""The system menu, `OS>` (reference section 7.1)."""
+"""The system menu, `OS>` (docs/reference/g2.md, *Identity*)."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ NXP Kinetis K60 ARM Cortex-M4
   Flash Base:    0x00010000 (65536)
   Flash Size:    458752 bytes (448 KB)
 """
-"""Fields and order [B]; the layout is that source's own rendering, not certainly the wire's. The NVS version that [S1]
-names is printed below them (setting `nvs_version`)."""
+"""Fields and order (noted); the layout is that source's own rendering, not certainly the wire's. The NVS version that
+the notes name is printed below them (setting `nvs_version`)."""
 
 
 class System(G2Menu):

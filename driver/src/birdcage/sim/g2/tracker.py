@@ -1,7 +1,7 @@
 """The TV search, *Tracker Proc*: it moves the dish by itself after power-on unless NVS 20 is TRUE.
 
-That it searches, and at which speed (NVS 41), is in the reference (sections 1 and 7.5). Its path, and that it takes
-the first strong signal, are [I]. It prints nothing here, as no source quotes what it prints.
+That it searches, and at which speed (NVS 41), is noted (docs/reference/g2.md, *Power-up*). Its path, and that it takes
+the first strong signal, are assumed. It prints nothing here, as no source quotes what it prints.
 """
 
 from __future__ import annotations

@@ -1,7 +1,8 @@
 """The BCM4515 as far as the console shows it: what it is tuned to, what it hears, and what feeds the LNB.
 
 That there are 32 transponders 14.58 MHz apart, odd ones vertical at 13 V and even ones horizontal at 18 V, is the plan
-of DISH with an LO of 11.25 GHz: number 15 comes to the 1178 MHz that document 001 names. [I] The network ids are [I].
+of DISH with an LO of 11.25 GHz: number 15 comes to the 1178 MHz that the notes name (docs/reference/g2-signal.md,
+*Tuner*). The plan and the network ids are assumed.
 """
 
 from __future__ import annotations
@@ -17,9 +18,9 @@ if TYPE_CHECKING:
 TRANSPONDERS = 32
 FIRST_KHZ, SPACING_KHZ = 974_000, 14_580
 SYMBOL_RATE_KSPS = 20_000
-"""Inside the blind scan's 18000 to 24000 (section 7.2)."""
+"""Inside the blind scan's 18000 to 24000 (docs/reference/g2.md, *Power-up*)."""
 PULL_IN_KHZ = 3_000
-"""So far off it still locks. [I]"""
+"""So far off it still locks (assumed)."""
 HORIZONTAL_V, VERTICAL_V = 18.0, 13.0
 NO_NETWORK = 0xFFFF
 NETWORKS = {
@@ -31,7 +32,7 @@ NETWORKS = {
     -119.0: 0x1001,
     -129.0: 0x1004,
 }
-"""Slot in degrees east to the network that it carries; the slots of `sky.SLOTS` left out send none. [I]"""
+"""Slot in degrees east to the network that it carries; the slots of `sky.SLOTS` left out send none (assumed)."""
 
 
 @dataclass(frozen=True, slots=True)

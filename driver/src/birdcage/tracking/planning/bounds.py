@@ -14,8 +14,8 @@ from birdcage.tracking.mount import Mount
 
 CABLE_MARGIN_DEG = 0.05
 SECTOR_MARGIN_DEG = 0.1
-"""How far a plan keeps off a no-go sector: more than an axis overshoots (0.06 degrees; `docs/reference/g2.md`, *What it
-can do*)."""
+"""How far a plan keeps off a no-go sector: more than an axis overshoots (0.06 degrees; `docs/reference/consoles.md`,
+*Overshoot*)."""
 BORDER_HALF_DEG = CLEAR_DEG + 0.2
 """How far a plan keeps off where the dish may turn the other way round: beyond what the gate asks for, as above."""
 _HAIR_DEG = 1e-6

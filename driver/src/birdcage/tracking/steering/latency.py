@@ -12,7 +12,7 @@ LASTING = 0.05
 WILDEST = 4.0
 """A measurement counts as at most so many times what is known: one lost answer does not move the aim."""
 REPLY_BYTES = 30
-"""Of a move: what comes back after the dish has taken it, echo left out (`docs/reference/g2.md`)."""
+"""Of a move: what comes back after the dish has taken it, echo left out (`docs/reference/consoles.md`, *Variants*)."""
 READING_BYTES = 45
 """Of a position: two lines and the prompt."""
 BITS_A_BYTE = 10
