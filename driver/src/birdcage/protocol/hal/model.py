@@ -24,7 +24,7 @@ SKEW = Axis("skew", Role.SKEW, 0.0, 180.0, _SPEED_DEG_S, _ACCELERATION_DEG_S2, _
 
 REFLECTOR = Reflector(0.8382, 0.5842)
 """33 x 23 inches, the long side level, as for feeds side by side along the arc: an assumption, as is that the skew axis
-turns the feed alone (`docs/decisions`)."""
+turns the feed alone (`docs/decisions/0032-beam-of-dish-and-feed.md`)."""
 
 HANDLING = Handling(
     clearance="Nothing taller than 8 in (20 cm) may stand within 32.5 in (83 cm) of the centre of its base.",
