@@ -30,7 +30,7 @@ _DEGREES = r"([-+]?\d+(?:\.\d+)?)(?=\s+[A-Za-z]|\s*$)"
 """A number with a word behind it, or nothing: what noise has cut in two is none."""
 _ANGLE = re.compile(rf"Angle\[(\d)\]\s*=\s*{_DEGREES}")
 _OTHER_ANGLES = re.compile(r"\bAZ\s*=.*\bEL\s*=")
-"""How the HAL family prints where it is (docs/reference/travler.md); no damage makes it of a G2's answer."""
+"""How a Trav'ler prints where it is (docs/reference/travler.md, *Position*); no damage makes it of a G2's answer."""
 _PLAUSIBLE = (-720.0, 720.0), (-90.0, 180.0)
 """Azimuth and elevation, wider than any dish turns: what lies outside is a misread number, not an angle."""
 _MOVE_TAKEN = re.compile(rf"Angle\s*=\s*{_DEGREES}")

@@ -47,7 +47,7 @@ class G2Firmware:
         return boot_log(self.board, self.tracker) if home else _restart_log()
 
     def stalled(self, axis: Axis) -> None:
-        """Say so (noted, seen on another dish of this maker)."""
+        """Say so (noted of another dish of this maker: docs/reference/consoles.md, *Stalls*)."""
         self._host.say(f"{axis.data.name} MOTOR STALLED\n")
 
     def _strikes(self, axis: Axis, end_s: float) -> None:
