@@ -12,7 +12,7 @@ _COMMAND = re.compile(r"([A-Za-z?][\w?*]*)((?:\s+[\[<(]\S.*?[\])>])*)\s*(?:(?:\s
 
 
 def parse_help(menu: str | None, lines: Iterable[str]) -> tuple[CommandDoc, ...]:
-    """Read what `?` printed, leniently; a line that is none of its forms is passed over.
+    """Read what `?` printed (`docs/reference/g2.md`, *Menus*), leniently: a line that is none of its forms is left out.
 
     Forms: `Enter <dvb> - DVB Tuner`, `help [<command>]`, `a [<motor> <angle>]`, `agc - reads the AGC`, bare words.
     """

@@ -13,7 +13,7 @@ from birdcage.rotator.raw import CommandDoc, Permit, RawAnswer
 from birdcage.rotator.verdict import Grade, Verdict
 
 HELP = ("?",)
-"""What brings the help of a menu, unless its dialect knows better."""
+"""What brings the help of a menu, unless its dialect knows better (`docs/reference/consoles.md`, *Shell*)."""
 
 PROMPT = re.compile(r"\S{0,16}>")
 

@@ -1,6 +1,6 @@
 """The menus of a Carryout of 2003: root, `target`, `motor`, `dvb`, `os`, `nvs`.
 
-Their names are written, their texts assumed: `docs/reference/carryout-2003.md`, *Menus*.
+Their names are written, their texts are open: `docs/reference/carryout-2003.md`, *Menus*.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """What can be chosen about a simulated Trav'ler with HAL 2.05 beside what every dish has (`birdcage.sim.settings`).
 
 No byte of this console was ever captured: texts and layouts are free. Each field is an option of the address:
-`sim:hal205?prompts=alike&wrap=360`. (written), (read), (noted) and (assumed) as in `docs/reference/travler.md`.
+`sim:hal205?prompts=alike&wrap=360`. The words in brackets as in `docs/reference/travler.md`.
 """
 
 from __future__ import annotations
@@ -54,11 +54,11 @@ class HalSettings(Settings):
     search_speed: float = 20.0
     """Azimuth rate of the search in deg/s (assumed)."""
     search_text: str = ""
-    """Printed at the beginning of every sweep, if anything is (assumed)."""
+    """Printed at the beginning of every sweep, if anything is (open)."""
     found_text: str = ""
-    """Printed when the search ends at a satellite, if anything is (assumed)."""
+    """Printed when the search ends at a satellite, if anything is (open)."""
     search_stopped_text: str = "Search stopped."
-    """What `s` of the search menu answers (assumed)."""
+    """What `s` of the search menu answers (open)."""
     boot_home_s: float = 120.0
     """How long homing takes after power-up: shorter than the 10 to 15 minutes of a Carryout (noted); the figure
     (assumed)."""
@@ -66,13 +66,13 @@ class HalSettings(Settings):
     """The line that ends homing: `No LNB Voltage` (noted), `NoGPS` (read), or none, as with a GPS (written)."""
 
     prompts: str = "named"
-    """Whether the menus have prompts of their own, or all the same one (assumed)."""
+    """Whether the menus have prompts of their own, or all the same one (open)."""
     prompt_root: str = "TRK>"
     prompt_motor: str = "MOT>"
     prompt_ngsearch: str = "NGSEARCH>"
     prompt_nvs: str = "NVS>"
     prompt_alike: str = ">"
-    """The prompts (assumed)."""
+    """The prompts: that of the motor menu (assumed), the others (open)."""
 
     a_layout: str = "line"
     """Whether `a` prints all in one line (noted), or a line for each axis (assumed). The tokens are (read)."""
@@ -83,7 +83,7 @@ class HalSettings(Settings):
     ack: str = "OK"
     """What `a <id> <deg>` answers; empty for nothing (assumed)."""
     g_text: str = ""
-    """What `g` prints as it begins; empty for nothing (assumed)."""
+    """What `g` prints as it begins; empty for nothing (open)."""
     wrap: str = "455"
     """Where the cable ends: usually 360 or 455 (written). 0: the wrap position goes from 455 to 0 once north was
     crossed, and the next move goes back a whole turn (that it happens: written; when: assumed)."""
@@ -93,17 +93,17 @@ class HalSettings(Settings):
     el_max: float = 90.0
     """Highest elevation that it takes (noted)."""
     out_of_range: str = "error"
-    """Whether other targets beyond the limits are refused or moved to the limit (assumed)."""
+    """Whether other targets beyond the limits are refused or moved to the limit (open)."""
     out_of_range_text: str = "Angle out of range."
-    """What it says when it refuses one (assumed)."""
+    """What it says when it refuses one (open)."""
     az_outside: bool = True
-    """Whether azimuths outside 0..360 are taken: the public scripts send -0.5 (written). Their effect is (assumed)."""
+    """Whether azimuths outside 0..360 are taken: the public scripts send -0.5 (written). Their effect is (open)."""
     unhomed_angle: str = "2147483647.00"
-    """How `a` prints an axis that is not homed; known of a G2 only (assumed)."""
+    """How `a` prints an axis that is not homed; known of a G2 only (open)."""
     unhomed_move: str = "error"
-    """What a move of an unhomed axis meets: `unhomed_text`, or a deadlock (assumed)."""
+    """What a move of an unhomed axis meets: `unhomed_text`, or a deadlock (open)."""
     unhomed_text: str = "Motor not calibrated."
-    """What it says to one (assumed)."""
+    """What it says to one (open)."""
     stall_text: bool = True
     """Whether stalls and failed homing are told on the console, or only on the indoor unit's display (assumed)."""
 

@@ -11,7 +11,7 @@ Command = Callable[[list[str]], Script]
 
 
 class HalMenu:
-    """One submenu. A subclass fills `commands` (documented) and `help_lines` (what `?` prints: assumed)."""
+    """One submenu. A subclass fills `commands` (documented) and `help_lines` (what `?` prints: open)."""
 
     help_lines: tuple[str, ...] = ()
 

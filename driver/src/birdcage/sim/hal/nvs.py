@@ -1,6 +1,6 @@
 """The settings menu: `d`, `d <i>`, `e <i>`, `e <i> <v>`, `s` (`docs/reference/travler.md`, *Settings*).
 
-Its texts are assumed.
+Its texts are open.
 """
 
 from __future__ import annotations

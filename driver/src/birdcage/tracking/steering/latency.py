@@ -36,9 +36,9 @@ class Smoothed:
 class Latency:
     """From the first byte of a command until the dish acts, for each axis.
 
-    The console is taken for one thread: it answers when it has carried the command out, so a dish acts at the end of
-    the round trip, less what the answer takes on the wire. Where the answer comes only when the move is over (of some
-    that is unknown) the move is taken off as well.
+    The shell has one thread (`docs/reference/consoles.md`, *Shell*). It is taken to answer when it has carried the
+    command out, so a dish acts at the end of the round trip, less what the answer takes on the wire. Where the answer
+    comes only when the move is over (of some that is unknown) the move is taken off as well.
     """
 
     def __init__(self, model: Facts, first_s: float) -> None:
