@@ -1,4 +1,4 @@
-"""A pursuit with a dish that takes no command before its motor rests (reference 2.6): known to, or found out."""
+"""A pursuit with a dish that takes no command before its motor rests: known to, or found out."""
 
 from __future__ import annotations
 

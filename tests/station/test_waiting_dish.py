@@ -1,4 +1,4 @@
-"""A dish that takes no command of a move while a motor runs, on either axis, and answers late (reference 2.6)."""
+"""A dish that takes no command of a move while a motor runs, on either axis, and answers late (docs/decisions/0023)."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Situations that pass searches got wrong: those of Skyfield's test_satellite_events.py (MIT), and more of the kind.
 
-Skyfield's issues 559 and 996, and passes of eccentric orbits that it lists without their rise (reference 2.1).
+Skyfield's issues 559 and 996, and passes of eccentric orbits that it lists without their rise.
 """
 
 from __future__ import annotations
