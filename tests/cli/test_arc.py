@@ -39,7 +39,7 @@ def test_a_small_miss_is_gone_to_and_told(swing, as_json):
     assert result.exit_code == 0, result.stderr
     assert result.stdout.startswith("AZ: 199.8")
     assert "That is the nearest it reaches: 0.4" in result.stderr
-    assert "It does not tell." in result.stderr
+    assert "At rest the dish does not tell." in result.stderr
     assert swing.twin.truth().az_deg == pytest.approx(199.87, abs=0.1)
     assert as_json(swing("move", "--az", 200, "--el", 33.4, "--json"))["miss_deg"] == pytest.approx(0.48, abs=0.02)
 

@@ -233,7 +233,7 @@ def test_a_dish_without_skew_refuses_it():
 
 def test_homing_is_refused_before_anything_changes(bench):
     since, before = bench.clock.monotonic(), bench.state
-    with pytest.raises(MotionRefused, match="only by itself"):
+    with pytest.raises(MotionRefused, match="homes only at power-up"):
         bench.do(Home("you"))
     assert bench.state.homed is before.homed
     assert bench.state.position is not None

@@ -19,7 +19,7 @@ from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.panes.sky import SkyPane
 from birdcage_tui.skew import SkewPane
 from birdcage_tui.status import BadDayRow, StatusLine, StopButton
-from birdcage_tui.words import stop_text
+from birdcage_tui.stop_words import stop_text
 from stage import read, run, run_each
 
 SIZES = [(80, 24), (120, 36), (160, 48), (200, 60)]

@@ -34,7 +34,7 @@ from tests.station.pursuit_bench import at, g2, plan_of
 from tests.station.queued_bench import connected
 from tests.station.talk_bench import TalkBench
 
-PROMISE = re.compile(r"^STOP (holds it|takes [\d.]+ s|should take|brings it|ends the|at end of move)")
+PROMISE = re.compile(r"^STOP (holds it|takes [\d.]+ s|should take|should stop|brings it|ends the|at end of move)")
 DENIAL = re.compile(r"[Nn]o STOP|can't")
 WIDEST = 36
 """Columns of the pane at 80x24."""

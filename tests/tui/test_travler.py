@@ -17,8 +17,9 @@ from birdcage_tui.goto import foretell
 from birdcage_tui.goto_skew import skew_of
 from birdcage_tui.panes.health import HealthPane
 from birdcage_tui.settings import AppSettings
+from birdcage_tui.stop_words import stop_text
 from birdcage_tui.view import View
-from birdcage_tui.words import bad_day, calm, ended_text, motion_text, stop_text
+from birdcage_tui.words import bad_day, calm, ended_text, motion_text
 from stage import read, run
 
 SIZES = [(80, 24), (120, 36), (160, 48)]

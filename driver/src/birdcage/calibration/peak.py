@@ -23,7 +23,7 @@ SEEN_DB = 0.05
 """The change of level that a person sees on a meter."""
 SLOT_RISE_DB = 1.2
 """What a television satellite adds to the level in the stock feed: 112 to 160 counts on 400
-(`docs/reference/g2-signal.md`, *Beam*)."""
+(*Beam*, on the pages of the dishes)."""
 
 
 @dataclass(frozen=True, slots=True)

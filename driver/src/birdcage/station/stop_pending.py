@@ -34,7 +34,7 @@ class Reach(Enum):
         return self in (Reach.LOOKING, Reach.CHECKING)
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, kw_only=True)
 class Pending:
     """A STOP whose effect is not known yet."""
 

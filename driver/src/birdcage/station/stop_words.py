@@ -138,7 +138,7 @@ def _without_plan(state: StationState) -> tuple[str, ...]:
             if by is StopMeans.WAIT:
                 return ("STOP at end of move",)
             proven = dish is not None and any(rung.means is by and rung.proven for rung in dish.stop_ladder)
-            return ("STOP brings it to rest" if proven else "STOP should bring it to rest",)
+            return ("STOP brings it to rest" if proven else "STOP should stop it",)
     return latched if state.held is not None else ("STOP holds it where it is",)
 
 

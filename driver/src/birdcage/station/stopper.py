@@ -153,9 +153,8 @@ class Stopper:
             now = self._board.clock.monotonic()
             repeats = self._pending.sent if self._pending is not None else 0
             self._pending = Pending(
-                report, repeats + (order is not None), order is None, None,
-                now + self._lasts_s(report.means, slowest=slowest),
-                slowest, order=order,
+                report=report, sent=repeats + (order is not None), answered=order is None, still_from=None,
+                deadline=now + self._lasts_s(report.means, slowest=slowest), slowest=slowest, order=order,
                 action_is_complete=not (action.means.is_sent or action.means is StopMeans.RELEASE),
                 unsent=action if report.means is StopMeans.NO_LINK else None,
                 target=shown or (None if self._pending is None else self._pending.target),
