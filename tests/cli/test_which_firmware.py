@@ -21,7 +21,7 @@ SLOW = "seed=1&az_speed=4&el_speed=4"
 def _short_waits(monkeypatch) -> None:
     """Wait less for a dish that might be starting, or busy."""
     monkeypatch.setattr("birdcage.detection.detecting.LOG_S", 0.3)
-    monkeypatch.setattr("birdcage.cli.commands.stop.PATIENCE_S", 4.0)
+    monkeypatch.setattr("birdcage.cli.commands.stop.PATIENCE_S", 8.0)
 
 
 @pytest.fixture
